@@ -10,6 +10,7 @@ from elastica_cad._values import require_record
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.elements import NOUNS, Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import sheet_color
@@ -26,7 +27,9 @@ LAYER_COLORS = {
     "MARK": "#3a8f4d",
     "SHEET": "#8a8f98",
 }
-COMB, LINE, FAINT = "#2f6db3", "#c2452d", "#8a8f98"
+COMB, LINE, FAINT, HOLD = "#2f6db3", "#c2452d", "#8a8f98", "#3a8f4d"
+MARKERS = {Rail: "^", Pin: "o", Tie: "s", PointForce: "v"}
+"""Marks of elements and point forces at their stations."""
 
 NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
 """Space around a drawing with both axes, a title, and a legend below the title."""
@@ -41,6 +44,9 @@ MARGIN_SHARE = 0.04
 """Space beside the flat strip, as a fraction of its length."""
 COMB_SHARE = 0.16
 """Longest tooth of the curvature comb, as a fraction of the curve's extent."""
+
+PARALLEL = 1e-6
+"""Sine of the angle below which neighbouring sides of a thrust line have no corner."""
 
 SMOOTH_MM = 0.02
 """Accuracy of polylines for splines in pictures, less than a printed dot."""
@@ -161,7 +167,7 @@ def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ())
 
 
 def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> None:
-    """Draw the bent rod, its curvature comb, inflection line and supports, and the requested curve."""
+    """Draw the bent rod, its curvature comb, inflection or thrust line and supports, and the requested curve."""
     position, tips, turns = rod.position, comb_tips(rod), _inflections(rod)
     paint_comb(axes, position, tips)
     wished = [] if wish is None else [wish.sample(600).position]
@@ -186,6 +192,10 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[He
         if line is not None:
             axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
             shown += [*line]
+    for k, side in enumerate(_thrust_sides(rod, turns, low, high)):
+        label = "_side" if k else "thrust line"
+        axes.plot(*side.T, color=LINE, linewidth=1.0, linestyle="--", label=label)
+    _mark_stations(axes, rod)
     # leave room across a nearly straight curve, so that its axis can be read
     box = box_about(np.array(shown))
     least, middle = _widened(box[1] - box[0]) / 2, box.mean(axis=0)
@@ -285,11 +295,57 @@ def _inflections(rod: Rod) -> FloatArray:
 def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
     """Return point and direction of the line of zero moment (Eq. 3), or None for a rod with weight."""
     size = float(np.linalg.norm(rod.force[0]))
-    if rod.gravity is not None or size == 0.0:
+    if rod.gravity is not None or rod.acting or size == 0.0:
         return None
     direction = rod.force[0] / size
     gradient = np.array([direction[1], -direction[0]])  # b = R^t lambda
     return rod.position[0] - gradient * rod.moment[0] / size, direction
+
+
+def _thrust_sides(rod: Rod, turns: FloatArray, low: FloatArray, high: FloatArray) -> list[FloatArray]:
+    """Return the sides (2, 2) of the thrust line in a box, between their corners and past their inflections."""
+    lines = [
+        None if side is None else (np.array(side.point), np.array(side.direction)) for side in rod.thrust_line
+    ]
+    if not rod.acting or not lines:
+        return []
+    reached: list[list[FloatArray]] = [[] for _ in lines]
+    reached[0].append(rod.position[0])
+    reached[-1].append(rod.position[-1])
+    for k in range(len(lines) - 1):
+        first, second = lines[k], lines[k + 1]
+        if first is None or second is None:
+            continue
+        ways = np.column_stack([first[1], -second[1]])
+        if abs(np.linalg.det(ways)) > PARALLEL:
+            corner = first[0] + first[1] * np.linalg.solve(ways, second[0] - first[0])[0]
+            reached[k].append(corner)
+            reached[k + 1].append(corner)
+    far = [np.inf if side is None else np.abs(side.distance(turns)) for side in rod.thrust_line]
+    for turn, row in zip(turns, np.array([np.broadcast_to(one, len(turns)) for one in far]).T, strict=True):
+        reached[int(row.argmin())].append(turn)
+    sides = []
+    for line, points in zip(lines, reached, strict=True):
+        shown = None if line is None else clipped(*line, low, high)
+        if line is None or shown is None or len(points) < 2:
+            continue
+        t = (np.array(points) - line[0]) @ line[1]
+        inside = (shown - line[0]) @ line[1]
+        least, most = max(t.min(), inside[0]), min(t.max(), inside[1])
+        if least < most:
+            sides.append(line[0] + line[1] * np.array([[least], [most]]))
+    return sides
+
+
+def _mark_stations(axes: Axes, rod: Rod) -> None:
+    """Mark and name rails, pins, ties and point forces; a tie is drawn as a dotted line."""
+    beside = {"xytext": (6, 7), "textcoords": "offset points", "fontsize": 9, "color": HOLD}
+    for action in rod.acting:
+        noun = NOUNS[type(action.element)]
+        at = np.column_stack([np.interp(action.s, rod.s, rod.position[:, k]) for k in (0, 1)])
+        mark = {"color": HOLD, "markersize": 8, "markerfacecolor": "none", "linestyle": ":"}
+        axes.plot(*at.T, MARKERS[type(action.element)], label=f"_{noun}", **mark)
+        axes.annotate(noun, tuple(at[0]), **beside)
 
 
 def clipped(point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray | None:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+import elastica_cad as ec
 from elastica_cad import (
     Drawing,
     FabricationLimits,
@@ -93,6 +94,28 @@ def test_inflection_line_passes_the_inflection():
     along = line[1] - line[0]
     off = (point - line[0])[0] * along[1] - (point - line[0])[1] * along[0]
     assert off / (along @ along) ** 0.5 == pytest.approx(0, abs=1e-6)
+
+
+def test_inflections_are_on_the_sides_of_the_thrust_line_and_stations_are_marked():
+    points = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
+    wave = PlaneCurve.spline(points, degree=5)
+    between = (ec.Pin(200), ec.Tie(40, 310))
+    rod = ec.optimal_rod(wave, between=between)
+    axes = plot.rod(rod).axes[0]
+    lines = {line.get_label(): line.get_xydata() for line in axes.lines}
+    sides = [lines["thrust line"], *(line.get_xydata() for line in axes.lines if line.get_label() == "_side")]
+    assert "inflection line" not in lines
+    assert [text.get_text() for text in axes.texts] == ["pin", "tie"]
+    assert lines["_tie"] == pytest.approx(wave.at([40.0, 310.0]).position, abs=1e-2)
+    for point in lines["inflections"]:
+        near = []
+        for first, last in sides:
+            way = (last - first) / np.hypot(*(last - first))
+            if -1e-6 <= (point - first) @ way <= np.hypot(*(last - first)) + 1e-6:
+                near.append(abs((point - first) @ [way[1], -way[0]]))
+        assert min(near) < 0.05
+    heavy = ec.optimal_rod(wave, ec.Gravity(2000.0), between=between)
+    assert "thrust line" not in {line.get_label() for line in plot.rod(heavy).axes[0].lines}
 
 
 def test_of_a_bent_blank_the_line_passes_where_the_bending_changes_sign():
