@@ -55,8 +55,8 @@ WIDTHS_MM = (8.0, 120.0)
 
 
 MOST_SHEETS = 3
-"""Largest number of sheets in a row without -v: the thickest suitable of their kinds,
-or those with the least enlarged curve."""
+"""Largest number of sheets in a row without -v. They are the thickest suitable sheet of each kind. If no sheet is
+suitable, they are the sheets for which the curve must be enlarged least."""
 
 EVEN = 1.005  # largest ratio of widths that is not visible
 WIDE_MM = 40.0

@@ -27,7 +27,8 @@ if TYPE_CHECKING:
 
 
 def cutting_keys() -> dict[str, Field]:
-    """Return the fields of `Cutting` by their keys, which differ for the key `for`, a reserved word of Python."""
+    """Return the fields of `Cutting` by their keys. Only the key `for`, a reserved word of Python, has another
+    field name."""
     return {"for" if option.name == "recipient" else option.name: option for option in declared(Cutting)}
 
 

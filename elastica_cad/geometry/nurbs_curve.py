@@ -108,7 +108,7 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
     """Return the turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
     first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
     axis = _unit(first + last)
-    # the velocity is in the convex hull of its coefficients
+    # bounds hold for the whole piece, because its velocities are in the convex hull of the coefficients
     off_axis = turn_between(axis[:, None], cones.hodographs)
     to_start, to_end = off_axis[:, 0], off_axis[:, -1]
     across = turn_between(last[:-1], first[1:])

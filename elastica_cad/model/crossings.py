@@ -184,8 +184,8 @@ halves
 the error."""
 
 SAME_HEIGHT = 1e-9
-"""Difference of heights of nodes that count as equal, as a fraction of the length of the longer strip; equal strips
-have pairs of equal nodes."""
+"""Largest difference of height, as a fraction of the length of the longer strip, between nodes that count as one
+node."""
 
 LEVEL_SLOPE = 1e-12
 """Largest slope of the height of a curve that counts as level."""

@@ -364,7 +364,9 @@ def _with_tongue(
 ) -> FloatArray | None:
     """Return the anticlockwise loop with an outward tongue on `base`, two points inside one of its sides.
 
-    The tongue ends at the second height, and beyond the first height it is narrower by `step` on either side.
+    `heights` are distances from the side. Beyond the first height the tongue is narrower by `step` on both sides,
+    and
+    it ends at the second height.
     Return None if the points are not on a side.
     """
     low, high = heights

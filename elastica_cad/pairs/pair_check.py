@@ -364,7 +364,7 @@ class PairedPanels:
 
     @cached_property
     def basis(self) -> FloatArray:
-        """Columns (5, q) of numbers that meet the conditions and determine the stiffness."""
+        """Basis (5, q) of the numbers that meet the conditions and determine the stiffness."""
         return self._split[0]
 
     @cached_property

@@ -80,7 +80,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     order = np.lexsort((left[line, 1] + slope[line] * (middles[slab] - left[line, 0]), slab))
     # loops are closed, so the lines of every slab are in pairs, below and above the inside
     below, above, slab = line[order[0::2]], line[order[1::2]], slab[order[0::2]]
-    # slabs between the same two lines form one trapezoid, up to the next station
+    # neighbouring slabs between the same two lines are joined to a trapezoid, which ends at the next station
     ends_here = np.zeros(len(cuts), dtype=bool)
     ends_here[np.searchsorted(cuts, stations, side="right") - 1] = True
     along = np.lexsort((slab, above, below))

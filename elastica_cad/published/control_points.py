@@ -200,7 +200,7 @@ _ROW_PRICE = 10.0  # price of a row of the step that cannot be met, above the pr
 _ACCURACY = 1e-12
 _MARGIN_UNIT = 50.0  # typical error of the margin, as its unit
 _COARSE = 3.0  # largest factor of a step on the ratio or its bound; larger steps are refused
-_RATIO_PART, _MARGIN_PART = 0.9, 6.0  # target of a step: fraction of the ratio, increase of the margin
+_RATIO_PART, _MARGIN_PART = 0.9, 6.0  # targets of a step: factor on the ratio, and increase of the margin
 # radius of the trust region, in lengths of the curve
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
 _SETTLED = 1e-3  # predicted gain of a step, as a fraction of the distance, below which the search ends

@@ -264,7 +264,7 @@ def _nearest(request: Mapping[str, Any]) -> Record:
             limits=Limits(margin=(1 + 4 * SLACK) * SAFE_MARGIN, sheet=spec.material, strain=strain),
             keep=Keep(),
         )
-        limits = spec.rod_spec.limits  # limits with the ratio that the widths allow
+        limits = spec.rod_spec.limits  # the ratio of these limits also follows from the widths
         if isinstance(limits, Limits) and limits.ratio is not None:
             spec = spec.changed(limits=replace(limits, ratio=max(1.0, (1 - SLACK) * limits.ratio)))
     near = solve_rod(spec.rod_spec)
