@@ -7,6 +7,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.design.reports import report_strip
+from elastica_cad.design.strip_request import FinishedStrip, request_record
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.stiffness_law import ThicknessLaw
 from elastica_cad.strip.summary import strip_rows
@@ -86,3 +87,17 @@ def test_a_bow_may_have_free_ends():
     assert any("400.0 mm long, pulls" in row.text for row in strip_rows(bow))
     with pytest.raises(InputError, match="free to move"):
         ec.StripSpec(bent, SHEET, max_width=20, supports=free)
+
+
+def test_a_report_makes_the_same_strip_again():
+    """Places are then along the rest shape, which is smoothed."""
+    spec = ec.StripSpec(
+        WAVE, SHEET, max_width=40, smooth=1, between=(ec.Tie(40, 310), ec.Rail(200)),
+        loads=ec.PointForce((60, 34), (0, -0.1)),
+    )  # fmt: skip
+    strip = spec.make()
+    record = json.loads(json.dumps(request_record(spec, strip)))
+    again = FinishedStrip.read(record, strip.rod.curve).make()
+    forces = [made.bending_stiffness * made.rod.between_forces for made in (again, strip)]
+    assert forces[0] == pytest.approx(forces[1], abs=0.02 * np.abs(forces[1]).max())
+    assert again.width.extremes == pytest.approx(strip.width.extremes, rel=1e-3)
