@@ -18,7 +18,7 @@ TOLERANCE_MM = 1e-3  # largest distance between curve and rod, below the repeata
 # relative error of the extremes of the stiffness that the curve needs; so small that limits stay met
 FAITHFUL = 3e-4
 LOOSE = 0.02  # relative error of the stiffness elsewhere, where no limit depends on it
-UNBENT_SHARE = 2e-3  # fraction of the largest curvature; below it the stiffness is only rounding
+UNBENT_SHARE = 2e-3  # curvature, as a fraction of the largest, below which the stiffness is a rounding error
 # length over which an error of the curvature weighs as much as the displacement that it causes
 _REACH_LENGTHS = 0.05
 # number of spans; few are tried first, because the control points are edited by hand

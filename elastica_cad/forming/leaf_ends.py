@@ -107,7 +107,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         )
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:
-        # a stack of full-length plies has the shape of the fewest plies, so more plies are not needed
+        # if all plies have full length, their number does not affect the shape, so the fewest plies suffice
         bare = _Search(
             relaxed,
             law,

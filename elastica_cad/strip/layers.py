@@ -253,7 +253,8 @@ def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
 
 
 def _ticks(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
-    """Return marks across where tabs and the lap begin; not along the flat ends of the first and last holes."""
+    """Return marks across the strip where tabs and the lap begin, without their parts along the flat ends of
+    holes."""
     if layout.pattern is not None:
         return ()
     starts = ((0.0, ends[0]), (width.length, ends[1]))
