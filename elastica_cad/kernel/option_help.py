@@ -1,8 +1,8 @@
-"""Keyword lists for `help`: names, types and units, from the classes that declare the keywords."""
+"""Keyword lists for `help` and completion: names, types and units, from the classes that declare the keywords."""
 
 import re
-from collections.abc import Callable
-from inspect import cleandoc
+from collections.abc import Callable, Iterator
+from inspect import Parameter, cleandoc, isclass, signature
 from typing import Any, TypeVar, get_args
 
 T = TypeVar("T")
@@ -19,10 +19,11 @@ DRAWN = {
 
 
 def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
-    """Add the keys of `options` to the docstring of a class or function, except those that it explains itself.
+    """Add the keys of `options` to docstring and signature of a class or function.
 
-    A key is declared as `Annotated["type", "help"]`; if two classes have the same key, the first describes it. With
-    `drawn` path, sheet and width come first.
+    A key is declared as `Annotated["type", "help"]`; if two classes have the same key, the first describes it. Keys
+    that the docstring describes are not repeated. With `drawn`, path, sheet and width are its first parameters. The
+    signature has the keys, with `...` for their defaults, in place of `**options`.
 
     Examples
     --------
@@ -32,23 +33,56 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
     ...     "A block."
     >>> block.__doc__.splitlines()[4:6]
     ['clearance : float', '    Clearance around the tab in its pocket (mm).']
+    >>> list(signature(block).parameters)[:2]
+    ['clearance', 'wall']
     """
+    keys = {
+        name: (get_args(hint)[0].__forward_arg__, get_args(hint)[1])
+        for option in reversed(options)
+        for name, hint in option.__annotations__.items()
+    }
 
     def add(thing: T) -> T:
+        _write_signature(thing, keys)
         if thing.__doc__ is None:  # python -OO
             return thing
         text = cleandoc(thing.__doc__)
-        keys: dict[str, Any] = dict(DRAWN) if drawn else {}
-        for option in options:
-            for name, hint in option.__annotations__.items():
-                kind, description = get_args(hint)
-                keys.setdefault(name, (kind.__forward_arg__, description))
+        if drawn:
+            text = _with_first_parameters(text)
         rows = (
-            f"{name} : {kind}\n    {description}"
-            for name, (kind, description) in keys.items()
-            if not re.search(rf"^(.*, )?{name}(,.*)? :", text, re.MULTILINE)
+            row for name, row in _rows(keys) if not re.search(rf"^(.*, )?{name}(,.*)? :", text, re.MULTILINE)
         )
         thing.__doc__ = "\n".join([text, "", "Options", "-------", *rows, ""])
         return thing
 
     return add
+
+
+def _rows(keys: dict[str, tuple[str, str]]) -> Iterator[tuple[str, str]]:
+    for name, (kind, description) in keys.items():
+        yield name, f"{name} : {kind}\n    {description}"
+
+
+def _with_first_parameters(text: str) -> str:
+    """Return the docstring with `DRAWN` at the start of its parameters."""
+    title = "Parameters\n----------\n"
+    first = title + "".join(f"{row}\n" for _, row in _rows(DRAWN))
+    if title in text:
+        return text.replace(title, first)
+    section = re.search(r"^.+\n-{3,}$", text, re.MULTILINE)
+    place = section.start() if section else len(text)
+    return "\n\n".join(part for part in (text[:place].rstrip(), first.rstrip(), text[place:]) if part)
+
+
+def _write_signature(thing: Any, keys: dict[str, tuple[str, str]]) -> None:
+    """Replace `**options` in the signature by the keys."""
+    given = signature(thing.__init__ if isclass(thing) else thing)
+    named = [entry for entry in given.parameters.values() if entry.kind is not Parameter.VAR_KEYWORD]
+    taken = {entry.name for entry in named}
+    added = [
+        Parameter(name, Parameter.KEYWORD_ONLY, default=..., annotation=kind)
+        for name, (kind, _) in keys.items()
+        if name not in taken
+    ]
+    written = given.replace(parameters=[*named[isclass(thing) :], *added])
+    thing.__signature__ = written.replace(return_annotation=Parameter.empty) if isclass(thing) else written

@@ -7,14 +7,13 @@ from build123d import Box, Color, Compound, Cylinder, Edge, Plane, Pos, RigidJoi
 
 import elastica_cad as ec
 from elastica_cad.build123d import BentStrip
-from elastica_cad.strip.outline import Hole
 
 SHEET = ec.Sheet.named("birch-plywood-0.8")
 SPAN, RISE = 260, 110  # mm
 
 points = [(0, 0), (40, 0.9 * RISE), (SPAN / 2, 1.9 * RISE), (SPAN - 40, 0.9 * RISE), (SPAN, 0)]
 curve = Plane.XZ * Edge.make_bezier(*points)
-tab = ec.Tab(28, width=22, corner_radius=3, holes=(Hole(8, 5.3), Hole(20, 5.3)))
+tab = ec.Tab(28, width=22, corner_radius=3, holes=(ec.Hole(8, 5.3), ec.Hole(20, 5.3)))
 arch = BentStrip(curve, SHEET, max_width=36, ends=(tab, tab), gravity=True, label="arch")
 
 # A bolt: its joint is half way through the strip, its axis the hole's.

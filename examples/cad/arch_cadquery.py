@@ -7,14 +7,13 @@ import cadquery as cq
 
 import elastica_cad as ec
 from elastica_cad.cadquery import bent_strip
-from elastica_cad.strip.outline import Hole
 
 SHEET = ec.Sheet.named("birch-plywood-0.8")
 SPAN, RISE = 260, 110  # mm
 
 points = [(0, 0), (40, 0.9 * RISE), (SPAN / 2, 1.9 * RISE), (SPAN - 40, 0.9 * RISE), (SPAN, 0)]
 curve = cq.Workplane("XZ").bezier(points)
-tab = ec.Tab(28, width=22, corner_radius=3, holes=(Hole(8, 5.3), Hole(20, 5.3)))
+tab = ec.Tab(28, width=22, corner_radius=3, holes=(ec.Hole(8, 5.3), ec.Hole(20, 5.3)))
 arch = bent_strip(curve, SHEET, max_width=36, ends=(tab, tab), gravity=True, label="arch")
 
 bolt = cq.Workplane().circle(2.5).extrude(14).translate((0, 0, -7))

@@ -7,7 +7,6 @@ from build123d import BuildLine, BuildPart, Compound, Plane, Pos, Spline, export
 
 import elastica_cad as ec
 from elastica_cad.build123d import elastic_strip
-from elastica_cad.strip.slots import Slot
 
 SHEET = ec.Sheet.named("birch-plywood-0.8")
 POINTS, TANGENTS = [(0, 0), (95, 65), (210, 0)], [(0.7, 1), (0.9, -1)]
@@ -15,7 +14,7 @@ STATIONS = (50, 95, 140, 185)  # mm along the strip
 OPTIONS = {
     "sheet": SHEET,
     "max_width": 40,
-    "slots": tuple(Slot(at=s, width=SHEET.thickness + 0.1, relief="round") for s in STATIONS),
+    "slots": tuple(ec.Slot(at=s, width=SHEET.thickness + 0.1, relief="round") for s in STATIONS),
     "label": "rib 1",
 }
 

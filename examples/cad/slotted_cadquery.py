@@ -7,7 +7,6 @@ import cadquery as cq
 
 import elastica_cad as ec
 from elastica_cad.cadquery import register
-from elastica_cad.strip.slots import Slot
 
 register()
 
@@ -16,7 +15,7 @@ POINTS, TANGENTS = [(0, 0), (95, 65), (210, 0)], [(0.7, 1), (0.9, -1)]
 STATIONS = (50, 95, 140, 185)  # mm along the strip
 OPTIONS = {
     "max_width": 40,
-    "slots": tuple(Slot(at=s, width=SHEET.thickness + 0.1, relief="round") for s in STATIONS),
+    "slots": tuple(ec.Slot(at=s, width=SHEET.thickness + 0.1, relief="round") for s in STATIONS),
     "label": "rib 1",
 }
 
