@@ -1,6 +1,7 @@
-"""Array types used in every signature."""
+"""Types of arrays, and of fields of records that accept more types than they keep."""
 
-from typing import TypeAlias
+from dataclasses import field
+from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,4 +10,33 @@ FloatArray: TypeAlias = NDArray[np.float64]
 IntArray: TypeAlias = NDArray[np.intp]
 BoolArray: TypeAlias = NDArray[np.bool_]
 
-__all__ = ["ArrayLike", "BoolArray", "FloatArray", "IntArray"]
+__all__ = ["EMPTY", "ArrayLike", "BoolArray", "FloatArray", "IntArray", "Takes", "required"]
+
+Kept_co = TypeVar("Kept_co", covariant=True)
+Given_contra = TypeVar("Given_contra", contravariant=True)
+
+if TYPE_CHECKING:
+
+    class Takes(Generic[Kept_co, Given_contra]):
+        """Type of a field that keeps one type and accepts another, as `Takes[tuple[Hole, ...], Hole]`."""
+
+        def __get__(self, record: object, owner: Any = None, /) -> Kept_co: ...
+
+        def __set__(self, record: object, value: Given_contra, /) -> None: ...
+
+else:
+
+    class Takes:
+        """The type that is kept."""
+
+        def __class_getitem__(cls, kinds):
+            return kinds[0]
+
+
+EMPTY: Any = ()
+"""Default of a field with the type `Takes`."""
+
+
+def required() -> Any:
+    """Return the default of a field with the type `Takes` that has none; mypy needs a value there."""
+    return field()

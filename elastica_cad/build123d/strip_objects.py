@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from copy import copy
 from dataclasses import replace
 from os import PathLike
-from typing import TYPE_CHECKING, Any, Self, TypeAlias, Unpack
+from typing import TYPE_CHECKING, Any, Self, TypeAlias, Unpack, overload
 
 import build123d as bd
 
@@ -134,6 +134,12 @@ class _Made(_Pickled, StripBody):
         if not moved:
             return BentStrip(self, mode=bd.Mode.PRIVATE)
         return BentStrip(self._bent_anew(moved), plane=self.frame, color=self.color, mode=bd.Mode.PRIVATE)
+
+    @overload
+    def slider(self, end: Point) -> "Slider": ...
+
+    @overload
+    def slider(self, end: Point | None = None, *, angle: float) -> "AngleSlider": ...
 
     def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider | AngleSlider":
         """Return a joint for the travel of the strip's end to a point (mm) or its rotation to an angle (degrees).

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from contextlib import nullcontext
-from typing import TYPE_CHECKING, Any, Literal, Unpack
+from typing import TYPE_CHECKING, Any, Literal, Unpack, overload
 
 import build123d as bd
 
@@ -31,6 +31,42 @@ if TYPE_CHECKING:
     from elastica_cad.forming.section_spec import SectionSpec
     from elastica_cad.model.assembly import AssemblyPart, Holder
     from elastica_cad.model.model import Model
+
+
+@overload
+def elastic_strip(
+    path: Drawn | None = None,
+    *,
+    sheet: Sheet | str | None = None,
+    max_width: float | None = None,
+    form: Literal["bent"] = "bent",
+    mode: bd.Mode = bd.Mode.ADD,
+    **options: Unpack[StripOptions],
+) -> BentStrip: ...
+
+
+@overload
+def elastic_strip(
+    path: Drawn | None = None,
+    *,
+    sheet: Sheet | str | None = None,
+    max_width: float | None = None,
+    form: Literal["flat"],
+    mode: bd.Mode = bd.Mode.ADD,
+    **options: Unpack[StripOptions],
+) -> FlatStrip: ...
+
+
+@overload
+def elastic_strip(
+    path: Drawn | None = None,
+    *,
+    sheet: Sheet | str | None = None,
+    max_width: float | None = None,
+    form: Literal["outline"],
+    mode: bd.Mode = bd.Mode.ADD,
+    **options: Unpack[StripOptions],
+) -> StripOutline: ...
 
 
 @lists(StripOptions, drawn=True)

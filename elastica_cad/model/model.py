@@ -8,7 +8,7 @@ from typing import Annotated, Any, TypeAlias
 import numpy as np
 
 from elastica_cad._notebook import html_table
-from elastica_cad._types import ArrayLike
+from elastica_cad._types import ArrayLike, Takes, required
 from elastica_cad._values import counted, direction, is_whole, several, three
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, quoted, refuse_options_unlike
@@ -230,7 +230,7 @@ class Model:
         The model has no strips.
     """
 
-    placed: tuple[Placed, ...]
+    placed: Takes[tuple[Placed, ...], Placed | Sequence[Placed]] = required()  # noqa: RUF009
     name: str = "model"
     reports: tuple[str, ...] = ()
     joints: tuple[Joint, ...] = ()

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, Takes, required
 from elastica_cad._values import (
     is_number,
     numbers,
@@ -192,7 +192,7 @@ class Flexure:
     """
 
     pair: TwoStateRod
-    sheet: Sheet
+    sheet: Takes[Sheet, Sheet | str] = required()  # noqa: RUF009
     least_thickness: float | None = None
     pad: Pad = field(default_factory=Pad)
     fillet: float = 1.0

@@ -4,11 +4,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations, pairwise
 from math import dist, hypot, sqrt
-from typing import Annotated, Literal, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import EMPTY, FloatArray, Takes
 from elastica_cad._values import counted, require_positive, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.defaults import TAB_LENGTH
@@ -144,7 +144,7 @@ class Tab:
     ] = None
     corner_radius: Annotated[float, Option("Rounding of the outer corners.", "mm", least=0)] = 0.0
     chamfer: Annotated[float, Option("Chamfer of the outer corners.", "mm", least=0)] = 0.0
-    holes: Annotated[tuple[Hole, ...], Option("Round holes.")] = ()
+    holes: Annotated[Takes[tuple[Hole, ...], Hole | Sequence[Hole]], Option("Round holes.")] = EMPTY
     t_slot: Annotated[TSlot | None, Option("Slot for a screw with its nut.")] = None
     taper: Annotated[
         float, Option("Taper of the tab: reduction of its width on each side.", "mm", least=0)
@@ -311,6 +311,9 @@ def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
 
 
 Ends = tuple[Tab, Tab]
+
+USUAL_TABS: Any = (Tab(), Tab())
+"""Tabs by default."""
 
 SHOULDER_MM = 1e-3
 """Width, mm, below which a shoulder of a tab is omitted; no tool cuts it, and kernels fail."""

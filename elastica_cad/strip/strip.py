@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from elastica_cad._notebook import rows_table
-from elastica_cad._types import ArrayLike, FloatArray
+from elastica_cad._types import EMPTY, ArrayLike, FloatArray, Takes, required
 from elastica_cad._values import (
     distinct_digits,
     numbers,
@@ -58,7 +58,7 @@ from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance, Reactions, closes
 from elastica_cad.strip.layers import Layer, cut_layers, draw_layers
 from elastica_cad.strip.lettering import require_engravable
-from elastica_cad.strip.outline import SHOULDER_MM, Ends, Tab, pair_of_tabs
+from elastica_cad.strip.outline import SHOULDER_MM, USUAL_TABS, Ends, Tab, pair_of_tabs
 from elastica_cad.strip.perforation import DiamondPattern
 from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.styles import (
@@ -421,12 +421,12 @@ class Strip:
     """
 
     rod: Rod
-    sheet: Sheet
+    sheet: Takes[Sheet, Sheet | str] = required()  # noqa: RUF009
     max_width: float | None = None
     min_width: float | None = None
     style: Style = PLAIN
-    ends: tuple[Tab, Tab] = (Tab(), Tab())
-    slots: tuple[Slot, ...] = ()
+    ends: Takes[tuple[Tab, Tab], Tab | Sequence[Tab]] = USUAL_TABS
+    slots: Takes[tuple[Slot, ...], Slot | Sequence[Slot]] = EMPTY
     label: str = ""
     engrave: str | None = None
     creep: float = 0.0

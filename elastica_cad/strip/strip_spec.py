@@ -9,6 +9,7 @@ from typing import Annotated, Any, TypeAlias, cast
 
 import numpy as np
 
+from elastica_cad._types import EMPTY, Takes
 from elastica_cad._values import EqualByValue, is_number, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, InputError, refuse_unknown, rounded_up
@@ -44,7 +45,7 @@ from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.makeable_strip import make_within
-from elastica_cad.strip.outline import Hole, Tab, pair_of_tabs
+from elastica_cad.strip.outline import USUAL_TABS, Hole, Tab, pair_of_tabs
 from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_style, width_profile
@@ -469,14 +470,14 @@ class StripSpec(EqualByValue):
         ),
     ] = None
     ends: Annotated[
-        tuple[Tab, Tab],
+        Takes[tuple[Tab, Tab], Tab | Sequence[Tab]],
         Option(
             "Tab for both ends, or one for the start and one for the end.",
             group="ends",
             common=True,
             written=Tab | tuple[Tab, Tab],
         ),
-    ] = (Tab(), Tab())
+    ] = USUAL_TABS
     seam_position: Annotated[
         float | None,
         Option(
@@ -493,7 +494,10 @@ class StripSpec(EqualByValue):
             group="ends",
         ),
     ] = True
-    slots: Annotated[tuple[Slot, ...], Option("Slots from the edge.", many=1000, group="ends")] = ()
+    slots: Annotated[
+        Takes[tuple[Slot, ...], Slot | Sequence[Slot]],
+        Option("Slots from the edge.", many=1000, group="ends"),
+    ] = EMPTY
     label: Annotated[
         str, Option("Name of the strip, which is engraved on it.", most=200, group="ends", common=True)
     ] = ""

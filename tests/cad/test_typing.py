@@ -1,5 +1,6 @@
 """mypy sees users' mistakes through both the classes' own arguments and the typed options."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -21,3 +22,38 @@ def test_mypy_finds_the_mistakes_it_can():
         int(line.split(":")[1]) for line in said.splitlines() if "mistakes.py" in line and ": error:" in line
     }
     assert told == meant
+
+
+def strict(*files):
+    """The errors that strict mypy finds in files, whose functions need no types."""
+    command = [
+        sys.executable,
+        "-m",
+        "mypy",
+        "--strict",
+        "--allow-untyped-defs",
+        "--allow-untyped-calls",
+        "--no-error-summary",
+        "--explicit-package-bases",
+        *files,
+    ]
+    return subprocess.run(command, capture_output=True, text=True, check=False, cwd=ROOT).stdout
+
+
+@pytest.mark.campaign
+def test_mypy_accepts_what_users_write():
+    assert strict(ROOT / "tests" / "cad" / "typing" / "correct.py") == ""
+
+
+@pytest.mark.campaign
+def test_mypy_accepts_the_examples_of_the_manual(tmp_path):
+    """All pages but FreeCAD's, whose libraries are not in this environment."""
+    pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
+    for page in pages:
+        blocks = re.findall(r"^```python\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL)
+        if blocks and "reference" not in page.parts and page.name != "freecad.md":
+            name = "_".join(page.relative_to(ROOT).with_suffix("").parts).replace("-", "_")
+            (tmp_path / f"page_{name}.py").write_text("\n".join(blocks))
+    written = sorted(tmp_path.glob("*.py"))
+    assert len(written) > 10
+    assert strict(*written) == ""
