@@ -280,7 +280,7 @@ def _workplane_strip(
             continue
         records = FlatSolid.layers(made.strip) if form == "flat" else BentSolid.layers(made.strip, made.frame)
         bodies.append(make_body(records, made))
-    tidy = clean and bool(combine)  # a single strip needs no cleaning, and stays the object with its rod
+    tidy = clean and bool(combine)  # clean() would return a new body without the rod of the strip
     points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
     places = points or [cq.Location()]
     local = form != "bent" or bool(points)  # a bent strip at its drawn place is not changed

@@ -23,7 +23,7 @@ _read: ContextVar[dict[Path, FileMark] | None] = ContextVar("files read", defaul
 _below: ContextVar[tuple[Path, ...]] = ContextVar("folders that may be read", default=())
 
 UNIT = FieldName("unit")
-"""Name of the option and key for the unit of a file in messages."""
+"""Name by which messages call the option or key that sets the unit of a file."""
 
 LARGEST_FILE = 64 * 2**20
 """Largest size of a file of curves, bytes."""

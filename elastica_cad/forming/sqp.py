@@ -175,7 +175,7 @@ class ConstraintRows:
 
 @dataclass(frozen=True, eq=False)
 class Linearization(Generic[Point]):
-    """A point and its response to changes (p + 1,), whose last entry is the fraction of closing.
+    """A point and its response to changes (p + 1,) of its unknowns and of the fraction of residuals that is closed.
 
     Attributes
     ----------
@@ -183,7 +183,7 @@ class Linearization(Generic[Point]):
     z : (p,) array
         Its unknowns.
     rows : ConstraintRows
-        Constraints as functions of steps (p,) from the closed point.
+        Constraints as functions of steps (p,) from the closed point, at which the residuals are 0.
     model : LocalModel
         The objective as a function of the same steps.
     state_jacobian : (k, p + 1) array

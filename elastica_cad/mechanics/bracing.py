@@ -48,7 +48,7 @@ class Bracing:
 
 
 def slack_elements(between: Sequence[ElementForce], force: FloatArray) -> tuple[ElementForce, ...]:
-    """Return the one-sided elements that hardly act; `force` (n, 2) is lambda along the rod, 1/mm2."""
+    """Return the one-sided elements whose force is almost 0; `force` (n, 2) is the force in the rod, 1/mm2."""
     largest = max(float(np.hypot(*force.T).max()), max((action.size for action in between), default=0.0))
     return tuple(
         action

@@ -591,7 +591,10 @@ class DiscreteRod:
 
     @cached_property
     def margin_derivatives(self) -> MarginDerivatives:
-        """Derivatives d(mu) = v^t dH v - mu v^t dW v - 2 nu^t dC v, with v^t W v = 1 and C v = 0."""
+        """Derivatives of the lowest eigenvalue mu of H v = mu W v + C^t nu, with v^t W v = 1 and C v = 0.
+
+        They are d(mu) = v^t dH v - mu v^t dW v - 2 nu^t dC v, where nu are the multipliers of the constraints C.
+        """
         v, nu, lengths = self.margin.mode, self.margin.multipliers, self.edge_lengths
         total = float(lengths.sum())
         square = total**2 * lengths * v**2

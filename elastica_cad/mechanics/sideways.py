@@ -182,9 +182,9 @@ EDGES = 200
 """Number of edges of the checked rod. The error of the margin falls with its square; here it is below 1e-3."""
 
 RIBBON_NUMBER = 16.0
-"""Largest w^2 kappa / h of a section that keeps its shape. Above it bending and twist are coupled (a ribbon), and
-only a large margin is conclusive. Finite elements show that
-ribbons are more stable than the rod."""
+"""Largest w^2 kappa / h of a section that keeps its shape. Above it bending and twist are coupled (a ribbon).
+Then only a large margin of the rod proves that the strip is stable. Finite elements show that ribbons are more
+stable than the rod."""
 
 MOST_RIBBON_NUMBER = 80.0
 """Largest w^2 kappa / h that was compared with finite elements."""

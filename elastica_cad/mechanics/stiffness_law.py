@@ -365,7 +365,7 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Least (0: none) and largest parameter, mm."""
+        """Least and largest thickness or diameter, mm; a least value of 0 means no lower limit."""
 
     @property
     def follows_bend(self) -> bool:

@@ -622,8 +622,8 @@ GENTLE_SHARE = 1e-5
 as 0. The stiffness there would be some ten thousand times that of other places."""
 
 FAINT_SHARE = 1e-7
-"""Largest curvature in a dip, relative to the largest, that counts as 0; it corresponds to the square of the
-slope."""
+"""Largest curvature in a dip, relative to the largest, that counts as 0. It is about the square of
+the limit for slopes, because curvature in a dip grows with the square of the distance."""
 
 ALL_BUT_UNBENT_SHARE = 1e-3
 """Largest curvature at an end, relative to the largest, for which a zero of the extended curve counts as at the
@@ -638,8 +638,8 @@ KINK_SHARE = 0.01
 wide as long turns by at most 0.1 degree."""
 
 SHARP_SHARE = 5.0
-"""Least jump of the slope of the curvature at which the edge has a visible corner: the edge of a strip a fifteenth
-as wide as long turns by 10 degrees."""
+"""Least jump of the slope of the curvature at which the edge has a visible corner, of 10 degrees on a strip whose
+width is a fifteenth of its length."""
 
 TINY = float(np.finfo(float).tiny)
 

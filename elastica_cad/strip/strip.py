@@ -781,8 +781,8 @@ class Strip:
     def drawings(self) -> tuple[Drawing, ...]:
         """Return the cut pattern of each sheet, the base first; all have the same frame and holes in the tabs.
 
-        In a laminate, the position of the backing is marked on the base. Both sheets are marked with the side of
-        the bend of their engraved faces.
+        In a laminate, the position of the backing is marked on the base. Marks on both sheets tell
+        whether the engraved face is inside or outside the bend.
         """
         lap = self.ends[1].length if self.is_closed else 0.0
         engraved = f"{self.engraved} {self._backing_mark}".strip()

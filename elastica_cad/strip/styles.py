@@ -398,7 +398,7 @@ def correct_layout(
         tolerance=CORRECTION_TOLERANCE * float(drawn.extremes[1]),
     )  # fmt: skip
     layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
-    # E I for K = 1 of the original rod; `with_stiffness` scaled the least corrected K to 1
+    # bending stiffness E I where K = 1 in the original rod; `with_stiffness` has divided K by its corrected minimum
     return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
 
 

@@ -87,7 +87,10 @@ class TabSeat:
 
     @cached_property
     def edges(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Into and left of all edges, with the left face first, and the side of each face: 1 left, -1 right."""
+        """Unit vectors into the seat and to its left for each edge, and the side of each face: 1 left, -1 right.
+
+        Edges of the left face are first.
+        """
         into, left = np.concatenate([self.left, self.right]).T.copy()
         return into, left, np.repeat([1.0, -1.0], [len(self.left), len(self.right)])
 

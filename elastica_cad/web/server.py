@@ -77,8 +77,10 @@ class Entrance:
 
 
 class Guard:
-    """Application layer that checks each request with the entrance and adds the security policy to each
-    response."""
+    """Application layer that checks host and token of each request with `Entrance`.
+
+    It adds the security policy to each response.
+    """
 
     def __init__(self, app: ASGIApp, entrance: Entrance) -> None:
         self.app, self.entrance = app, entrance

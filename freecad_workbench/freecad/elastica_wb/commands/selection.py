@@ -208,7 +208,8 @@ def _may_be_cut(obj: Any) -> bool:
 
 
 def _all_sources() -> list[Any]:
-    """Return the models and base plates of the document with the strips on these plates, or else its only strip."""
+    """Return the models and base plates of the document, and the strips on these plates. If there are none, return
+    the only strip of the document."""
     objects = App.ActiveDocument.Objects
     sources = _sources(
         obj for obj in objects if _may_show(obj) and contents(obj) == [obj] and not is_broken_link(obj)

@@ -49,7 +49,7 @@ class RefusalError(ValueError, metaclass=_Speaker):
 
 
 def refused(obj: Any, error: ElasticaError) -> RefusalError:
-    """Return the exception for an object's error, for `raising`."""
+    """Return the exception that `raising` raises for an object's error."""
     RefusalError.who = obj.Label
     return RefusalError(worded(str(error)))
 

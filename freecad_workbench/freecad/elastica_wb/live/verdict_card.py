@@ -147,7 +147,10 @@ class VerdictCard(QtCore.QObject):
         self.fold.show()
 
     def _free_corner(self) -> tuple[int, int]:
-        """Return the upper left corner of the frame where it hides the fewest places, if possible the present."""
+        """Return the upper left corner of the frame at which it hides the fewest places.
+
+        The present corner is kept if no other hides fewer.
+        """
         over, size = self._over, self.frame.size()
         right, bottom = over.width() - size.width() - CUBE_PX, over.height() - size.height() - GAP_PX
         corners = [(GAP_PX, bottom), (GAP_PX, GAP_PX), (right, GAP_PX), (right, bottom)]
