@@ -113,8 +113,8 @@ class MeasuredPoints:
         far, rest = _off_nearest(self.points)[at], _off_nearest(others[at]).max()
         message = (
             "The point at {place}, number {number} of {count}, is {far:.2g} from the curve of its "
-            "neighbours; the other points are within {rest:.2g}. Measure it again, and the end beside it, "
-            "which cannot be judged."
+            "neighbours; the other points are within {rest:.2g}. Measure it again, and also the end point "
+            "beside it, which has only one neighbour."
             if at in (1, count - 2) else
             "The point at {place}, number {number} of {count}, is {far:.2g} from the curve of its "
             "neighbours; the other points are within {rest:.2g}. Measure it again."

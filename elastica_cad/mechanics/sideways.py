@@ -464,7 +464,8 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
     )
     if result[-1]:
         raise NotConvergedError(
-            "no lower bound of the rod's second variation: its eigenvalues do not converge"
+            "The stability is undecided, because the eigenvalues of the second variation do not converge. "
+            "Compute the rod with more nodes."
         )
     first, second = float(result[0][0]), float(result[0][1])
     if row is None:
