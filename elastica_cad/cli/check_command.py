@@ -1,10 +1,10 @@
 """`elastica check`: check whether a flat strip can take a curve."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import groupby, product
+from itertools import groupby, islice, product
 from math import ceil
 from pathlib import Path
 from typing import Any
@@ -25,10 +25,12 @@ from elastica_cad.cli.requested_curves import (
 )
 from elastica_cad.cli.suggestions import (
     MOST_REFUSALS,
+    Candidate,
     changed_requests,
     first_that_holds,
     listing_note,
     suggest_later,
+    supported,
     typed_length,
     typed_line,
 )
@@ -208,7 +210,10 @@ class _Request:
         ),)  # fmt: skip
 
     def suggestion(self, requested: RequestedCurve, problem: ElasticaError | None = None) -> str:
-        """Return the command `elastica strip` for the strip of a common sheet that is nearest to the curve."""
+        """Return the command `elastica strip` for the strip of a common sheet that is nearest to the curve.
+
+        If none is near, it is the command for a strip on a rail, pin or tie.
+        """
         if self.natural_curvature or self.smooth is not None or Path("out").exists():
             return ""
         # imported here, because these modules import all modules for strips
@@ -226,12 +231,23 @@ class _Request:
             spec = StripSpec(curve, sheet, max_width=width, supports=self.supports)
             return changed_requests(spec, change)
 
-        def typed(sheet: str, change: Change) -> str:
-            words = ("--sheet", sheet, "--max-width", typed_length(width), *option_words(change), "-o", "out")
-            return f"`{typed_line(*words, instead='strip')}`"
+        def typed(sheet: str, *words: str) -> str:
+            added = ("--sheet", sheet, "--max-width", typed_length(width), *words, "-o", "out")
+            return typed_line(*added, instead="strip")
+
+        def on_support() -> Iterator[Candidate]:
+            curvature = float(np.abs(curve.survey.curvature).max())
+            thin = (sheet for sheet in TRIED_SHEETS if Sheet.named(sheet).least_radius * curvature <= 1)
+            for sheet in islice(thin, 1):
+                spec = StripSpec(curve, sheet, max_width=width, supports=self.supports)
+                yield from supported(spec, partial(typed, sheet))
 
         return first_that_holds(
-            (typed(*candidate), partial(requests, *candidate)) for candidate in candidates
+            (
+                (f"`{typed(sheet, *option_words(change))}`", partial(requests, sheet, change))
+                for sheet, change in candidates
+            ),
+            on_support() if changes else (),
         )
 
 

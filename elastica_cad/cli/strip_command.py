@@ -21,6 +21,7 @@ from elastica_cad.cli.suggestions import (
     first_that_holds,
     listing_note,
     suggest_later,
+    supported,
     typed_line,
 )
 from elastica_cad.cli.voice import answer, say, say_row, say_step, voice, warn, wrote
@@ -45,7 +46,7 @@ from elastica_cad.geometry.plane_curve import split_at_corners
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
-from elastica_cad.mechanics.theorem1 import outlier_message
+from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
 from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import is_reported
 from elastica_cad.report_rows import Row, in_order
@@ -229,8 +230,11 @@ def _suggestion(
 def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Candidate]":
     """Yield, for a strip that would break, the thickest sheet that withstands this curve, and the possible size.
 
-    Sheets of the same kind are first; for an unlisted sheet of the user they are the only ones.
+    Sheets of the same kind are first; for an unlisted sheet of the user they are the only ones. For a curve that no
+    strip takes, yield the request with a rail, pin or tie.
     """
+    if isinstance(problem, NotRealizable):
+        yield from supported(spec, typed_line)
     if not isinstance(problem, StrainError):
         return
     used, own = problem.refusal.values["percent"] / 100, spec.material

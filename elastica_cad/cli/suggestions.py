@@ -2,7 +2,7 @@
 
 import shutil
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
@@ -14,6 +14,8 @@ import numpy as np
 from elastica_cad._text import quote_words
 from elastica_cad.errors import Change, ElasticaError
 from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.mechanics.elements import Pin, Rail, Tie
+from elastica_cad.mechanics.support_search import suggest_support
 
 if TYPE_CHECKING:
     from elastica_cad.strip.strip_spec import StripSpec
@@ -98,6 +100,28 @@ def changed_requests(spec: "StripSpec", change: Change) -> "Sequence[StripSpec]"
     """Return the requests after a change of this request, or an empty list if nothing changes."""
     changed = spec.with_change(change)
     return [] if changed is None else [changed]
+
+
+def supported(spec: "StripSpec", typed: Callable[..., str]) -> "Iterator[Candidate]":
+    """Yield the request with the rail, pin or tie that makes the curve possible, if there is one.
+
+    `typed` returns the command with added options.
+    """
+    if spec.may_change or spec.between or spec.loads or spec.gravity is not None:
+        return
+    support = None
+    with suppress(ElasticaError):
+        support = suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature)
+    match support:
+        case Rail(at):
+            words = f"at={at:g}"
+        case Pin(at):
+            words = f'kind="pin", at={at:g}'
+        case Tie(start, end):
+            words = f'kind="tie", start={start:g}, end={end:g}'
+        case _:
+            return
+    yield f"`{typed('--set', f'between=[{{{words}}}]')}`", lambda: [spec.changed(between=support)]
 
 
 def first_that_holds(candidates: Iterable[Candidate], nearest: Iterable[Candidate] = ()) -> str:

@@ -76,6 +76,7 @@ from elastica_cad.mechanics.stiffness_law import (
     StiffnessLaw as StiffnessLaw,
     ThicknessLaw as ThicknessLaw,
 )
+from elastica_cad.mechanics.support_search import suggest_support as suggest_support
 from elastica_cad.mechanics.theorem1 import (
     EquilibriumCheck as EquilibriumCheck,
     InflectionLine as InflectionLine,

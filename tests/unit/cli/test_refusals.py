@@ -143,6 +143,24 @@ def test_a_suggestion_is_made_as_it_is_printed(words, code, told, desk, monkeypa
     assert "unstable" not in made.output
 
 
+@pytest.mark.campaign
+@pytest.mark.parametrize(("seed", "kind"), [(3, "rail"), (40, "pin"), (42, "tie")])
+def test_a_suggested_support_is_made_as_it_is_printed(seed, kind, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    heights = np.random.default_rng(seed).uniform(-60, 60, 7)
+    curve = ec.PlaneCurve.spline(np.column_stack([np.linspace(0, 300, 7), heights]), degree=5)
+    write_curves([curve], tmp_path / "wave.json")
+    for words in ("strip wave.json --sheet pom-0.5 --max-width 30 -o out", "check wave.json"):
+        *_, last = run(words, code=1).output.splitlines()
+        (command,) = re.findall(
+            r"^Change +Possible with .*?: `.*?elastica(?:_cad)? ([^`]*)` \(the curve as", last
+        )
+        made = run(*shlex.split(command), "--no-step", "--no-pictures")
+        assert re.search(rf"^Between +{kind}", made.output, re.MULTILINE)
+        assert "unstable" not in made.output
+        shutil.rmtree("out")
+
+
 def test_what_is_nearest_to_working_is_told_where_no_change_of_the_request_works(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     write_curves([ec.PlaneCurve.arc((0, 0), 60, 0, 3)], tmp_path / "arc.json")

@@ -1,0 +1,106 @@
+"""Search for the rail, pin or tie that makes an impossible curve possible."""
+
+from collections.abc import Sequence
+from contextlib import suppress
+from itertools import combinations
+
+from elastica_cad.errors import ElasticaError
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie
+from elastica_cad.mechanics.equilibrium_check import examine
+from elastica_cad.mechanics.least_ratio import rod_of_request
+from elastica_cad.mechanics.loads import NaturalCurvature, Supports
+from elastica_cad.mechanics.moment_conditions import RodRequest
+from elastica_cad.mechanics.optimal_balance import balance_of
+from elastica_cad.mechanics.stability import stability
+
+PLACES = 11
+"""Number of places along the curve, evenly spaced between its ends."""
+
+PLACE_DIGITS = 3
+"""Significant digits of a place."""
+
+CLEARLY_BETTER = 2.0
+"""Quotient of the least ratios above which a pin is preferred to a rail, or a tie to both."""
+
+MOST_RATIO = 8.0
+"""Largest ratio of a useful strip."""
+
+MOST_STABLE_TRIED = 3
+"""Largest number of elements of a kind whose stability is computed."""
+
+
+def suggest_support(
+    curve: PlaneCurve, supports: Supports | None = None, natural_curvature: NaturalCurvature = 0.0
+) -> Element | None:
+    """Return the one rail, pin or tie that makes a curve possible for a stable rod without weight.
+
+    Rails and pins are tried at 11 places, ties between these places, so at most 77 linear programs are solved. The
+    result is the element with the least stiffness ratio. Rails are preferred: a pin or a tie is returned only if
+    its ratio is less than half as large, or if no rail is suitable.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+        mm.
+    supports : Supports, optional
+        By default both ends are clamped.
+    natural_curvature : float or RestCurvature
+        1/mm.
+
+    Returns
+    -------
+    Rail, Pin, Tie or None
+        Its places are arc lengths with 3 significant digits, mm. None if no element gives a stable rod with a ratio
+        up to 8.
+
+    Examples
+    --------
+    >>> points = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
+    >>> suggest_support(PlaneCurve.spline(points, degree=5))
+    Rail(at=197.0, one_sided=True)
+    """
+    supports = supports or Supports()
+    check = examine(curve, supports, natural_curvature, heavy=True)
+    if not check.realizable or check.any_stiffness:
+        return None
+    step = curve.length / (PLACES + 1)
+    places = [float(f"{k * step:.{PLACE_DIGITS}g}") for k in range(1, PLACES + 1)]
+    kinds: list[list[Element]] = [
+        [Rail(at) for at in places],
+        [Pin(at) for at in places],
+        [Tie(start, end) for start, end in combinations(places, 2)],
+    ]
+    best, least = None, CLEARLY_BETTER * MOST_RATIO
+    for elements in kinds:
+        if least <= CLEARLY_BETTER:
+            break
+        requests = [
+            RodRequest(
+                curve,
+                supports=supports,
+                natural_curvature=natural_curvature,
+                known_check=check,
+                between=(element,),
+            )
+            for element in elements
+        ]
+        found = _stable(requests, min(MOST_RATIO, least / CLEARLY_BETTER))
+        if found is not None:
+            least, best = found
+    return best
+
+
+def _stable(requests: Sequence[RodRequest], most: float) -> tuple[float, Element] | None:
+    """Return ratio and element of the stable rod with the least ratio, at most `most`."""
+    possible = []
+    for i, request in enumerate(requests):
+        with suppress(ElasticaError):
+            values = balance_of(request).stiffness.extremes
+            if values.max() <= most * values.min():
+                possible.append((float(values.max() / values.min()), i))
+    for ratio, i in sorted(possible)[:MOST_STABLE_TRIED]:
+        with suppress(ElasticaError):
+            if stability(rod_of_request(requests[i])).stable:
+                return ratio, requests[i].between[0]
+    return None
