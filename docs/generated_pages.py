@@ -38,6 +38,7 @@ NAMES = {
         "FabricationLimits", "Drawing", "save",
     ),
     "A strip that is moved": ("bend_strip", "strip.Travel", "plot.travel"),
+    "A rod with a cord": ("bow", "model.Bow"),
     "Sheets": ("Sheet", "sheet_names", "load_sheets"),
     "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
                "touching_widths"),

@@ -1,4 +1,5 @@
 from elastica_cad.mechanics.sheets import sheet_color as sheet_color
+from elastica_cad.model.bows import Bow as Bow
 from elastica_cad.model.fixtures import (
     end_fixtures as end_fixtures,
     EndFixture as EndFixture,
