@@ -101,7 +101,7 @@ class Tie(Element):
 
     start: Annotated[Place, _AT]
     end: Annotated[Place, _AT]
-    length: Annotated[float | None, Option("Length of the cord in a bent strip.", "mm", least=0)] = None
+    length: float | None = None
 
     def __post_init__(self) -> None:
         for name in ("start", "end"):

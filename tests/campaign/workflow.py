@@ -12,8 +12,6 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from ruamel.yaml import YAML
-
 ROOT = Path(__file__).resolve().parents[2]
 WORKFLOWS = ROOT / ".github" / "workflows"
 
@@ -64,6 +62,8 @@ def run_job(steps: list[dict[str, Any]], python: str, dist: Path, matrix: dict[s
 
 def main(*pythons: str) -> None:
     """Lint, build and test."""
+    from ruamel.yaml import YAML  # comes with check-jsonschema in the environment of this campaign
+
     lint()
     jobs = YAML(typ="safe").load(WORKFLOWS / "release.yml")["jobs"]
     with tempfile.TemporaryDirectory() as folder:

@@ -7,6 +7,7 @@ import subprocess
 import sys
 from contextlib import contextmanager
 from itertools import count
+from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
@@ -80,7 +81,7 @@ class Page:
 
 @contextmanager
 def running(*words, cwd=None):
-    command = [sys.executable, "-m", "elastica_cad", "studio", "--no-browser", *map(str, words)]
+    command = [Path(sys.executable).with_name("elastica"), "studio", "--no-browser", *map(str, words)]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd=cwd)
     try:
         yield Server(process)
