@@ -171,7 +171,7 @@ class Smoothing:
         if change <= SEEN_SHARE:
             return ()
         return (note(
-            "Without noise, the curvature and the widths would change by {percent:.0f} %: {points}.",
+            "Noise changes the curvature, and so the widths, by {percent:.0f} %: {points}.",
             percent=100 * change, points=points.noise_message, severity="warning",
         ),)  # fmt: skip
 
@@ -181,15 +181,15 @@ class Smoothing:
         notes: list[str] = [*outlier_message(self.drawn)]
         if self.healed > SEEN:
             notes.append(note(
-                ("Rounding in the file turned the tangents where pieces meet, so they were corrected; the "
-                 "curve moved by at most {far:.2g}."),
+                ("Pieces of the curve met at slight angles, because the numbers in the file are rounded. "
+                 "They were corrected, which moved the curve by at most {far:.2g}."),
                 far=Length(self.healed),
             ))  # fmt: skip
         points = measured_points(self.drawn)
         if points is not None and self.fairing is not None:
             return (*notes, note(
-                ("The points have noise of about {noise}, so the curve was smoothed; it is at most {far} from "
-                 "the points."),
+                ("The points have noise of about {noise}, so the curve was smoothed; it is at most {far} "
+                 "from the points."),
                 noise=points.rounded_noise, far=Length(self.moved), severity="warning",
             ))  # fmt: skip
         notes += self.noise
@@ -201,7 +201,7 @@ class Smoothing:
                 else note("the drawn curve needs a stiffness ratio of {ratio:.3g}", ratio=before)
             )
             notes.append(note(
-                "The curvature jumped where pieces meet, so the curve was smoothed and moved by at most "
+                "The curvature jumped where pieces of the curve meet. Smoothing moved the curve by at most "
                 "{far:.2g}; {before}. Set {field} to limit the movement, or to 0 to keep the curve as drawn.",
                 far=Length(self.moved), before=ratio, field=FieldName("smooth"), severity="warning",
             ))  # fmt: skip

@@ -26,13 +26,11 @@ _UNLIKE = 0.05  # largest distance, in diagonals of the target, beyond which a r
 class Status(Enum):
     """Outcome of the search, as a sentence for the user."""
 
-    MET = "All limits are met, and no nearer rod was found."
-    UNSETTLED = "All limits are met, but the search stopped early: a nearer rod may exist."
-    FAR = "All limits are met, but the rod no longer resembles the drawn curve: relax the active limits."
-    NOT_MET = (
-        "The limits cannot all be met near this curve. This is the best rod found: relax the active limits."
-    )
-    FAILED = "No rod was computed for this curve: see the message."
+    MET = "All limits are met, and no nearer curve was found."
+    UNSETTLED = "All limits are met, but the search stopped early: a nearer curve may exist."
+    FAR = "All limits are met, but the result no longer resembles the drawn curve. Relax a limit."
+    NOT_MET = "No curve near the drawn one meets all limits; this is the best one found. Relax a limit."
+    FAILED = "No result was computed for this curve: see the message."
 
 
 def judge_search(violation: float, deviation: float, settled: bool) -> Status:
@@ -197,7 +195,7 @@ class NearestRod:
         >>> from elastica_cad.forming.nearest_search import nearest_rod
         >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 60), (100, 0)], degree=3)
         >>> nearest_rod(arch, Limits(ratio=1.2)).advice[0]  # doctest: +ELLIPSIS
-        'Relax the ratio limit: the first 10 % saves about 0.0... mm of mean distance.'
+        'To come nearer, relax the ratio limit: a change of 10 % reduces the mean distance by about 0.0... mm.'
         """
         return tuple(_advise(self))
 
@@ -215,7 +213,7 @@ class NearestRod:
         """Status and distance of the rod from the drawn curve, without advice."""
         if self.found is None:
             return sentences([note(self.status.value), self.message], " ")
-        far = note("The rod is at most {far} from the drawn curve.", far=Length(self.deviation))
+        far = note("The nearest curve is at most {far} from the drawn curve.", far=Length(self.deviation))
         return sentences([note(self.status.value), far], " ")
 
     def __str__(self) -> str:
@@ -251,7 +249,8 @@ def _advise(near: NearestRod) -> Iterator[str]:
                 yield note("Relax {limits}.", limits=name)
             elif binding.cost * size > _NEGLIGIBLE * near.distance:
                 yield note(
-                    "Relax {limit}: the first {step} saves about {saved:.3g} of {distance}.",
+                    ("To come nearer, relax {limit}: a change of {step} reduces the {distance} by about "
+                     "{saved:.3g}."),
                     limit=name, step=step, saved=Length(binding.cost * size),
                     distance=note("largest distance" if near.measure == "max" else "mean distance"),
                 )  # fmt: skip
@@ -260,7 +259,7 @@ def _advise(near: NearestRod) -> Iterator[str]:
 def _step(binding: Binding) -> tuple[str | Length, float]:
     """Return a small change of a limit in words and in the unit of its cost; 0 for limits without a unit."""
     if binding.name.endswith("tangent"):
-        return note("degree"), float(np.radians(1))
+        return note("1 degree"), float(np.radians(1))
     if binding.name in ("ratio", "margin", "curvature", "strain"):
         return "10 %", 0.1 * abs(1.0 if binding.limit is None else binding.limit)
     return Length(1), float(binding.name in (*_IN_LENGTHS, "length"))
@@ -304,25 +303,25 @@ def _missed(near: NearestRod, binding: Binding) -> str:
     if binding.name == "margin" and binding.limit is not None:
         rating = stability(near.rod)
         return note(
-            "The stability margin of this rod is {margin:.3g} ({word}), below the limit of {limit:.3g}.",
+            "The stability margin is {margin:.3g} ({word}), below the limit of {limit:.3g}.",
             limit=binding.limit, margin=rating.margin, word=note(rating.rating),
         )  # fmt: skip
     if binding.name == "curvature" and binding.limit is not None:
         radius = Length(1 / float(np.abs(near.rod.curvature).max()))
         least = Length(1 / binding.limit)
         return note(
-            "The least radius of this rod is {radius}, below the limit of {least}.",
+            "The smallest radius is {radius}, below the limit of {least}.",
             least=least,
             radius=radius,
         )
     missed = note(binding.name)
     if binding.name in _IN_LENGTHS:
         by = Length(binding.broken * near.target.length)
-        return note("Missed: the {missed}, by {by}.", missed=missed, by=by)
+        return note("This limit is not met: {missed}, by {by}.", missed=missed, by=by)
     if binding.name == "end tangent":
         angle = np.degrees(binding.broken)
-        return note("Missed: the {missed}, by {angle:.3g} degrees.", missed=missed, angle=angle)
-    return note("Missed: the {missed}.", missed=missed)
+        return note("This limit is not met: {missed}, by {angle:.3g} degrees.", missed=missed, angle=angle)
+    return note("This limit is not met: {missed}.", missed=missed)
 
 
 def _side(near: NearestRod, index: int) -> str:

@@ -433,8 +433,8 @@ def _curve(
     small = CLOSED_SHARE * line.length
     if line.is_closed or np.linalg.norm(line.points[-1] - line.points[0]) <= small:
         raise InputError(
-            "the section is closed (it passes {place}): a strip has two ends, so split it at a spine or at two "
-            "points",
+            "the section is a closed line (through {place}), but a strip has two ends: split it by a plane "
+            "or at two points",
             place=Point(line.places[0]),
             changes=[AT_TWO_PLACES],
         )
@@ -528,7 +528,7 @@ def _departure(line: SectionLine, place: str, tolerance: float, wavelength: floa
             wavelength=Length(wavelength),
         )
     elif changed:
-        cause = note("bends between false inflections were removed")
+        cause = note("small bends to one side and back were removed")
     else:
         cause = note("no smooth curve is closer to the section; smooth the section first, with a wavelength")
     return note(

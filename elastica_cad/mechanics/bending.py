@@ -191,8 +191,8 @@ def _rest(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
     snapped = relax(reached.state)
     if snapped is None:
         raise NotConvergedError(
-            "the rod was followed over {fraction:.1%} of the path from its present shape, then no rest shape "
-            "was found. Move the ends in smaller steps, or give a guess closer to the result",
+            "no rest shape was found after {fraction:.1%} of the path from the present shape. Move the ends "
+            "in smaller steps, or give a guess closer to the result",
             fraction=reached.fraction,
         )
     return snapped, reached.fraction
@@ -303,7 +303,7 @@ def _other_set(elements: Sequence[ElementForce], taut: Sequence[bool], state: Ro
 
 def _snap_warning(percent: float) -> Refusal:
     return note(
-        "the rod snaps after {percent:.3g} % of the path from its present shape; this is its new rest shape",
+        "the rod snaps into another shape after {percent:.3g} % of the path; the result is this other shape",
         percent=percent,
         severity="warning",
     )

@@ -83,18 +83,20 @@ class Creep:
     def __str__(self) -> str:
         """Return a summary of one or two sentences."""
         summary = note(
-            "In the long run (exact for a linear homogeneous sheet), with a creep factor of {factor:g}, the "
-            "strip sags by {sag} and keeps {force:.0f} % of its stiffness. When released, it keeps "
-            "{bend:.0f} % of its bend at first."
+            "In the long run the strip sags by {sag} and keeps {force:.0f} % of its stiffness. Taken out, it "
+            "keeps {bend:.0f} % of its bend at first. (Creep factor {factor:g}; exact for a linear "
+            "homogeneous sheet.)"
             if self.exact else
-            "In the long run (approximately, by the effective modulus), with a creep factor of {factor:g}, "
-            "the strip sags by {sag} and keeps {force:.0f} % of its stiffness. When released, it keeps "
-            "{bend:.0f} % of its bend at first.",
+            "In the long run the strip sags by {sag} and keeps {force:.0f} % of its stiffness. Taken out, it "
+            "keeps {bend:.0f} % of its bend at first. (Creep factor {factor:g}; an approximation by the "
+            "effective modulus.)",
             factor=self.factor, sag=Length(self.sag), force=100 * self.force_share, bend=100 * self.kept_share,
         )  # fmt: skip
         after = self.stability
         if not self.stays:
-            snaps = note("It then snaps over under its load. Use a stiffer sheet, or support the strip.")
+            snaps = note(
+                "It then snaps into another shape under its load. Use a stiffer sheet, or support the strip."
+            )
             return sentences([summary, snaps], " ")
         if after.margin < SAFE_MARGIN <= stability(self.rod).margin:
             return sentences(

@@ -370,7 +370,7 @@ def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature)
     near = tuple(s for s in lines.places if abs(s - zero.s) > AT_END_SHARE * check.length)
     reason = note(
         "Every line through the inflection at {s} meets the curve again (near {places}), or is tangent to it "
-        "at the inflection. The stiffness would have to be 0 or negative there. Wind the curve less, or "
+        "at the inflection. The stiffness would have to be 0 or negative there. Let the curve turn less, or "
         "support the strip in between.",
         s=Length(zero.s), places=lengths(near),
     )  # fmt: skip
@@ -410,8 +410,8 @@ def _with_line(
         ("is tangent to the curve at its inflection at {places}", tangents),
     )
     reason = note(
-        "{line} {meets}. The stiffness would have to be 0 or negative there. Move the curve off the line "
-        "there, or support the strip between there and the adjacent inflections.",
+        "{line} {meets}. The stiffness would have to be 0 or negative there. Move the curve off the line at "
+        "these places, or support the strip between them and the inflections.",
         line=note(_LINES[_kind_of(normal)][1]),
         meets=Listed(note(text, places=lengths(s)) for text, s in meetings_of if s),
     )  # fmt: skip

@@ -275,8 +275,8 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
     if infeasible:
         return None
     raise NotConvergedError(
-        "the linear program for the stiffness ratio has no solution, because the ratio would be too large. "
-        "Use a lighter or stiffer sheet, support the strip, or change the curve"
+        "no stiffness keeps the curve under this weight, because the ratio of largest to smallest stiffness "
+        "would be too large. Use a lighter or stiffer sheet, support the strip, or change the curve"
     )
 
 

@@ -819,28 +819,28 @@ class ConditionedRows:
         held = bool(self.request.elements)
         if family is None or (family.freedom == 0 and family.offset is None):
             reason = note(
-                "With these supports and elements between the ends, the moment cannot be 0 at all places of zero "
-                "curvature (at {places}). Move an element, or add one."
+                "With these supports and elements between the ends, the moment cannot be 0 at every place "
+                "where the strip is not bent (at {places}). Move an element, or add one."
                 if held
-                else "With this weight and these supports, the moment cannot be 0 at all places of zero curvature "
-                "(at {places}). Use the nearest curve, move the inflections, or hold more at the ends.",
+                else "With this weight and these supports, the moment cannot be 0 at every place where the "
+                "strip is not bent (at {places}). Use the nearest curve, move the inflections, or clamp "
+                "the ends.",
                 places=Listed(Length(z.s) for z in self.check.zeros),
             )
         else:
             wrong = find_violations(family)
             near = stretches(wrong, self.check.length)
             reason = note(
-                "With these supports and elements between the ends, the moment would have to act against the "
-                "curvature near {stretches}, which no positive stiffness allows. Move an element there, or add "
-                "one." if held and near else
-                "With these supports and elements between the ends, the moment would have to act against the "
-                "curvature, which no positive stiffness allows. Move an element, or add one." if held else
-                "With this weight and these supports, the moment would have to act against the curvature "
-                "near {stretches}, which no positive stiffness allows. Use a lighter or stiffer sheet, "
-                "support the strip there, or change the curve." if near else
-                "With this weight and these supports, the moment would have to act against the curvature, "
-                "which no positive stiffness allows. Use a lighter or stiffer sheet, support the strip, or "
-                "change the curve.",
+                "With these supports and elements between the ends, the strip would have to bend against its "
+                "moment near {stretches}, which is impossible. Move an element there, or add one."
+                if held and near else
+                "With these supports and elements between the ends, the strip would have to bend against its "
+                "moment, which is impossible. Move an element, or add one." if held else
+                "With this weight and these supports, the strip would have to bend against its moment near "
+                "{stretches}, which is impossible. Use a lighter or stiffer sheet, support the strip there, "
+                "or change the curve." if near else
+                "With this weight and these supports, the strip would have to bend against its moment, which "
+                "is impossible. Use a lighter or stiffer sheet, support the strip, or change the curve.",
                 stretches=near,
             )  # fmt: skip
         raise NotRealizable(replace(self.check, realizable=False, reasons=(*self.check.reasons, reason)))

@@ -173,8 +173,8 @@ class WeightedPanels:
 def far_too_heavy(gravity: Gravity, length: float) -> str:
     """Return the message for a curve of `length` mm whose weight is far too large for its stiffness."""
     return note(
-        "The weight is far too large for the stiffness (a gravity length of {gravity_length} on a curve of "
-        "{length}). Use a lighter or stiffer sheet, or check the units (200 gsm card: 96 mm).",
+        "The weight is far too large for the stiffness: the elasto-gravity length is {gravity_length}, the "
+        "curve {length} long. Use a lighter or stiffer sheet, or check the units (card of 200 g/m2: 96 mm).",
         gravity_length=Length(gravity.length), length=Length(length),
     )  # fmt: skip
 

@@ -111,16 +111,16 @@ class Undecided:
 
     def __str__(self) -> str:
         return note(
-            "These points leave the verdict undecided (resolution {resolution}). The curve fitted within "
-            "{far} has {count} inflections; another curve within {near} has {others}. Give more points, or "
+            "These points leave the verdict undecided: they are exact to {resolution} only. A curve within "
+            "{far} of them has {count} inflections, another within {near} has {others}. Give more points, or "
             "more decimals."
             if self.fit.realizable == self.other.realizable else
-            "These points leave the verdict undecided (resolution {resolution}). The curve fitted within "
-            "{far} (inflections: {count}) can be bent; another curve within {near} (inflections: {others}) "
+            "These points leave the verdict undecided: they are exact to {resolution} only. A curve within "
+            "{far} of them (inflections: {count}) can be bent, another within {near} (inflections: {others}) "
             "cannot. Give more points, or more decimals."
             if self.fit.realizable else
-            "These points leave the verdict undecided (resolution {resolution}). The curve fitted within "
-            "{far} (inflections: {count}) cannot be bent; another curve within {near} (inflections: "
+            "These points leave the verdict undecided: they are exact to {resolution} only. A curve within "
+            "{far} of them (inflections: {count}) cannot be bent, another within {near} (inflections: "
             "{others}) can. Give more points, or more decimals.",
             resolution=_two_digits(self.resolution), near=_two_digits(self.other.distance),
             far=_two_digits(self.fit.distance), others=self.other.inflections, count=self.fit.inflections,
@@ -801,10 +801,10 @@ def _pinned_end_reasons(
         natural = float(excess.rest_at(np.array(t)))
         yield note(
             "The {end} (at {s}) is free to turn, so its curvature of {curvature:.3g} 1/mm must equal the "
-            "natural curvature of {natural:.3g} 1/mm. Clamp this end, or let the curvature run out to the "
-            "natural curvature." if natural else
+            "natural curvature of {natural:.3g} 1/mm. Clamp this end, or let the curvature change to the "
+            "natural curvature there." if natural else
             "The {end} (at {s}) is free to turn, so the curvature there must be 0, but it is {curvature:.3g} "
-            "1/mm. Clamp this end, or let the curvature run out to 0.",
+            "1/mm. Clamp this end, or let the curvature decrease to 0 there.",
             end=note(name), s=Length(s), curvature=kappa, natural=natural,
         )  # fmt: skip
 
@@ -858,9 +858,9 @@ def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
     """Describe places where the curvature touches zero."""
     if touches:
         yield note(
-            "The curvature runs out to 0 at {places} without a clear change of sign. The stiffness there "
-            "would have to be infinite or 0, with or without a support. Bend the curve a little more there, "
-            "or reverse its bending clearly.",
+            "The curvature becomes 0 at {places}, but the curve does not clearly bend to the other side "
+            "there. The stiffness would have to be infinite or 0, even with a support. Bend the curve a "
+            "little more there, or clearly to the other side.",
             places=lengths(touches),
         )
 

@@ -233,8 +233,8 @@ class EndFixture(EqualByValue):
         if abs(self.ground.z_axis @ self.tab.frame.y_axis) > LEVEL:
             lean = np.degrees(np.arcsin(min(1.0, abs(float(self.ground.z_axis @ self.tab.frame.y_axis)))))
             raise InputError(
-                "{who}: the plane of the strip is inclined {lean:.3g} degrees to the floor: remove the "
-                "floor, so that the block is square to its tab",
+                "{who}: the strip leans by {lean:.3g} degrees, but a block on a floor needs an upright "
+                "strip. Leave out the floor; the block is then at right angles to its tab",
                 who=who,
                 lean=lean,
             )

@@ -172,8 +172,9 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
             strip, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
             toward, away = _tipping(strip, end, seat)
             messages.append(note(
-                "{strip}{more}: in the {holder} its {end} can tip {toward:.0f} degrees towards the other end "
-                "and {away:.0f} degrees away from it, so it does not hold the drawn angle; {shape}; {cure}",
+                "{strip}{more}: in the {holder}, the tab at its {end} can tip by {toward:.0f} degrees "
+                "towards the other end and by {away:.0f} degrees away from it. It does not keep the drawn "
+                "angle; {shape}. {cure}",
                 strip=names[id(strip)], more=and_more(rocking), holder=holder, end=end, toward=toward, away=away,
                 shape=_shape(strip, tab_seats(holders)), cure=_cure(strip, end, holders), severity="warning",
             ))  # fmt: skip
@@ -230,9 +231,9 @@ def _cure(member: Placed, end: StripEnd, holders: Sequence[object]) -> str:
         if slot.tab is not None and slot.tab.key == key
     ]
     if len(lengths) != 1:
-        return note("use {others}", others=others)
+        return note("Use {others}", others=others)
     long = max(*lengths, *(tab.length for tab in member.strip.ends))
     return note(
-        "use two plates ({field} = {gap:g}) and tabs of {length:.0f}, or {others}",
+        "Use two plates ({field} = {gap:g}) and tabs of {length:.0f}, or {others}",
         field=FieldName("gap"), gap=GAP_MM, length=Length(long), others=others,
     )  # fmt: skip

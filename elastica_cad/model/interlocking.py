@@ -455,4 +455,6 @@ def _refuse_faults(strip: Strip, name: str) -> None:
         begin = f"{strip.label or 'strip'}: "
         raise InputError("{name}: {rest}", name=name, rest=str(error).removeprefix(begin)) from error
     if not whole:
-        raise InputError("{name}: the slots divide the strip", name=name)
+        raise InputError(
+            "{name}: the slots cut the strip in two. Move the slots apart, or make the strip wider", name=name
+        )

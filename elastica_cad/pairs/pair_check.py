@@ -130,13 +130,11 @@ def examine_pair(
     if answer is None:
         against = find_violations(paired.family)
         reason = note(
-            "The moments of the two states are equal where their curvatures are equal. Near {places} they "
-            "would have to act against the curvature, which no positive stiffness allows. Change one of the "
-            "curves there, or draw the curves closer to each other."
+            "No part can rest in both curves: near {places} it would have to bend against its moment. Change "
+            "one of the curves there, or draw the curves closer to each other."
             if against.size
-            else "The moments of the two states are equal where their curvatures are equal. They would have "
-            "to act against the curvature, which no positive stiffness allows. Draw the curves closer "
-            "to each other.",
+            else "No part can rest in both curves: it would have to bend against its moment. Draw the curves "
+            "closer to each other.",
             places=stretches(against, check.length),
         )
         return _refused(replace(check, against=tuple(against.tolist())), reason), None, None
@@ -256,9 +254,9 @@ def _refused(check: PairCheck, *reasons: str) -> PairCheck:
 def _flat_messages(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
     for start, end in flats:
         yield note(
-            "The curvatures of both curves are equal from {start} to {end}. The moments would be equal there "
-            "too, and differ so little beside it that the stiffness would be 0. Bend one of the curves a "
-            "little more there, or draw both with the same curvature everywhere.",
+            "The curvatures of both curves are equal from {start} to {end}, so the stiffness beside this "
+            "piece would have to be 0. Bend one of the curves a little more there, or draw both with the "
+            "same curvature everywhere.",
             start=Length(start),
             end=Length(end),
         )

@@ -77,11 +77,11 @@ def _stability(part: Flexure) -> Row:
 def _force(part: Flexure) -> Refusal:
     """Return a sentence on the forces between the states."""
     if not part.pair.bistable:
-        return note("two settings: hold the end with at most {force} between them", force=part.force_text)
+        return note("two settings: moving the end between them takes at most {force}", force=part.force_text)
     at = Length(part.pushed[0])
     if (back := part.travel_back) is None:
         return note(
-            "not bistable: the second curve holds only with {force}, pushed at {at:.4g}",
+            "not bistable: the part keeps the second curve only while {force} push it at {at:.4g}",
             force=part.force_text, at=at,
         )  # fmt: skip
     sentence = note(

@@ -150,8 +150,8 @@ class HeldShape:
             }[self.main_source]
             strays = note("{strays}, {most}", strays=strays, most=note(most))
         sentence = note(
-            ("{strays}: {modelled} are computed, {open} are uncertainty of the model, and {sheet} come from "
-             "sheet, cut and clamps"),
+            ("{strays}. Parts of it: {modelled} from computed effects, {open} from the uncertainty of the "
+             "model, {sheet} from sheet, cut and clamps"),
             strays=strays, modelled=about(self.deviation), open=about(self.open),
             sheet=about(self.sheet_adds),
         )  # fmt: skip
@@ -162,9 +162,9 @@ class HeldShape:
         ]
         if listed:
             each = (
-                "{strays}. Each cause alone, without the compensation: {causes}"
+                "{strays}. Each computed effect alone, without the compensation: {causes}"
                 if self.corrected
-                else "{strays}. Each cause alone: {causes}"
+                else "{strays}. Each computed effect alone: {causes}"
             )
             sentence = note(each, strays=sentence, causes=sentences(listed))
         return sentences((sentence, *self.notes), ". ")

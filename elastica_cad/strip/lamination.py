@@ -145,8 +145,8 @@ class Laminated:
         low, high = float(s[fits.lowest_at]), float(s[fits.highest_at])
         if not fits.feasible:
             raise InputError(
-                "a backing of at least {least:g} at {low:.1f} is wider than {field} {most:g} at "
-                "{high:.1f}: raise {field}",
+                "the backing must be at least {least:g} wide at {low:.1f}, but then it is wider than {field} "
+                "({most:g}) at {high:.1f}: raise {field}",
                 field=MATERIAL_WIDTH,
                 least=Length(least),
                 low=Length(low),
@@ -157,9 +157,8 @@ class Laminated:
         if scale > fits.highest * (1 + SLACK):
             shown, limit = distinct_digits(scale, fits.highest, ".4g")
             raise InputError(
-                "the rod's bending stiffness of {scale:g} N mm2 needs a backing wider than fits at "
-                "{high:.1f}, where at most {highest:g} N mm2 are possible: use thicker or stiffer sheets, or "
-                "widen the base",
+                "the strip needs a bending stiffness of {scale:g} N mm2, but at {high:.1f} the widest "
+                "backing gives {highest:g} N mm2: use thicker or stiffer sheets, or widen the base",
                 scale=shown,
                 high=Length(high),
                 highest=limit,
@@ -167,9 +166,8 @@ class Laminated:
         if scale < fits.lowest * (1 - SLACK):
             shown, limit = distinct_digits(scale, fits.lowest, ".4g")
             raise InputError(
-                "the rod's bending stiffness of {scale:g} N mm2 makes the backing narrower than {least:g} at "
-                "{low:.1f}, where at least {lowest:g} N mm2 are needed: use thinner sheets, or narrow the "
-                "base",
+                "the strip needs a bending stiffness of {scale:g} N mm2, but at {low:.1f} even the narrowest "
+                "backing of {least:g} gives {lowest:g} N mm2: use thinner sheets, or narrow the base",
                 scale=shown,
                 least=Length(least),
                 low=Length(low),

@@ -397,7 +397,10 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     longest = (stock, backing_stock or stock)[: len(strip.layers)]
     if not (np.isfinite(lap) and 0 < lap < min(longest) / 3):
         raise InputError(
-            "{name}: the lap is {lap:g}: set a length above 0 and below a third of {longest:g}",
+            (
+                "{name}: plates (lap) of {lap:g} cannot join pieces of {longest:g}. Set a lap above 0 and below "
+                "a third of this length"
+            ),
             name=name,
             lap=Mm(lap),
             longest=Mm(min(longest)),

@@ -91,8 +91,8 @@ class TSlot:
         if self.depth < self.wall + self.nut[1]:
             raise InputError(
                 (
-                    "a T-slot {depth:g} deep is too shallow for its nut, which ends at {wall:g}: make the slot "
-                    "deeper"
+                    "a T-slot {depth:g} deep is too shallow, because its nut reaches to {wall:g}: make the "
+                    "slot deeper"
                 ),
                 depth=Length(self.depth),
                 wall=Length(self.wall + self.nut[1]),
@@ -160,9 +160,9 @@ class Tab:
                 shortest_mm=Length(SHORTEST_MM),
             )
         if self.corner_radius and self.chamfer:
-            raise InputError("a tab has either a corner radius or a chamfer, not both")
+            raise InputError("a tab cannot have both a corner radius and a chamfer: leave out one of them")
         if self.taper and (self.corner_radius or self.chamfer):
-            raise InputError("a tab that tapers has neither corner radius nor chamfer")
+            raise InputError("a tab with a taper cannot have a corner radius or a chamfer: leave these out")
         if self.t_slot is not None and self.t_slot.depth >= self.length:
             raise InputError(
                 "a T-slot {depth:g} deep does not fit a tab {length:g} long: lengthen the tab",
@@ -173,8 +173,8 @@ class Tab:
             r = hole.diameter / 2
             if hole.at - r <= 0 or hole.at + r >= self.length:
                 raise InputError(
-                    "a {diameter:g} hole {at:g} into the tab does not fit its length of {length:g}: move "
-                    "it or lengthen the tab",
+                    "a hole of {diameter:g}, {at:g} from the start of the tab, does not fit a tab {length:g} "
+                    "long: move the hole or lengthen the tab",
                     diameter=Length(hole.diameter),
                     at=Length(hole.at),
                     length=Length(self.length),
@@ -185,8 +185,8 @@ class Tab:
                 <= (first.diameter + second.diameter) / 2
             ):
                 raise InputError(
-                    "holes of {diameter:g} and {diameter_2:g}, {at:g} and {at_2:g} into the tab, meet: "
-                    "move one of them",
+                    "holes of {diameter:g} and {diameter_2:g}, {at:g} and {at_2:g} from the start of the "
+                    "tab, overlap: move one of them",
                     diameter=Length(first.diameter),
                     diameter_2=Length(second.diameter),
                     at=first.at,
@@ -269,8 +269,8 @@ class Tab:
         for hole in self.holes:
             if self.depth_at(hole.at, hole.across, w) <= hole.diameter / 2:
                 raise InputError(
-                    "a {diameter:g} hole {across:g} off the centre line breaks the edge of a {w:.4g} "
-                    "wide tab: make it smaller or the tab wider",
+                    "a hole of {diameter:g}, {across:g} from the centre line, cuts the edge of a tab {w:.4g} "
+                    "wide: make the hole smaller or the tab wider",
                     diameter=Length(hole.diameter),
                     across=Length(hole.across),
                     w=Length(w),
@@ -281,7 +281,10 @@ class Tab:
                 and hole.at + hole.diameter / 2 > self.length - slot.depth
             ):
                 raise InputError(
-                    "a {diameter:g} hole {at:g} into the tab meets its T-slot: move it aside",
+                    (
+                        "a hole of {diameter:g}, {at:g} from the start of the tab, overlaps the T-slot: move the "
+                        "hole aside"
+                    ),
                     diameter=Length(hole.diameter),
                     at=Length(hole.at),
                 )

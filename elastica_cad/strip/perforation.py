@@ -418,7 +418,8 @@ class Perforated:
         if slopes[i] > np.tan(STEEP_RAD):
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
             warnings.append(note(
-                "ligaments are at {angle:.0f} degrees to the strip at {s}: use fewer rows, at least {long} long",
+                ("ligaments (bridges between holes) are inclined by {angle:.0f} degrees at {s}, too much for "
+                 "an exact stiffness: use fewer rows of holes, each at least {long} long"),
                 angle=np.degrees(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
             ))  # fmt: skip
         missing = self._excess(pattern) / pattern.material(pattern.joints)
@@ -495,8 +496,8 @@ class _Fit:
                     stiffness * self.K[i] / rigidity, scale * self.K[i] / rigidity, ".4g"
                 )
                 raise InputError(
-                    "the rod's bending stiffness needs a material width of {needed:g} at {s:.1f} from the "
-                    "start, but only {given:g} fit: widen the outline or raise {field}",
+                    "the strip needs a material width of {needed:g} at {s:.1f} from the start, but only "
+                    "{given:g} fit: widen the outline or raise {field}",
                     field=MATERIAL_WIDTH,
                     needed=Mm(needed),
                     s=Mm(self.s[i]),

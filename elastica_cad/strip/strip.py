@@ -288,8 +288,8 @@ def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: b
     start, end = width([0.0, length]).tolist()
     if closed and abs(end - start) > UNEVEN_JOINT_MM:
         yield note(
-            "The ends are {start:.3g} and {end} wide where the strip closes. Choose another joint, leave out "
-            "gravity, or make the curvature continuous there.",
+            "Where the strip closes, its ends are {start:.3g} and {end} wide. Choose another place for the "
+            "joint, leave out gravity, or make the curvature continuous there.",
             start=start, end=Length(end), severity="warning",
         )  # fmt: skip
     widest = float(width.extremes[1])

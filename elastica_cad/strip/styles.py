@@ -281,8 +281,8 @@ def _within(
     if min_width is not None and narrow * (1 + slack) < min_width:
         shown, limit = distinct_digits(narrow, min_width, ".4g")
         raise InputError(
-            "the narrowest place is {narrow:g}, below {field} {min_width:g}: the ratio is {ratio:.3g}, so "
-            "{wider} must be {needed:g} or more",
+            "the narrowest place is {narrow:g} wide, less than {field} ({min_width:g}): set {wider} to "
+            "{needed:g} or more (the widest place is {ratio:.3g} times as wide)",
             field=FieldName("min_width"),
             wider=FieldName("max_width"),
             narrow=Length(shown),
@@ -293,8 +293,8 @@ def _within(
     if max_width is not None and wide > max_width * (1 + slack):
         shown, limit = distinct_digits(wide, max_width, ".4g")
         raise InputError(
-            "the rod's bending stiffness needs a width of {wide:g}, above {field} {max_width:g}: choose a "
-            "thicker or stiffer sheet",
+            "the strip needs a width of {wide:g} for its bending stiffness, more than {field} "
+            "({max_width:g}): choose a thicker or stiffer sheet",
             field=FieldName("max_width"),
             wide=Length(shown),
             max_width=Length(limit),
@@ -350,7 +350,10 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
     if isinstance(width, Profile):
         if not np.isclose(width.length, length, rtol=1e-6):
             raise InputError(
-                "{name} covers {length:.6g}, but the strip is {length_2:.6g} long",
+                (
+                    "{name} covers a length of {length:.6g}, but the strip is {length_2:.6g} long: give it along "
+                    "the whole strip"
+                ),
                 name=name,
                 length=Length(width.length),
                 length_2=Length(length),

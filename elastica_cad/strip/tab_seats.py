@@ -376,8 +376,8 @@ def rest_in_seats(
         raise NotConvergedError(
             problem.without_room(q)
             if price > PRICE and problem.walls(q)[1].min() < -OVERLAP_SHARE * design.length
-            else "the strip has no rest position in its holders: reduce the play, or hold the tabs with "
-            "screws or glue"
+            else "the strip is loose in its holders and finds no rest position: reduce the play, or hold the "
+            "tabs with screws or glue"
         )
     poses = [EndPose(), EndPose()]
     for end, part in problem.parts(q):
@@ -447,8 +447,8 @@ class _Held:
         seated_end, gap = min(each, key=lambda pair: pair[1])
         end = "end" if seated_end.index else "start"
         return note(
-            "the tab at the {end} does not fit into its {seat}: it overlaps the material by at least "
-            "{depth:.2g}, however it turns and bends; increase the play",
+            "the tab at the {end} does not fit into its {seat}: in every position it overlaps the material "
+            "by at least {depth:.2g}. Increase the play",
             end=end, seat=seated_end.seat.name, depth=Length(-gap),
         )  # fmt: skip
 

@@ -138,8 +138,8 @@ class Travel:
         warnings = []
         if self.force_falls_at is not None:
             warnings.append(note(
-                "the force falls beyond {place}: a driven end stays in place, but an end pushed by a weight "
-                "runs away",
+                "the force becomes smaller beyond {place}: an end that is guided stays there, but an end "
+                "that a weight pushes runs away",
                 place=self.place_message(self.force_falls_at),
             ))  # fmt: skip
         if self.snaps_at is not None:

@@ -252,7 +252,7 @@ class TestZeros:
         (zero,) = self.of(lambda s: 0.01 + 1e-6 * (s - 90) ** 2)
         assert (zero.kind, round(zero.s, 2)) == ("touch", 90.0)
         profile = Profile.fit(lambda s: 0.01 + 1e-6 * (s - 90) ** 2, ARC.length, tolerance=1e-15)
-        with pytest.raises(NotRealizable, match="runs out to 0 at 90 mm"):
+        with pytest.raises(NotRealizable, match="becomes 0 at 90 mm"):
             optimal_rod(ARC, natural_curvature=RestCurvature(profile))
 
     def test_a_jump_through_zero_is_refused(self):

@@ -77,7 +77,7 @@ least_thickness = 2.8
 """
     (tmp_path / "low.toml").write_text(design)
     said = run("pair", tmp_path / "low.toml", "--kerf", "0.2", "-o", tmp_path / "out")
-    assert "not bistable: the second curve holds only with" in said.stdout
+    assert "not bistable: the part keeps the second curve only while" in said.stdout
     assert "snaps" not in said.stdout
     assert "it rests only near" in said.stderr
     report = json.loads((tmp_path / "out" / "low.json").read_text())

@@ -33,28 +33,30 @@ SNAKE = PlaneCurve.spline(np.column_stack([X, Y]))
 def saving(near, start):
     """Saved distance in mm, from the sentence that starts so."""
     text = next(text for text in near.advice if text.startswith(start))
-    return float(re.search(r"saves about (\S+) mm of", text).group(1))
+    return float(re.search(r"distance by about (\S+) mm", text).group(1))
 
 
 @pytest.mark.parametrize(
     ("drawn", "name", "limits", "keep", "looser"),
     [
-        (ARCH, "ratio limit: the first 10 %", Limits(ratio=1.2), Keep(), Limits(ratio=1.212)),
+        (ARCH, "ratio limit: a change of 10 %", Limits(ratio=1.2), Keep(), Limits(ratio=1.212)),
         (
-            SNAKE, "stability margin: the first 10 %", Limits(ratio=3.0, margin=30.0), Keep(tangents=True),
+            SNAKE, "stability margin: a change of 10 %", Limits(ratio=3.0, margin=30.0), Keep(tangents=True),
             Limits(ratio=3.0, margin=29.7),
         ),
-        (ARCH, "curvature limit: the first 10 %", Limits(4, curvature=0.02), Keep(), Limits(4, curvature=0.0202)),
+        (ARCH, "curvature limit: a change of 10 %", Limits(4, curvature=0.02), Keep(), Limits(4, curvature=0.0202)),
         (
-            ARCH, "sheet's strain limit: the first 10 %", Limits(4, sheet=PLY, strain=PLY.thickness / 100), Keep(),
+            ARCH, "sheet's strain limit: a change of 10 %",
+            Limits(4, sheet=PLY, strain=PLY.thickness / 100), Keep(),
             Limits(4, sheet=PLY, strain=PLY.thickness / 99),
         ),
         (
-            ARCH, "keep-out regions: the first 1 mm", Limits(ratio=4.0, keep_out=Box((40, 60), (80, 200))), Keep(),
+            ARCH, "keep-out regions: a change of 1 mm",
+            Limits(ratio=4.0, keep_out=Box((40, 60), (80, 200))), Keep(),
             Limits(ratio=4.0, keep_out=Box((40, 60.1), (80, 200))),
         ),
         (
-            WAVE, "range of lengths: the first 1 mm", Limits(ratio=3.0, length=(LONGER, 1.1 * LONGER)), Keep(),
+            WAVE, "range of lengths: a change of 1 mm", Limits(ratio=3.0, length=(LONGER, 1.1 * LONGER)), Keep(),
             Limits(ratio=3.0, length=(LONGER - 0.1, 1.1 * LONGER)),
         ),
     ],
@@ -63,14 +65,16 @@ def saving(near, start):
 def test_savings_are_those_of_rods_within_slightly_looser_limits(drawn, name, limits, keep, looser):
     """A tenth of the step that the sentence names."""
     near, other = (nearest_rod(drawn, given, keep) for given in (limits, looser))
-    assert saving(near, f"Relax the {name}") == pytest.approx(10 * (near.distance - other.distance), rel=0.12)
+    assert saving(near, f"To come nearer, relax the {name}") == pytest.approx(
+        10 * (near.distance - other.distance), rel=0.12
+    )
 
 
 def test_savings_follow_the_measure_and_the_weights():
     asked = {"measure": "max", "weights": lambda s: 1 + (s > 100)}
     near, other = (nearest_rod(ARCH, Limits(ratio=ratio), **asked) for ratio in (1.2, 1.212))
-    assert "mm of largest distance" in near.advice[0]
-    assert saving(near, "Relax the ratio limit") == pytest.approx(
+    assert "reduces the largest distance by about" in near.advice[0]
+    assert saving(near, "To come nearer, relax the ratio limit") == pytest.approx(
         10 * (near.distance - other.distance), rel=0.1
     )
 
@@ -78,13 +82,17 @@ def test_savings_follow_the_measure_and_the_weights():
 def test_ends_are_called_by_their_side():
     for wish in (WAVE, WAVE.reversed()):
         near = nearest_rod(wish, Limits(ratio=2.0, margin=5.0), Keep(tangents=True))
-        assert saving(near, "Relax the left end's angle: the first degree saves about") > 0
+        assert (
+            saving(near, "To come nearer, relax the left end's angle: a change of 1 degree reduces the") > 0
+        )
 
 
 def test_advice_solves_for_no_further_rod(monkeypatch):
     near = nearest_rod(ARCH, Limits(width=(10, 12)))
     monkeypatch.setattr("elastica_cad.forming.nearest_search.minimize", None)
-    assert near.advice[0].startswith("Relax the ratio of the widths: the first 10 % saves about ")
+    assert near.advice[0].startswith(
+        "To come nearer, relax the ratio of the widths: a change of 10 % reduces the "
+    )
 
 
 @pytest.mark.campaign
@@ -94,10 +102,7 @@ def test_limits_that_exclude_each_other_are_named():
     assert near.status is Status.NOT_MET
     found = stability(near.rod)
     *missed, last = near.advice
-    assert (
-        missed[0]
-        == f"The stability margin of this rod is {found.margin:.3g} ({found.rating}), below the limit of 30."
-    )
+    assert missed[0] == f"The stability margin is {found.margin:.3g} ({found.rating}), below the limit of 30."
     assert last.startswith("Relax the stability margin, ")
     assert "the length" in last
     assert near.relaxed(keep=Keep(tangents=True)).met
@@ -106,7 +111,7 @@ def test_limits_that_exclude_each_other_are_named():
 def test_nothing_is_advised_where_nothing_binds():
     near = nearest_rod(PlaneCurve.line((0, 0), (100, 20)), Limits(ratio=2.0, margin=5.0))
     assert near.advice == ()
-    assert str(near) == f"{Status.MET.value} The rod is at most 0 mm from the drawn curve."
+    assert str(near) == f"{Status.MET.value} The nearest curve is at most 0 mm from the drawn curve."
 
 
 def test_records_travel_with_what_was_asked():
@@ -153,5 +158,5 @@ def test_what_is_missed_is_told_in_millimetres_and_degrees():
     assert near.status is Status.NOT_MET
     broken = {binding.name: binding.broken for binding in near.binding}
     told = list(near.advice)
-    assert f"Missed: the end position, by {broken['end position'] * arch.length:.3g} mm." in told
-    assert f"Missed: the end tangent, by {np.degrees(broken['end tangent']):.3g} degrees." in told
+    assert f"This limit is not met: end position, by {broken['end position'] * arch.length:.3g} mm." in told
+    assert f"This limit is not met: end tangent, by {np.degrees(broken['end tangent']):.3g} degrees." in told

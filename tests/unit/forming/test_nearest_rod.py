@@ -471,7 +471,7 @@ def test_a_weight_beyond_all_rods_is_told_as_that(length):
     """No warning of numpy's, and no advice on the curve, which is well: weightless it is followed."""
     assert nearest_rod(ARCH).met
     with pytest.raises(
-        NotConvergedError, match=r"weight is far too large for the stiffness .* Use a lighter"
+        NotConvergedError, match=r"weight is far too large for the stiffness: .* Use a lighter"
     ):
         nearest_rod(ARCH, gravity=Gravity(length))
 

@@ -148,5 +148,5 @@ def test_bad_input():
 def test_a_curve_no_supports_help_says_so_where_large_terms_cancel():
     """Almost straight behind its bow: stiffnesses of 1e11 are taken from each other, which leaves rounding."""
     points = [(0, 0), (30, 60), (70, 60), (100, 0)]
-    with pytest.raises(NotRealizable, match="curvature runs out to 0 at 124"):
+    with pytest.raises(NotRealizable, match="curvature becomes 0 at 124"):
         split(PlaneCurve([0] * 4 + [1] * 4, points, 3, [1, 1e3, 1e-3, 1]), ratio=3.0)

@@ -81,5 +81,5 @@ def test_told_in_one_sentence(call, message):
 @pytest.mark.parametrize("length", [0.5, 1e-3])
 def test_a_weight_beyond_all_strips(length):
     """A length in metres, say: the march overflows, which is told, not a warning of numpy's."""
-    with pytest.raises(NotRealizable, match=r"far too large for the stiffness .* check the units"):
+    with pytest.raises(NotRealizable, match=r"far too large for the stiffness: .* check the units"):
         optimal_rod(ARCH, Gravity(length))

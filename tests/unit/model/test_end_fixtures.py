@@ -119,7 +119,7 @@ def test_leaning_strips_stand_square_to_their_tabs(arch):
     leaning = Model([Placed(arch, (0, 0, 0), (1, 0, 0), (0, np.cos(0.4), np.sin(0.4)))])
     fixtures = leaning.fixtures(foot=8, screw=3)
     assert all(f.floor is None and f.lowest == pytest.approx(0.0, abs=1e-9) for f in fixtures)
-    with pytest.raises(InputError, match=r"fixture A:1: the plane of the strip is inclined .* degrees"):
+    with pytest.raises(InputError, match=r"fixture A:1: the strip leans by .* degrees"):
         leaning.fixtures(floor=Frame((0, 0, -500)))
 
 

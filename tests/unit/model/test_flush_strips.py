@@ -94,8 +94,10 @@ def test_what_is_told():
     placed = [arch("A"), arch("B", (0, 10, 0)), arch("C", (0, 25, 0)), arch("D", (0, 50, 0))]
     (told,) = missing_slots(placed, brief=True)
     assert told.startswith("A at ")
-    assert " mm is within the thickness of B at " in told
-    assert told.endswith(" mm (and 1 more pair): move the strips apart, or make them narrower there")
+    assert " mm and B at " in told
+    assert told.endswith(
+        " overlap in their thickness (and 1 more pair): move the strips apart, or make them narrower there"
+    )
 
 
 @pytest.mark.campaign

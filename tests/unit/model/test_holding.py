@@ -160,7 +160,7 @@ def test_a_tab_that_its_holder_has_no_room_for_is_told_by_how_much(rod):
     seat = TabSeat(
         [(0, 0.45), (10, 0.25), (20, 0.45)], [(0, -0.45), (10, -0.65), (20, -0.45)], 0.8, "three slots"
     )
-    words = r"^the tab at the end does not fit into its three slots: .* ([\d.]+) mm, .* increase the play$"
+    words = r"^the tab at the end does not fit into its three slots: .* ([\d.]+) mm\. Increase the play$"
     with pytest.raises(NotConvergedError, match=words) as refused:
         rest_in_seats(rod, rod, (None, seat))
     assert float(re.match(words, str(refused.value))[1]) == pytest.approx(0.1, abs=0.002)
@@ -214,7 +214,7 @@ def test_an_inclined_tab_rocks_in_one_plate_and_not_in_two():
     single = base_plate(placed, MDF)
     (told,) = rocking_tabs(placed, [single])
     (rocked,) = held_shapes(placed, [single])
-    assert told.startswith("A (and 1 more): in the slot of base its start can tip ")
+    assert told.startswith("A (and 1 more): in the slot of base, the tab at its start can tip by ")
     upright, flatter = map(int, re.search(r"tip (\d+) degrees towards .* (\d+) degrees away", told).groups())
     assert upright > 10 > flatter
     assert f"the strip then deviates by up to {rocked.deviation:.2g} mm" in told

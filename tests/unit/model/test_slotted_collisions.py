@@ -58,7 +58,7 @@ def test_kits_tell(slotted_pairs):
     (told,) = (
         text
         for text in kit_contents(model, KitSpec(ignore_limits=True), effects=False).notes
-        if "also cuts" in text
+        if "outside the slots" in text
     )
     assert told.values["depth"] > 0
 

@@ -87,14 +87,14 @@ def test_reactions_balance():
         ({}, "max_width or min_width"),
         ({"max_width": 0.0}, "positive"),
         ({"max_width": float("nan")}, "a number above 0"),
-        ({"max_width": 10.0, "min_width": 9.0}, "below min_width"),
+        ({"max_width": 10.0, "min_width": 9.0}, "less than min_width"),
         ({"max_width": 10.0, "ends": (ec.Tab(5, corner_radius=6.0), ec.Tab(5))}, "corners"),
         ({"max_width": 10.0, "ends": (ec.Tab(5, holes=(Hole(2.5, 4.9),)), ec.Tab(5))}, None),
     ],
 )
 def test_bad_sizes_are_refused_in_one_sentence(options, words):
     if words is None:
-        with pytest.raises(InputError, match="breaks the edge"):
+        with pytest.raises(InputError, match="cuts the edge"):
             _ = ec.Strip(ec.Rod.straight(100.0), CARD, max_width=4.0, ends=options["ends"]).holes
         return
     with pytest.raises(InputError, match=words):
@@ -105,9 +105,9 @@ def test_bad_sizes_are_refused_in_one_sentence(options, words):
 def test_the_max_width_that_is_told_will_do(least):
     """It had been rounded to the nearest figure: half of the time the same refusal followed."""
     rod = ec.Rod.straight(100.0, np.linspace(1, 1.0413, 201))
-    with pytest.raises(InputError, match="below min_width") as refusal:
+    with pytest.raises(InputError, match="less than min_width") as refusal:
         ec.Strip(rod, CARD, max_width=10.0, min_width=least)
-    told = float(str(refusal.value).split("max_width must be ")[1].split(" mm")[0])
+    told = float(str(refusal.value).split("set max_width to ")[1].split(" mm")[0])
     assert ec.Strip(rod, CARD, max_width=told, min_width=least).width.extremes[0] < 1.001 * least
 
 

@@ -294,7 +294,8 @@ def test_the_door_takes_laps_for_every_style(style, tmp_path, check_drawing_file
 
 
 @pytest.mark.parametrize(
-    ("stock", "lap", "words"), [(1300.0, 500.0, "the lap is 500 mm"), (1300.0, -1.0, "the lap is -1")]
+    ("stock", "lap", "words"),
+    [(1300.0, 500.0, r"plates \(lap\) of 500 mm"), (1300.0, -1.0, r"plates \(lap\) of -1")],
 )
 def test_laps_that_cannot_be(arch, stock, lap, words):
     with pytest.raises(InputError, match=words):

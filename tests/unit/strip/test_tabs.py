@@ -50,16 +50,16 @@ def test_the_slot_lies_in_the_middle_of_the_edge():
     [
         (lambda: TSlot(-1), "T-slot depth is -1: it must be a number above 0, in mm"),
         (lambda: TSlot(10, nut=(3.0, 2.0)), "is not held in a slot"),
-        (lambda: TSlot(5), "is too shallow for its nut, which ends at 6.6 mm"),
+        (lambda: TSlot(5), "is too shallow, because its nut reaches to 6.6 mm"),
         (lambda: Tab(10, t_slot=TSlot(10)), "does not fit a tab 10 mm long"),
-        (lambda: Tab(10, taper=2, chamfer=1), "neither corner radius nor chamfer"),
+        (lambda: Tab(10, taper=2, chamfer=1), "cannot have a corner radius or a chamfer"),
         (lambda: Tab(10, taper=-2), "tab taper is -2"),
         (
             lambda: strip(Tab(20, t_slot=TSlot(12)), width=5.0).outline,
             "wider than the tab's outer edge of 5 mm",
         ),
         (lambda: strip(Tab(10, taper=15)).outline, "a taper of 15 mm on each side is too large"),
-        (lambda: strip(Tab(20, t_slot=TSlot(12), holes=(Hole(10, 3),))).holes, "meets its T-slot"),
+        (lambda: strip(Tab(20, t_slot=TSlot(12), holes=(Hole(10, 3),))).holes, "overlaps the T-slot"),
     ],
 )
 def test_what_does_not_fit_is_refused(make, message):
@@ -100,7 +100,7 @@ def test_holes_of_a_tab_that_meet_are_refused(gap):
     one = Hole(5.0, 4.0, -2.0)  # 5 mm from the middle of the other
     holes = (one, replace(one, at=9.0, across=1.0, diameter=6.0 - 2 * gap))
     if gap < 0:
-        with pytest.raises(InputError, match="5 and 9 mm into the tab, meet: move one of them"):
+        with pytest.raises(InputError, match="5 and 9 mm from the start of the tab, overlap: move one"):
             Tab(20.0, holes=holes)
     else:
         one, other = (shapely.Polygon(p.points(1e-4)) for p in Tab(20.0, holes=holes).hole_paths(20.0))

@@ -87,7 +87,7 @@ def test_holes_that_break_the_sides_of_a_narrowed_tab_are_refused(tab):
     (centre,) = tab.holes
     rim = polygon_of(tab, 20.0)
     assert rim.distance(shapely.Point(centre.at, centre.across)) < centre.diameter / 2
-    with pytest.raises(InputError, match="breaks the edge of a 20 mm wide tab"):
+    with pytest.raises(InputError, match="cuts the edge of a tab 20 mm wide"):
         _ = Strip(Rod.straight(100.0), CARD, max_width=20.0, ends=(tab, Tab(0.0))).outline
 
 
@@ -109,7 +109,7 @@ def test_a_hole_fits_a_tab_where_its_circle_lies_inside(seed):
     if fits:
         assert len(tab.hole_paths(20.0)) == 1
     else:
-        with pytest.raises(InputError, match="breaks the edge"):
+        with pytest.raises(InputError, match="cuts the edge"):
             tab.hole_paths(20.0)
 
 

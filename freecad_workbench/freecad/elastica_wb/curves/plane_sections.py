@@ -84,7 +84,7 @@ class Family:
             The axis or family is unknown, or planes or path are missing.
         """
         if self.kind not in FAMILIES or self.axis not in AXES or self.count < 1:
-            raise InputError("choose a family, an axis (X, Y or Z) and at least 1 plane")
+            raise InputError("choose the kind of planes, an axis (X, Y or Z) and at least 1 plane")
         axis, middle = AXES[self.axis], np.array(tuple(box.Center))
         if self.kind == "parallel":
             low, high = (getattr(box, f"{self.axis}{side}") for side in ("Min", "Max"))

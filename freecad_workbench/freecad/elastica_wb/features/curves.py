@@ -61,7 +61,7 @@ class NearestFeature(Feature):
         )
         reports = [
             note(near.status.value),
-            *([note("Held away by: {limits}.", limits=held)] if held else []),
+            *([note("These limits prevent a nearer curve: {limits}.", limits=held)] if held else []),
         ]
         put(obj, Deviation=near.deviation, Ratio=near.rod.ratio, Reports=[worded(line) for line in reports])
 

@@ -215,7 +215,7 @@ def show_held(obj: Any) -> None:
         held = held_shape(strip_of(obj))
         message = (
             note(
-                "The held strip does not take a shape near its design. Hold the ends nearer to their "
+                "As it is held, the strip takes a shape far from its design. Hold the ends nearer to their "
                 "designed positions."
             )
             if held is None
