@@ -623,7 +623,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Rows of holes (0 = chosen)</source>
+        <source>Rows of holes (0 = automatic)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -780,10 +780,6 @@
     </message>
     <message>
         <source>nearest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Held away by</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1886,7 +1882,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Bends for each cause</source>
+        <source>Strips for each cause</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1898,7 +1894,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Bends them all; Escape stops it</source>
+        <source>Computes all strips; Escape stops it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

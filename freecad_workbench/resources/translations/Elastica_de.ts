@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>Layer of a laminated strip: base or backing</source>
-        <translation>Schicht eines laminierten Streifens: Grundschicht oder Verstärkung</translation>
+        <translation>Lage eines laminierten Streifens: Grundschicht oder Verstärkung</translation>
     </message>
     <message>
         <source>Model whose slots the part gets; none for a single strip</source>
@@ -619,8 +619,8 @@
         <translation>Spalten von Löchern</translation>
     </message>
     <message>
-        <source>Rows of holes (0 = chosen)</source>
-        <translation>Reihen von Löchern (0 = gewählt)</translation>
+        <source>Rows of holes (0 = automatic)</source>
+        <translation>Lochreihen (0 = automatisch)</translation>
     </message>
     <message>
         <source>Backing</source>
@@ -732,7 +732,7 @@
     </message>
     <message>
         <source>Play beside tabs</source>
-        <translation>Luft neben Laschen</translation>
+        <translation>Spiel neben Laschen</translation>
     </message>
     <message>
         <source>Border</source>
@@ -764,7 +764,7 @@
     </message>
     <message>
         <source>elasto-gravity length</source>
-        <translation>elasto-gravitative Länge</translation>
+        <translation>Elasto-Gravitationslänge</translation>
     </message>
     <message>
         <source>Constraints on the drawn curve that OK takes away</source>
@@ -777,10 +777,6 @@
     <message>
         <source>nearest</source>
         <translation>nächste</translation>
-    </message>
-    <message>
-        <source>Held away by</source>
-        <translation>Abgehalten durch</translation>
     </message>
     <message>
         <source>Open folder</source>
@@ -828,11 +824,11 @@
     </message>
     <message>
         <source>ratio</source>
-        <translation>Verhältnis</translation>
+        <translation>Steifigkeitsverhältnis</translation>
     </message>
     <message>
         <source>margin</source>
-        <translation>Stabilität</translation>
+        <translation>Stabilitätsreserve</translation>
     </message>
     <message>
         <source>length</source>
@@ -840,7 +836,7 @@
     </message>
     <message>
         <source>keep-out</source>
-        <translation>Sperrgebiet</translation>
+        <translation>Sperrbereich</translation>
     </message>
     <message>
         <source>stiffness bounds</source>
@@ -1168,7 +1164,7 @@
     </message>
     <message>
         <source>Base</source>
-        <translation>Grundlage</translation>
+        <translation>Grundschicht</translation>
     </message>
     <message>
         <source>hull</source>
@@ -1297,7 +1293,7 @@
     <name>ElasticaCoupon</name>
     <message>
         <source>Coupon and calibrate</source>
-        <translation>Probestreifen und Eichung</translation>
+        <translation>Probestreifen und Kalibrierung</translation>
     </message>
     <message>
         <source>Coupon</source>
@@ -1571,7 +1567,7 @@
     </message>
     <message>
         <source>Room around a tab in its pocket</source>
-        <translation>Luft um eine Lasche in ihrer Tasche</translation>
+        <translation>Spiel um eine Lasche in ihrer Tasche</translation>
     </message>
     <message>
         <source>Least thickness around the pocket</source>
@@ -1599,7 +1595,7 @@
     </message>
     <message>
         <source>Room beside a tab on either side</source>
-        <translation>Luft neben einer Lasche auf jeder Seite</translation>
+        <translation>Spiel neben einer Lasche auf jeder Seite</translation>
     </message>
     <message>
         <source>Added to the width of the slots</source>
@@ -1882,8 +1878,8 @@
         <translation>Studie</translation>
     </message>
     <message>
-        <source>Bends for each cause</source>
-        <translation>Biegungen je Ursache</translation>
+        <source>Strips for each cause</source>
+        <translation>Streifen je Ursache</translation>
     </message>
     <message>
         <source>Run</source>
@@ -1894,8 +1890,8 @@
         <translation>Anzahl der variierten Streifen</translation>
     </message>
     <message>
-        <source>Bends them all; Escape stops it</source>
-        <translation>Biegt sie alle; Escape bricht ab</translation>
+        <source>Computes all strips; Escape stops it</source>
+        <translation>Berechnet alle Streifen; Escape bricht ab</translation>
     </message>
 </context>
 <context>
@@ -1935,7 +1931,7 @@
     <name>Elastica_Coupon</name>
     <message>
         <source>Coupon and calibrate</source>
-        <translation>Probestreifen und Eichung</translation>
+        <translation>Probestreifen und Kalibrierung</translation>
     </message>
     <message>
         <source>Make a test strip to hang over an edge, and turn its measured droop into a sheet of your own</source>

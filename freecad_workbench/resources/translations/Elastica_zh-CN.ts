@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>The strips, in the order of assembly</source>
-        <translation>按装配顺序排列的条</translation>
+        <translation>按装配顺序排列的条带</translation>
     </message>
     <message>
         <source>Later features that the cut parts do not contain</source>
@@ -57,7 +57,7 @@
     </message>
     <message>
         <source>Sketch, or edges of an object, that the strip follows</source>
-        <translation>条所跟随的草图或对象的边</translation>
+        <translation>条带所跟随的草图或对象的边</translation>
     </message>
     <message>
         <source>Shape of the feature: the strip as bent or as cut</source>
@@ -65,7 +65,7 @@
     </message>
     <message>
         <source>Material the strip is cut from</source>
-        <translation>切割条所用的材料</translation>
+        <translation>切割条带所用的材料</translation>
     </message>
     <message>
         <source>Thickness of the sheet; measure yours</source>
@@ -81,11 +81,11 @@
     </message>
     <message>
         <source>Compensate slots, narrow tabs and holes in the widths</source>
-        <translation>在宽度中补偿槽、窄插片和孔</translation>
+        <translation>在宽度中补偿槽、窄耳片和孔</translation>
     </message>
     <message>
         <source>Largest total width of ligaments or backing; 0 for the largest that fits</source>
-        <translation>条梁或背层的最大总宽度；0 表示可容纳的最大值</translation>
+        <translation>筋或背层的最大总宽度；0 表示可容纳的最大值</translation>
     </message>
     <message>
         <source>Style: plain, perforated or laminated</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Masses hung on the strip: at = 90, mass = 3 (mm, g)</source>
-        <translation>挂在条上的质量：at = 90, mass = 3 (mm, g)</translation>
+        <translation>挂在条带上的质量：at = 90, mass = 3 (mm, g)</translation>
     </message>
     <message>
         <source>All weight in newtons: alpha = 0.001, own = true</source>
@@ -129,7 +129,7 @@
     </message>
     <message>
         <source>Curvature of the strip before bending, 1/mm</source>
-        <translation>弯曲前条的曲率，1/mm</translation>
+        <translation>弯曲前条带的曲率，1/mm</translation>
     </message>
     <message>
         <source>Curvature before bending that varies along the strip: stations = [0, 300], curvatures = [0, 0.01]</source>
@@ -189,27 +189,27 @@
     </message>
     <message>
         <source>Length of the tab at the start</source>
-        <translation>起点端片长度</translation>
+        <translation>起点耳片长度</translation>
     </message>
     <message>
         <source>Length of the tab at the end</source>
-        <translation>终点端片长度</translation>
+        <translation>终点耳片长度</translation>
     </message>
     <message>
         <source>Rounding of the tabs' corners</source>
-        <translation>端片圆角</translation>
+        <translation>耳片圆角</translation>
     </message>
     <message>
         <source>Diameter of a hole in the middle of each tab; 0 for none</source>
-        <translation>每个端片中央孔的直径；0 表示无</translation>
+        <translation>每个耳片中央孔的直径；0 表示无</translation>
     </message>
     <message>
         <source>The first tab in full: length = 12, chamfer = 2</source>
-        <translation>起点端片的完整参数：length = 12, chamfer = 2</translation>
+        <translation>起点耳片的完整参数：length = 12, chamfer = 2</translation>
     </message>
     <message>
         <source>The last tab in full</source>
-        <translation>终点端片的完整参数</translation>
+        <translation>终点耳片的完整参数</translation>
     </message>
     <message>
         <source>Number of copies to cut</source>
@@ -281,7 +281,7 @@
     </message>
     <message>
         <source>Model or strips whose tabs go through the plate</source>
-        <translation>插片穿过此板的模型或条带</translation>
+        <translation>耳片穿过此板的模型或条带</translation>
     </message>
     <message>
         <source>Sheet of the plate</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>Strips, models and base plates to be cut</source>
-        <translation>要切割的条、模型和底板</translation>
+        <translation>要切割的条带、模型和底板</translation>
     </message>
     <message>
         <source>Width of a sheet, along its grain</source>
@@ -464,11 +464,11 @@
     </message>
     <message>
         <source>The files do not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the files.</source>
-        <translation>文件不包含在 {strip} 之后添加的 {later}。请在条带中添加（槽、插片、孔），或画入文件。</translation>
+        <translation>文件不包含在 {strip} 之后添加的 {later}。请在条带中添加（槽、耳片、孔），或画入文件。</translation>
     </message>
     <message>
         <source>The nest does not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the cutting files.</source>
-        <translation>排料不包含在 {strip} 之后添加的 {later}。请在条带中添加（槽、插片、孔），或画入切割文件。</translation>
+        <translation>排样不包含在 {strip} 之后添加的 {later}。请在条带中添加（槽、耳片、孔），或画入切割文件。</translation>
     </message>
     <message>
         <source>choose a folder for the files</source>
@@ -504,7 +504,7 @@
     </message>
     <message>
         <source>Select blocks or a plate.</source>
-        <translation>请选择固定块或底板。</translation>
+        <translation>请选择夹具或底板。</translation>
     </message>
     <message>
         <source>Use the nearest curve</source>
@@ -552,7 +552,7 @@
     </message>
     <message>
         <source>End fixtures</source>
-        <translation>端部固定件</translation>
+        <translation>端部夹具</translation>
     </message>
     <message>
         <source>Base plate</source>
@@ -619,7 +619,7 @@
         <translation>孔列数</translation>
     </message>
     <message>
-        <source>Rows of holes (0 = chosen)</source>
+        <source>Rows of holes (0 = automatic)</source>
         <translation>孔行数（0 = 自动）</translation>
     </message>
     <message>
@@ -676,11 +676,11 @@
     </message>
     <message>
         <source>Rounding of tabs</source>
-        <translation>端片圆角</translation>
+        <translation>耳片圆角</translation>
     </message>
     <message>
         <source>Hole in tabs</source>
-        <translation>端片孔</translation>
+        <translation>耳片孔</translation>
     </message>
     <message>
         <source>Engraved text</source>
@@ -732,7 +732,7 @@
     </message>
     <message>
         <source>Play beside tabs</source>
-        <translation>端片旁间隙</translation>
+        <translation>耳片旁间隙</translation>
     </message>
     <message>
         <source>Border</source>
@@ -777,10 +777,6 @@
     <message>
         <source>nearest</source>
         <translation>最近</translation>
-    </message>
-    <message>
-        <source>Held away by</source>
-        <translation>受限于</translation>
     </message>
     <message>
         <source>Open folder</source>
@@ -876,7 +872,7 @@
     </message>
     <message>
         <source>the strip laid flat</source>
-        <translation>展平的条</translation>
+        <translation>展平的条带</translation>
     </message>
     <message>
         <source>can</source>
@@ -1345,11 +1341,11 @@
     </message>
     <message>
         <source>Adds the test strip to the document</source>
-        <translation>把试条加入文档</translation>
+        <translation>把试样加入文档</translation>
     </message>
     <message>
         <source>Asks for a DXF or SVG file and writes the test strip into it</source>
-        <translation>选择 DXF 或 SVG 文件并写入试条</translation>
+        <translation>选择 DXF 或 SVG 文件并写入试样</translation>
     </message>
     <message>
         <source>Overhang = droop, in mm, one pair for each measurement</source>
@@ -1488,11 +1484,11 @@
     </message>
     <message>
         <source>Machines that cut every line would cut the tabs off at their guide lines</source>
-        <translation>会切割每条线的机器将在辅助线处把端片切断</translation>
+        <translation>会切割每条线的机器将在辅助线处把耳片切断</translation>
     </message>
     <message>
         <source>Guide lines and names of mating strips</source>
-        <translation>辅助线和配合板条的名称</translation>
+        <translation>辅助线和配合条带的名称</translation>
     </message>
     <message>
         <source>Folder of the files; an empty field opens a dialog</source>
@@ -1567,11 +1563,11 @@
     </message>
     <message>
         <source>Blocks to be printed, with a pocket for every tab</source>
-        <translation>可打印的夹块，每个插片有一个槽</translation>
+        <translation>可打印的夹具，每个耳片有一个槽</translation>
     </message>
     <message>
         <source>Room around a tab in its pocket</source>
-        <translation>插片在槽中的间隙</translation>
+        <translation>耳片在槽中的间隙</translation>
     </message>
     <message>
         <source>Least thickness around the pocket</source>
@@ -1587,7 +1583,7 @@
     </message>
     <message>
         <source>One plate with a slot for every tab that goes through it</source>
-        <translation>一块底板，每个穿过的插片有一个槽</translation>
+        <translation>一块底板，每个穿过的耳片有一个槽</translation>
     </message>
     <message>
         <source>Sheet of the plate</source>
@@ -1599,7 +1595,7 @@
     </message>
     <message>
         <source>Room beside a tab on either side</source>
-        <translation>插片两侧的间隙</translation>
+        <translation>耳片两侧的间隙</translation>
     </message>
     <message>
         <source>Added to the width of the slots</source>
@@ -1678,7 +1674,7 @@
     </message>
     <message>
         <source>Length of the tabs of new strips</source>
-        <translation>新条带插片的长度</translation>
+        <translation>新条带耳片的长度</translation>
     </message>
     <message>
         <source>Width removed by the cut; outlines are offset by half of it</source>
@@ -1844,7 +1840,7 @@
     </message>
     <message>
         <source>Stiffness of the material along the strip; a coupon measures it</source>
-        <translation>材料沿条带方向的刚度；可用试条测量</translation>
+        <translation>材料沿条带方向的刚度；可用试样测量</translation>
     </message>
     <message>
         <source>Mass for volume; it counts where a strip carries its weight</source>
@@ -1882,8 +1878,8 @@
         <translation>研究</translation>
     </message>
     <message>
-        <source>Bends for each cause</source>
-        <translation>每种原因的弯曲次数</translation>
+        <source>Strips for each cause</source>
+        <translation>每种原因的条带数</translation>
     </message>
     <message>
         <source>Run</source>
@@ -1894,8 +1890,8 @@
         <translation>变化条带的数量</translation>
     </message>
     <message>
-        <source>Bends them all; Escape stops it</source>
-        <translation>全部弯曲；按 Esc 停止</translation>
+        <source>Computes all strips; Escape stops it</source>
+        <translation>计算全部条带；按 Esc 停止</translation>
     </message>
 </context>
 <context>
@@ -2005,7 +2001,7 @@
     </message>
     <message>
         <source>Show over the open sketch whether a flat strip can take its curve, while it is drawn and dragged</source>
-        <translation>在打开的草图上方显示平条能否弯成其曲线，绘制和拖动时实时更新</translation>
+        <translation>在打开的草图上方显示平条带能否弯成其曲线，绘制和拖动时实时更新</translation>
     </message>
 </context>
 <context>
@@ -2104,7 +2100,7 @@
     </message>
     <message>
         <source>Flat strips that bend into drawn curves</source>
-        <translation>弯成所绘曲线的平条</translation>
+        <translation>弯成所绘曲线的平条带</translation>
     </message>
 </context>
 <context>

@@ -380,7 +380,7 @@ LABELS = {
     "Quantity": QT_TRANSLATE_NOOP("Elastica", "Quantity"),
     "RatioLimit": QT_TRANSLATE_NOOP("Elastica", "Largest stiffness ratio"),
     "Relief": QT_TRANSLATE_NOOP("Elastica", "Inner ends of slots"),
-    "Rows": QT_TRANSLATE_NOOP("Elastica", "Rows of holes (0 = chosen)"),
+    "Rows": QT_TRANSLATE_NOOP("Elastica", "Rows of holes (0 = automatic)"),
     "Screw": QT_TRANSLATE_NOOP("Elastica", "Screw holes (0 = none)"),
     "Sheet": QT_TRANSLATE_NOOP("Elastica", "Sheet"),
     "SheetHeight": QT_TRANSLATE_NOOP("Elastica", "Sheet height"),
