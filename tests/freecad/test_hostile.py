@@ -63,7 +63,7 @@ def test_odd_weights(document, drawn, weights):
         ("MaxWidth", 1e12, "kilometre"),
         ("StartTab", 1e9, "kilometre"),
         ("Thickness", 1e-6, "foil"),
-        ("Thickness", 1e3, "fold over"),
+        ("Thickness", 1e3, "would fold there"),
         ("Samples", -5, "1 or more"),
         ("Samples", 200_000, "above the limit of 10000"),
         ("Quantity", 0, ""),

@@ -97,7 +97,7 @@ def test_slotted_strips_that_collide_beside_their_slots_are_told(document, drawn
     sketches[1].Placement = App.Placement(App.Vector(0, 1, 4), App.Rotation(App.Vector(0, 1, 0.2), 9))
     made = new(model.create, document, strips_of(document, sketches))
     assert made.Joints
-    assert "beside the slots that join them" in " ".join(overlaps(made))
+    assert "outside the slots that join them" in " ".join(overlaps(made))
 
 
 def test_the_model_follows_its_strips(document, crossing, move_pole):

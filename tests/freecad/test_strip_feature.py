@@ -233,7 +233,7 @@ def test_bad_sketches_are_sentences(document, sketch, spoil, says):
     [
         ("Thickness", 0, "thickness"),
         ("MaxWidth", 0, "MaxWidth or MinWidth"),
-        ("MinWidth", 29.9, "below MinWidth"),
+        ("MinWidth", 29.9, "less than MinWidth"),
         ("TabRadius", 50, "tab corners"),
         ("TabHole", 12, "does not fit"),
         ("StartSupport", "free", "pinned|free|curvature"),
@@ -256,7 +256,7 @@ def test_a_tiny_sketch_says_why(document, drawn):
     assert "it may crack there" in feature.getStatusString()
     change(feature, Anyway=True)
     assert "Invalid" in feature.State
-    assert "would fold over: use a thinner sheet" in feature.getStatusString()
+    assert "would fold there: use a thinner sheet" in feature.getStatusString()
 
 
 def test_a_huge_sketch_says_why_and_is_made_anyway(document, drawn):
@@ -319,7 +319,7 @@ def test_whether_it_stays_in_its_plane_is_known_with_the_shape(document, sketch,
 
 @pytest.mark.parametrize(
     ("found", "says"),
-    [(InputError("its tabs do not reach"), "its tabs do not reach"), (None, "not take a shape near")],
+    [(InputError("its tabs do not reach"), "its tabs do not reach"), (None, "far from its design")],
 )
 def test_why_it_is_held_in_no_shape(document, sketch, monkeypatch, found, says):
     """What failed is told: the panel does not wait for ever."""
