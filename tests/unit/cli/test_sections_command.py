@@ -123,7 +123,7 @@ def test_closed_sections_are_split(torus, tmp_path):
     """A ring: two closed loops across it, one a half plane."""
     mesh = written(tmp_path / "ring.obj", *torus)
     whole = run("sections", mesh, "--radial", 3, code=2)
-    assert "no plane gives a strip: section 1: the section is closed (it passes (" in whole.stderr
+    assert "no plane gives a strip: section 1: the section is a closed line (through (" in whole.stderr
     halves = run("sections", mesh, "--radial", 3, "--split", 0, 0, 1, 0, 0, 1, "-o", tmp_path)
     assert halves.output.count("mm long") == 6
     cuts = [word for y in (-70, 70) for word in ("--split-at", 0, y, 0)]
@@ -247,9 +247,9 @@ def test_every_section_without_a_strip_is_named(tmp_path):
     mesh = written(tmp_path / "ball.obj", *ball)
     heights = [word for z in (0, 150, 50) for word in ("--offset", z)]
     told = run("sections", mesh, *heights, "--axis", 0, 0, 1, "--point", 0, 0, 0, code=2)
-    assert "section 1: the section is closed" in told.stderr
+    assert "section 1: the section is a closed line" in told.stderr
     assert "; section 2 at (0, 0, 150) mm: the plane misses the mesh by 50 mm" in told.stderr
-    assert "; section 3: the section is closed" in told.stderr
+    assert "; section 3: the section is a closed line" in told.stderr
     assert "(--split X Y Z NX NY NZ, a point and a normal)" in told.stderr
     many = [word for z in range(-90, 90, 9) for word in ("--offset", z)]
     assert "; and 14 more like these" in run("sections", mesh, *many, "--axis", 0, 0, 1, code=2).stderr
