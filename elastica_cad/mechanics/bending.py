@@ -32,7 +32,6 @@ from elastica_cad.mechanics.mounted_elements import (
     MEETS_SHARE,
     PULLS_SHARE,
     ShapeOfRod,
-    is_one_sided,
     mounted,
     touching,
     violation,
@@ -230,7 +229,7 @@ def _bent_on_elements(
     shape = ShapeOfRod.of(present)
     reach_of_rail = MEETS_SHARE * shape.length
     taut = [
-        not is_one_sided(action) or bool(np.any(action.force)) or violation(action, shape) >= -reach_of_rail
+        not action.is_one_sided or bool(np.any(action.force)) or violation(action, shape) >= -reach_of_rail
         for action in elements
     ]
     state, snaps_at = None, None

@@ -50,14 +50,7 @@ class Bracing:
 def slack_elements(between: Sequence[ElementForce], force: FloatArray) -> tuple[ElementForce, ...]:
     """Return the one-sided elements whose force is almost 0; `force` (n, 2) is the force in the rod, 1/mm2."""
     largest = max(float(np.hypot(*force.T).max()), max((action.size for action in between), default=0.0))
-    return tuple(
-        action
-        for action in between
-        if (
-            isinstance(action.element, Tie) or (isinstance(action.element, Rail) and action.element.one_sided)
-        )
-        and action.size <= SLACK_SHARE * largest
-    )
+    return tuple(action for action in between if action.is_one_sided and action.size <= SLACK_SHARE * largest)
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,8 +99,7 @@ class _Edges:
     @property
     def free(self) -> FloatArray:
         """True for x and y if no end holds this coordinate."""
-        start, end = self.supports.ends
-        return np.array([not (getattr(start, axis) or getattr(end, axis)) for axis in "xy"])
+        return np.array(self.supports.free_axes)
 
     def moves(self, s: float) -> FloatArray:
         """Return the change of position (2, n) at arc length s, from the end that holds each coordinate."""

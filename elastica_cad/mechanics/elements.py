@@ -351,6 +351,12 @@ class ElementForce:
         return self.mount or Mount()
 
     @property
+    def is_one_sided(self) -> bool:
+        """True for a tie, and for a rail from which the strip may lift off."""
+        element = self.element
+        return isinstance(element, Tie) or (isinstance(element, Rail) and element.one_sided)
+
+    @property
     def on_curve(self) -> Any:
         """The element or load with its places as arc lengths along the rod."""
         names = ("start", "end") if isinstance(self.element, Tie) else ("at",)

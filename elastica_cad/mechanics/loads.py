@@ -311,6 +311,12 @@ class Supports:
         a, b = self.ends
         return a.x and b.x, a.y and b.y
 
+    @property
+    def free_axes(self) -> tuple[bool, bool]:
+        """True for x, y if no end holds the coordinate, so that the whole rod can move along it."""
+        a, b = self.ends
+        return not (a.x or b.x), not (a.y or b.y)
+
     def reversed(self) -> "Supports":
         """Return the supports of the reversed rod."""
         return Supports(self.end, self.start)

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import FloatArray, IntArray
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import edge_positions, tangents
@@ -86,10 +86,9 @@ class MountedElements:
     edge_length: float
 
     @property
-    def free_axes(self) -> list[int]:
+    def free_axes(self) -> IntArray:
         """Coordinates (0: x, 1: y) that no end holds."""
-        start, end = self.supports.ends
-        return [i for i, axis in enumerate("xy") if not (getattr(start, axis) or getattr(end, axis))]
+        return np.flatnonzero(self.supports.free_axes)
 
     @property
     def turns_freely(self) -> bool:
@@ -143,9 +142,8 @@ class MountedElements:
                 force += weights[:, None] * f
                 rows[pair] = across * weights
                 residual[pair] = h * (weights @ tangents) - length * e
-                if (
-                    self.turns_freely
-                ):  # the direction of the cords is given, because any other is a rest shape too
+                if self.turns_freely:
+                    # the direction of the cords is given, because any other is a rest shape too
                     corner[more, more] = 1.0
                 else:
                     residual[more] = -f @ left_of(e)
@@ -283,7 +281,7 @@ def _kept(action: ElementForce, curve: PlaneCurve) -> ElementForce:
         return replace(action, mount=Mount(length=action.element.length or apart))
     side = 0
     if isinstance(action.element, Rail) and action.element.one_sided:
-        side = int(np.sign(action.force[0] @ _normal(places.angle[0])))
+        side = int(np.sign(action.force[0] @ left_of(tangents(places.angle))[0]))
     return replace(action, mount=Mount(_point(places.position[0]), side))
 
 
@@ -299,7 +297,7 @@ def _new(element: Element, before: ElementForce | None, curve: PlaneCurve) -> El
     assert isinstance(element, Rail | Pin)
     foot = curve.at(s)
     point = np.array(element.at) if isinstance(element.at, tuple) else foot.position[0]
-    side, off = 0, float((point - foot.position[0]) @ _normal(foot.angle[0]))
+    side, off = 0, float((point - foot.position[0]) @ left_of(tangents(foot.angle))[0])
     if isinstance(element, Rail) and element.one_sided:
         if before is not None and isinstance(before.element, Rail):
             side = _kept(before, curve).mounting.side
@@ -308,24 +306,14 @@ def _new(element: Element, before: ElementForce | None, curve: PlaneCurve) -> El
     return ElementForce(element, s, force, Mount(_point(point), side))
 
 
-def _normal(angle: float) -> FloatArray:
-    return np.array([-np.sin(angle), np.cos(angle)])
-
-
 def _point(place: FloatArray) -> tuple[float, float]:
     x, y = place.tolist()
     return x, y
 
 
-def is_one_sided(action: ElementForce) -> bool:
-    """Return True for a tie, and for a rail from which the strip may lift off."""
-    element = action.element
-    return isinstance(element, Tie) or (isinstance(element, Rail) and element.one_sided)
-
-
 def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
     """Return the size of a force that a one-sided element cannot exert, 1/mm2; 0 if it can."""
-    if not is_one_sided(action):
+    if not action.is_one_sided:
         return 0.0
     if isinstance(action.element, Tie):
         p, q = (shape.at(s) for s in action.s)
