@@ -253,7 +253,9 @@ def table(title: str, head: list[str], body: list[list[str]]) -> Iterator[str]:
 
 
 def seconds(one: dict[str, Any]) -> str:
-    """The median in a unit that is read at once."""
+    """The median in a unit that is read at once; the memory where that is measured."""
+    if "megabytes" in one:
+        return f"{told(one['megabytes'])} MB"
     median = one["median_s"]
     size, unit = next(unit for unit in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs")) if median >= unit[0])
     return f"{told(median / size)} {unit}"
