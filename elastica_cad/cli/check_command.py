@@ -277,7 +277,9 @@ def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
     details = [f"All: {', '.join(fitting)}."] if fitting else []
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
     return Row(
-        "Sheets", _some(fitting) if fitting else f"none at this size; enlarged: {_some(larger)}", details
+        "Sheets",
+        _some(fitting) if fitting else f"none at this size; if the curve is enlarged: {_some(larger)}",
+        details,
     )
 
 

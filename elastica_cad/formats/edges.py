@@ -81,8 +81,8 @@ class Edge:
             )
         if knots.shape != (count + self.degree + 1,) or np.any(np.diff(knots) < 0):
             raise InputError(
-                "a spline of degree {degree} with {count} control points has {size} knots but needs {given} "
-                "that never decrease: export or draw it again",
+                "a spline of degree {degree} with {count} control points has {size} knots; it needs {given}, "
+                "in increasing order: export or draw it again",
                 degree=self.degree,
                 count=count,
                 size=knots.size,

@@ -382,7 +382,7 @@ ON_AXIS_SHARE = 1e-9
 MOST_TURNS = 20
 """Largest number of turns of a meridian; with more it is not a strip and the integration takes too long."""
 
-HOPELESS = "strips that tile a surface of revolution cannot follow them"
+HOPELESS = "the strips of a surface of revolution cannot follow these points; move the points"
 NEAR_AXIS_SHARE = 0.05  # fraction of the largest distance from the axis
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
 """End of the message if the last point is near the axis, compared with the farthest point."""

@@ -530,7 +530,9 @@ def _departure(line: SectionLine, place: str, tolerance: float, wavelength: floa
     elif changed:
         cause = note("small bends to one side and back were removed")
     else:
-        cause = note("no smooth curve is closer to the section; smooth the section first, with a wavelength")
+        cause = note(
+            "no smooth curve comes closer to the section; set a wavelength, which removes smaller waves first"
+        )
     return note(
         "{name}: the curve is {off}, more than the tolerance of {tolerance:g}: {cause}",
         name=line.name, off=place, tolerance=Length(tolerance), cause=cause,

@@ -119,7 +119,9 @@ def _drawn_edge(edge: Shape) -> DrawnEdge:
     if spline is None:
         followed = k.GeomConvert_ApproxCurve(trimmed, OFFSET, k.GeomAbs_Shape.GeomAbs_C2, 1000, 9)
         if not followed.HasResult() or followed.MaxError() > 10 * OFFSET:
-            raise InputError("An offset edge is too rough. Draw the curve itself.")
+            raise InputError(
+                "An edge that was made by an offset has an irregular curve. Draw the curve itself."
+            )
         spline = followed.Curve()
     if spline.IsPeriodic():
         spline.SetNotPeriodic()

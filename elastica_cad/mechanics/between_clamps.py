@@ -70,9 +70,15 @@ class ElasticaBetween:
             )
         else:
             template = (
-                "the strip bulges to the left of its chord, with {count} inflections (mode {mode})"
+                (
+                    "the strip bulges to the left of the line between its ends, with {count} inflections (mode "
+                    "{mode})"
+                )
                 if self.side > 0
-                else "the strip bulges to the right of its chord, with {count} inflections (mode {mode})"
+                else (
+                    "the strip bulges to the right of the line between its ends, with {count} inflections "
+                    "(mode {mode})"
+                )
             )
         return note(template, count=self.inflections, mode=self.mode)
 

@@ -152,8 +152,8 @@ def creep(rod: Rod, factor: float) -> Creep:
             later = bend(_softened(first, 1 + phi), force=force, moment=moment, guess=rod.angle)
         except NotConvergedError as problem:
             raise NotConvergedError(
-                f"with a creep factor of {phi:g} no shape is left near the first: it collapses under its "
-                "load; take a stiffer sheet or support it"
+                f"Over the years the strip collapses under its load (creep factor {phi:g}). Use a stiffer sheet, "
+                "or support the strip."
             ) from problem
     return Creep(phi, first, later, exact=_is_linear(rod.law))
 

@@ -349,8 +349,8 @@ def _check_line(
     force_x, force_y = supports.transmits_force
     if not (force_x or force_y):
         reason = note(
-            "No force can act between the ends, so the moment is constant and the curve must bend to one "
-            "side only. Its bending changes sides at {places}. Hold both ends in x or in y.",
+            "With these supports the curve must bend to one side only, because no force can act between the "
+            "ends. It changes sides at {places}. Hold both ends in x or in y.",
             places=lengths(z.s for z in check.zeros),
         )
         return _refused(check, reason)
@@ -449,9 +449,9 @@ def _off_the_border(
     if at is None:
         return check
     reason = note(
-        "A strip can hardly take the curve, because its stiffness near {s} would have to be more than "
-        "{ratio:.0f} times the stiffness at other places. Move the curve farther from the line through its "
-        "inflections, or bend it more clearly there.",
+        "A strip can hardly take the curve: near {s} it would have to be more than {ratio:.0f} times as "
+        "stiff as at other places. Move the curve away from the line through its inflections, or bend it "
+        "more there.",
         s=Length(round(at, 6)), ratio=_WIDEST_RATIO,
     )  # fmt: skip
     return _refused(check, reason)

@@ -320,8 +320,8 @@ def optimal_rod(
         )
     if section is None and least_stiffness is not None and largest_stiffness is None:
         raise InputError(
-            "least_stiffness is a limit beside largest_stiffness. Pass largest_stiffness, or pass "
-            "bending_stiffness instead."
+            "least_stiffness applies only together with largest_stiffness. Pass largest_stiffness too, or "
+            "pass bending_stiffness instead."
         )
     require_tolerance(tolerance)
     if law is not None:
@@ -414,10 +414,10 @@ def _require_load_at_free_end(request: RodRequest) -> None:
         if support.x or support.y or support.angle or hung:
             continue
         reason = note(
-            "The {end} (at {s}) is free and carries only the weight of the strip, so moment and force are 0 "
-            "there. At a distance u from it, the curvature must be cos(angle) u^2 / (2 l^3), where l is the "
-            "gravity length. A drawn curve is never so exact. Use nearest_rod for the nearest curve of a "
-            "hanging strip, bend(Rod.straight(...)) for a given strip, or hang a mass on this end.",
+            "The {end} (at {s}) is free, and a drawn curve never bends there exactly as a hanging strip "
+            "does. Use nearest_rod for the nearest curve of a hanging strip, bend(Rod.straight(...)) for a "
+            "given strip, or hang a mass on this end. (The exact curvature at a distance u from the end is "
+            "cos(angle) u^2 / (2 l^3), with the elasto-gravity length l.)",
             end=note(name), s=Length(s),
         )  # fmt: skip
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
@@ -532,8 +532,8 @@ def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
     force = left_of(balance.force.nodal.reshape(-1, 2))
     return tuple(
         note(
-            "The {element} at {places} carries less than {share:g} % of the largest force, so the strip may leave "
-            "it. Move it, or leave it out.",
+            "The {element} at {places} carries less than {share:g} % of the largest force, so the strip may "
+            "come off it. Move it, or leave it out.",
             element=noun_of(action.element), places=Listed(map(Length, action.s.tolist())),
             share=100 * SLACK_SHARE, severity="warning",
         )

@@ -276,7 +276,7 @@ class SidewaysStability:
             "low": "a push from the side can tip it over: guide it at the sides",
             "ample": "it stays in its plane",
             "undecided": (
-                "it is too wide for its length and bend, so the rod model does not apply: test a sample"
+                "it is too wide for its length and bend, so this cannot be computed: test a sample"
             ),
         }[self.word]
 

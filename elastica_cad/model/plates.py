@@ -592,8 +592,8 @@ def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) ->
     along, across = seat @ out, np.abs(seat @ np.array([-out[1], out[0]]))
     if np.any(across >= along * np.tan(np.pi / count)):
         raise InputError(
-            "{name}: the tabs overlap {least} from the axis: end the strips at a larger ring, or give them "
-            "shorter or narrower tabs",
+            "{name}: neighbouring tabs overlap at a distance of {least} from the axis: end the strips at a "
+            "larger ring, or give them shorter or narrower tabs",
             name=name,
             least=Mm(along.min()),
         )

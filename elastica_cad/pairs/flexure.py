@@ -687,9 +687,8 @@ class Flexure:
             share = rounded_up(least / thin, 3)
             yield InputError(
                 "{sheet} allows a strain of {strain:.2g} %, so the thinnest place can be at most {thin:.3g} "
-                "thick, but the least thickness that can be {made} is {least:g}. Draw both curves {share:g} "
-                "times as large ({needs} long) or closer to each other, or use a sheet that allows more "
-                "strain",
+                "thick. At least {least:g} can be {made}. Draw both curves {share:g} times as large ({needs} "
+                "long) or closer to each other, or use a sheet that allows more strain",
                 sheet=self.sheet.name, strain=100 * self.sheet.max_strain, thin=Length(thin), least=Length(least),
                 made=verb, share=share, needs=Length(share * self.pair.length),
             )  # fmt: skip

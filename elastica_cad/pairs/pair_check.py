@@ -264,8 +264,8 @@ def _flat_messages(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
 
 def _unmet_messages(unmet: Sequence[PairZero]) -> Iterable[str]:
     what = {
-        0: "At {places} the difference of the curvatures changes sign by a jump, but the moments cannot "
-        "jump. Make the curvature continuous there, as in a spline.",
+        0: "At {places} a curvature jumps, so that the other curve becomes the sharper one at once. A part "
+        "cannot do this. Make the curvature continuous there, as in a spline.",
         2: "At {places} the curvatures are both 0 and touch without crossing. There the moments cannot differ "
         "in the same way (order 4, not 2). Bend both curves there, or let their curvatures differ.",
         3: "At {places} the curvatures cross with equal slopes. There the moments cannot differ in the same "
@@ -279,13 +279,12 @@ def _unmet_messages(unmet: Sequence[PairZero]) -> Iterable[str]:
 
 def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
     return note(
-        "The curvatures of both curves are equal at {places}, so the moments of the two states must be equal "
-        "there too. As a rule, congruent or mirrored curves allow two such places; these curves allow none "
-        "beyond {beyond}. Let the curvatures cross at fewer places."
+        "The curvatures of both curves are equal at too many places: {places}. Two curves of the same "
+        "shape, or mirrored ones, usually allow two such places. Change a curve so that the curvatures "
+        "differ at {beyond}."
         if paired.rank < NUMBERS - 1
-        else "The curvatures of both curves are equal at {places}, so the moments of the two states must be "
-        "equal there too. As a rule, two curves allow four such places; these curves allow none beyond "
-        "{beyond}. Let the curvatures cross at fewer places.",
+        else "The curvatures of both curves are equal at too many places: {places}. Two curves usually "
+        "allow four such places. Change a curve so that the curvatures differ at {beyond}.",
         places=lengths(z.s for z in check.zeros),
         beyond=Length(paired.beyond[0].s),
     )

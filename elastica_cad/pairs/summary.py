@@ -22,7 +22,8 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
     path = [] if quick else [Row(note("Force"), _force(part))]
     first, second = part.rest_deviations
     rest = note(
-        "{far} and {other} from the curves at rest, because forces stretch the part",
+        ("at rest the part is up to {far} from the first and {other} from the second curve, because its "
+         "forces stretch it"),
         far=about(first), other=about(second),
     )  # fmt: skip
     stability = Row(note("Stability"), LATER) if live else _stability(part)
@@ -68,7 +69,7 @@ def _stability(part: Flexure) -> Row:
         return Row(note("Stability"), note("both states are stable, in the plane and sideways"), details)
     first_word, second_word, left, right = map(note, ratings)
     text = note(
-        "first state {first}, second state {second}, first state sideways {left}, second state sideways {right}",
+        "first state {first}, sideways {left}; second state {second}, sideways {right}",
         first=first_word, second=second_word, left=left, right=right,
     )  # fmt: skip
     return Row(note("Stability"), text, details, "warning")

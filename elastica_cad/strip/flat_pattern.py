@@ -288,7 +288,7 @@ class _Cutter:
         used = [piece.number for region in regions for loop in region.loops for piece in loop if piece.seam]
         if len(used) != 2 * len(set(used)):
             raise InputError(
-                "loops of the flat pattern cross or touch where the strip's ends begin: move them apart"
+                "holes, slots or edges of the flat part touch where a tab begins: move them apart"
             )
         return CutPattern(np.array(self.points), tuple(regions))
 

@@ -333,8 +333,8 @@ def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Cre
         return
     if later is not None and not later.stays:
         yield note(
-            "With a creep factor of {factor:g} the strip snaps into another shape in the long run. Use a "
-            "stiffer sheet, or support the strip.",
+            "Over the years the strip snaps into another shape (creep factor {factor:g}). Use a stiffer "
+            "sheet, or support the strip.",
             factor=factor, severity="warning",
         )  # fmt: skip
 

@@ -175,8 +175,8 @@ def _check_together(spec: RodSpec) -> None:
     """Refuse requests for a rod that exclude each other."""
     if spec.layers is not None and (spec.may_change or spec.natural_curvature != 0.0):
         raise InputError(
-            "a laminate that carries its own weight must follow its curve exactly, from flat sheets: leave "
-            "out the nearest curve ({limits}) and {natural_curvature}, or leave out {gravity}",
+            "with {gravity}, a laminate can follow only a drawn curve, and only from flat sheets: leave out "
+            "the nearest curve ({limits}) and {natural_curvature}, or leave out {gravity}",
             limits=FieldName("limits"),
             natural_curvature=FieldName("natural_curvature"),
             gravity=FieldName("gravity"),

@@ -78,7 +78,7 @@ class Workers:
                     process = None
                     late = isinstance(problem, TimeoutError)
                     reason = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
-                    refusal = InputError(f"this {reason}. Request something smaller.")
+                    refusal = InputError(f"The request {reason}. Use fewer strips, samples or holes.")
                     kind, content = b"text", refused_answer(head, refusal)
                 with suppress(Exception):  # the page was closed while its request was computed
                     await send(kind, content)

@@ -119,7 +119,7 @@ def test_a_pattern_in_a_body_is_refused(document, drawn, kind):
     assert pattern.State == ["Up-to-date"]
     assert originals(pattern) == [made]
     for shown in (pattern, body, link):
-        with pytest.raises(InputError, match=f"{kind} merges the copies of Strip into one body.*array"):
+        with pytest.raises(InputError, match=f"{kind} joins the copies of Strip into one body.*array"):
             counts(shown)
         with pytest.raises(InputError, match="array"):
             held(shown)

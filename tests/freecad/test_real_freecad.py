@@ -476,7 +476,7 @@ def test_a_curve_of_given_length_between_clamps(tmp_path):
     count, length, start, end = found["new"]
     assert length == pytest.approx(found["length"], rel=1e-4)
     assert (count, start[0]) == (1, -end[0])
-    assert "bulges to the left of its chord" in found["words"]
+    assert "bulges to the left of the line between its ends" in found["words"]
     followed, held, pulled, steps = found["end pulled"]
     assert followed, "the curve does not follow the mouse"
     assert held, "the sketch waits for the release"

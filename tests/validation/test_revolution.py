@@ -292,7 +292,7 @@ test_refusals = refusal_test(
         # Back and forth within a hair's breadth.
         (
             lambda: meridian_through([(50, 0), (60, 50), (50, 1e-6), (60, 51)]),
-            "strips that tile a surface of revolution cannot follow them",
+            "strips of a surface of revolution cannot follow these points",
         ),
     ],
     kind=NotConvergedError,

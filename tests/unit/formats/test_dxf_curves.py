@@ -708,7 +708,7 @@ def test_a_fit_point_drawn_twice_counts_once(drawing):
 
 
 @pytest.mark.parametrize(("knots", "weights", "words"), [
-    (np.linspace(0, 1, 8), (), r"has 8 knots but needs 9 that never decrease: export or draw it again"),
+    (np.linspace(0, 1, 8), (), r"has 8 knots; it needs 9, in increasing order: export or draw it again"),
     (np.zeros(9), (), r"must span an interval: draw it again"),
     (np.linspace(0, 1, 9), (1, 1), r"needs 5 positive finite weights, or none: export or draw it again"),
 ])  # fmt: skip

@@ -211,7 +211,7 @@ def test_rings_stay_with_their_strips(vase):
         ),
         (
             {"ring": 20, "ends": (ec.Tab(8, width=20), ec.Tab(16, width=6))},
-            "ring-end: the tabs overlap",
+            "ring-end: neighbouring tabs overlap",
         ),
     ],
 )

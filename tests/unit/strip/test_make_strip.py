@@ -60,7 +60,7 @@ class TestLaminateWithWeight:
 
     @pytest.mark.parametrize("options", [{"keep": Keep()}, {"natural_curvature": 1e-3}])
     def test_follows_its_curve_exactly(self, options):
-        with pytest.raises(InputError, match="must follow its curve exactly"):
+        with pytest.raises(InputError, match="a laminate can follow only a drawn curve"):
             make_strip(ARCH, "card-200gsm", style=self.STYLE, gravity=True, **options)
 
     def test_gravity_of_another_sheet(self):

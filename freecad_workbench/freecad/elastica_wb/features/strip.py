@@ -165,8 +165,8 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
         strip = next(filter(is_strip, repeated(standing[0])), None)
         if strip is not None:
             raise InputError(
-                "{pattern} merges the copies of {strip} into one body and drops copies that do not touch it. "
-                "Delete {pattern}, and repeat the strip with an array of the workbench Draft.",
+                "{pattern} joins the copies of {strip} into one body, and loses copies that do not touch "
+                "it. Delete {pattern}, and repeat the strip by an array of the workbench Draft.",
                 pattern=standing[0].Label,
                 strip=strip.Label,
             )
