@@ -156,7 +156,7 @@ def report_strip(
         "check": None if rod.check is None else report_check(rod.check),
         "nearest": None if near is None else _nearest_report(near),
         "stability": None if stability is None else _stability_report(stability),
-        "sideways": None if strip.sideways is None else _sideways_report(strip.sideways),
+        "sideways": _sideways_report(strip.sideways),
         "creep": _creep(strip),
         "moved_by_snapping": round_numbers(rod.moved),
         "smoothing": None if smoothing is None else _smoothing_report(smoothing),

@@ -39,6 +39,7 @@ from elastica_cad.mechanics.mounted_elements import (
     wrong_force,
 )
 from elastica_cad.mechanics.newton_continuation import (
+    STOP_SHARE,
     Reached,
     follow,
     is_balanced,
@@ -232,7 +233,7 @@ def _bent_on_elements(
         not action.is_one_sided or bool(np.any(action.force)) or violation(action, shape) >= -reach_of_rail
         for action in elements
     ]
-    state, snaps_at = None, None
+    state, snaps_at, last, left = None, None, None, 1.0
     for _ in range(ROUNDS * (1 + len(elements))):
         acting = [i for i, is_taut in enumerate(taut) if is_taut]
         system = replace(system, actions=tuple(elements[i] for i in acting))
@@ -245,9 +246,11 @@ def _bent_on_elements(
         reached = reach(state, None, 1, partial(_needs_change, elements, taut))
         state = reached.state
         changed = None if reached.arrived else _other_set(elements, taut, state)
-        if changed is None:
+        # a strip that lifts off and returns at once is unstable without the element, so it snaps away from it
+        leaps = changed == last and changed is not None and sum(taut) < sum(changed)
+        if changed is None or (leaps and reached.fraction <= STOP_SHARE):
             state, at = _rest(reached, settle=settle)
-            snaps_at = snaps_at if at is None else at
+            snaps_at = snaps_at if at is None else 1 - left * (1 - at)
             changed = _other_set(elements, taut, state)
         if changed is None:
             return replace(
@@ -255,7 +258,8 @@ def _bent_on_elements(
                 between=_settled(elements, taut, state),
                 warnings=_warnings(state, snaps_at),
             )
-        elements, taut = list(_settled(elements, taut, state)), changed
+        left *= 1 - reached.fraction
+        elements, taut, last = list(_settled(elements, taut, state)), changed, taut
     raise NotConvergedError(
         "No set of taut elements was found for this rest shape. Move the ends or change the loads in smaller steps."
     )
@@ -489,7 +493,9 @@ def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, f
 def state_of(rod: Rod, system: RodSystem) -> RodState:
     """Return the present shape of a rod as the first state of `system`."""
     if system.elements is not None:
-        return _with_reactions(system.state(rod.discrete.angles))
+        # reactions to the present loads, so that new loads grow along the path
+        present = replace(system, load=rod.nodal_load + lumped(rod.point_forces, rod.s.size, rod.length))
+        return _with_reactions(present.state(rod.discrete.angles)).under(system)
     extra = (rod.discrete.force - system.given_force).mean(axis=0)
     return system.state(rod.discrete.angles, extra[list(system.held)])
 

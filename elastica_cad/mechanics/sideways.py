@@ -11,8 +11,9 @@ from elastica_cad._values import numbers, require_number
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bracing import slack_elements
 from elastica_cad.mechanics.discrete_rod import node_weights, tangents
-from elastica_cad.mechanics.elements import require_free_between
+from elastica_cad.mechanics.elements import Pin, Rail, edge_weights
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import even_shear_ratio
@@ -179,7 +180,8 @@ def _held_back(thickness: FloatArray | float, width: FloatArray) -> FloatArray:
 
 
 EDGES = 200
-"""Number of edges of the checked rod. The error of the margin falls with its square; here it is below 1e-3."""
+"""Number of edges of the checked rod. The error of the margin falls with its square; here it is below 1e-3.
+With a rail it is below 5e-3."""
 
 RIBBON_NUMBER = 16.0
 """Largest w^2 kappa / h of a section that keeps its shape. Above it bending and twist are coupled (a ribbon).
@@ -193,6 +195,7 @@ RIBBON_SLENDERNESS = 6.0
 """Least ratio of length to width of a strip; shorter strips are plates."""
 
 _POLE_SHARE = 64 * float(np.finfo(float).eps)  # error of an eigenvalue, as a fraction of the largest entry
+_RANK = 1e-9  # least relative singular value of independent constraints
 _SIGN_SHARE = (
     1e-9  # fraction of the gap between the two lowest eigenvalues: within it the margin is the eigenvalue
 )
@@ -320,9 +323,12 @@ def sideways_stability(
 
         int EI2 <phi', N>^2 + GJ <phi', T>^2 - M (phi x phi') + <lambda, N> phi_T phi_N - <lambda, T> phi_N^2 ds
 
-    under int phi_N = 0 where both ends are held. Prandtl's lateral buckling (M = 2 pi sqrt(EI2 GJ) / L between
-    clamps), Michell's of a cantilever and Euler's are contained. Not modelled: sections that curl or flatten,
-    warping held by the clamps (wide, strongly bent strips: "undecided"), slots, gravity across the plane.
+    under int phi_N = 0 where both ends are held. A pin also holds its place sideways. A taut rail touches the
+    strip across its whole width, so it stops twist there, but the strip slides along it. A cord of pull P and
+    length l adds P / l (w_q - w_p)^2 for the displacements w of its places. Prandtl's lateral buckling (M = 2 pi
+    sqrt(EI2 GJ) / L between clamps), Michell's of a cantilever and Euler's are contained. Not modelled: sections
+    that curl or flatten, warping held by the clamps (wide, strongly bent strips: "undecided"), slots, gravity
+    across the plane.
 
     Examples
     --------
@@ -386,21 +392,90 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
     >>> round(sideways_margin(Rod.straight(100.0), np.full(201, 400.0), np.full(201, 1.5)) / np.pi**2, 3)
     1.5
     """
-    require_free_between(rod, "Sideways stability")
     n = len(edgewise) - 1
     edge = rod.length / n
     s = np.linspace(0.0, rod.length, n + 1)
     middle = (s[1:] + s[:-1]) / 2
     angle = np.interp(middle, rod.s, rod.angle)
     force = np.column_stack([np.interp(middle, rod.s, rod.force[:, k]) for k in (0, 1)])
+    if rod.acting:  # means of the edges, because the force steps
+        whole = np.cumsum(rod.discrete.force, axis=0, dtype=float) * rod.discrete.edge_length
+        whole = np.concatenate([np.zeros((1, 2)), whole])
+        force = np.column_stack([np.diff(np.interp(s, rod.s, whole[:, k])) for k in (0, 1)]) / edge
     free = [not (end.x or end.y or end.angle) for end in rod.supports.ends]
     lower = _band(angle, np.interp(s, rod.s, rod.angle), force, np.interp(s, rod.s, rod.moment), edge,
                   edgewise, torsion, free)  # fmt: skip
+    if rod.between:
+        return _lowest_braced(lower, _braces(rod, tangents(angle), free)) / edge * rod.length**2
     row = None
     if not any(free):
         T = tangents(angle)
         row = left_of(T).ravel()
     return _lowest(lower / edge, row) * rod.length**2
+
+
+@dataclass(frozen=True, eq=False)
+class _Braces:
+    """Elements in the second variation out of the plane, for rotations (x, y) of every edge.
+
+    Attributes
+    ----------
+    rows : (k, 2 n) array
+        Constraints rows @ phi = 0.
+    terms : (r, 2 n) array
+        terms^t terms is added.
+    """
+
+    rows: FloatArray
+    terms: FloatArray
+
+
+def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
+    """Return the constraints by taut elements on a rod of edges with unit tangents T (n, 2).
+
+    With w the displacement out of the plane, w' = phi_N: a pin holds w, the line of contact on a rail holds phi_T,
+    and a cord with pull P and length l adds P / l (w_q - w_p)^2. Friction is neglected, so a strip slides along a
+    rail.
+    """
+    n, edge = len(T), rod.length / len(T)
+    N = left_of(T)
+    places = [float(end) for end, is_free in zip((0.0, rod.length), free, strict=True) if not is_free]
+    rows, terms = [], []
+    slack = slack_elements(rod.between, rod.discrete.force)
+    taut = [action for action in rod.between if action not in slack]
+
+    def rise(start: float, end: float) -> FloatArray:
+        """Return the weights (2 n,) of w(end) - w(start)."""
+        cover = edge_weights(end, edge, n) - edge_weights(start, edge, n)
+        return np.asarray((edge * cover[:, None] * N).ravel())
+
+    for action in taut:
+        if isinstance(action.element, Pin):
+            places.append(float(action.s[0]))
+        elif isinstance(action.element, Rail):
+            rows.append((edge * edge_weights(float(action.s[0]), edge, n, 1)[:, None] * T).ravel())
+        else:
+            chord = np.diff(rod.curve.at(action.s).position, axis=0)[0]
+            terms.append(np.sqrt(action.size / np.hypot(*chord)) * rise(*action.s.tolist()))
+    rows += [rise(places[0], place) for place in places[1:]]
+    if not places and len(terms) == len(taut):
+        rows += list(np.tile(np.eye(2), n))  # a bow turns as a whole without a change of energy
+    none = np.zeros((0, 2 * n))
+    return _Braces(np.array(rows).reshape(-1, 2 * n), np.concatenate([none, *(term[None] for term in terms)]))
+
+
+def _lowest_braced(lower: FloatArray, braces: _Braces) -> float:
+    """Return the lowest eigenvalue of the band matrix with the terms, subject to the constraints."""
+    n = lower.shape[1]
+    matrix = braces.terms.T @ braces.terms
+    for k, diagonal in enumerate(lower):
+        at = np.arange(n - k)
+        matrix[at + k, at] += diagonal[: n - k]
+        if k:
+            matrix[at, at + k] += diagonal[: n - k]
+    _, sizes, vt = np.linalg.svd(braces.rows)
+    basis = vt[np.count_nonzero(sizes > _RANK * sizes.max(initial=0.0)) :]
+    return float(np.linalg.eigvalsh(basis @ matrix @ basis.T)[0])
 
 
 def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:

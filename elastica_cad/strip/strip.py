@@ -762,9 +762,9 @@ class Strip:
         return self.held().deviation
 
     @cached_property
-    def sideways(self) -> SidewaysStability | None:
-        """Stability against leaving the plane of the curve; None with elements or point forces between the ends."""
-        return None if self.rod.acting else strip_sideways(self.rod, self.layout)
+    def sideways(self) -> SidewaysStability:
+        """Stability against leaving the plane of the curve."""
+        return strip_sideways(self.rod, self.layout)
 
     def reactions(self) -> Reactions:
         """Return the forces (N) and moments (N mm) that the supports exert on the strip.

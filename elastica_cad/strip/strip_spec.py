@@ -332,7 +332,7 @@ class StripSpec(EqualByValue):
         Masses hung on the strip in addition to its own weight, and forces (N), or the whole weight in newtons.
         Masses and a weight need gravity.
     between : sequence of Rail, Pin and Tie
-        Elements that hold the strip between its ends. Sideways stability and accuracy are not computed with them.
+        Elements that hold the strip between its ends. Its accuracy is not computed with them.
     supports : Supports
         Supports of the ends, clamped by default.
     natural_curvature : float or RestCurvature

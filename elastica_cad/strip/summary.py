@@ -122,14 +122,12 @@ def stability_row(strip: Strip, verdict: Stability) -> Row:
     """Return the row on both stabilities of a strip: in its plane and sideways."""
     sideways = strip.sideways
     details = [note("The stability margin is {margin:.3g}; 5 is safe.", margin=verdict.margin)]
-    if sideways is not None and sideways.decided:
+    if sideways.decided:
         details.append(note("The sideways margin is {margin:.3g}; 5 is safe.", margin=sideways.margin))
     if verdict.rating == "unstable":
         text = note("unstable: the strip snaps into another shape")
     elif verdict.rating == "close to snapping":
         text = note("close to snapping: a push can move the strip into another shape")
-    elif sideways is None:
-        text = note("stable in its plane; sideways not checked with rails, pins, ties or point forces")
     elif sideways.word == "unstable":
         text = note("unstable sideways: the strip tips over; guide it at the sides, or make it wider")
     elif sideways.word == "low":

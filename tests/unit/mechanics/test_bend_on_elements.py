@@ -7,7 +7,7 @@ from scipy.special import ellipe, ellipk
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.bending import bend_path
+from elastica_cad.mechanics.bending import bend_path, has_snapped
 
 WAVE = ec.PlaneCurve.spline(
     [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
@@ -161,3 +161,18 @@ def test_a_strip_on_a_rail_under_a_mass():
 def test_two_free_ends_need_an_element(bow):
     with pytest.raises(InputError, match="free to move along x"):
         ec.bend(bow, between=())
+
+
+def test_a_strip_that_is_pulled_off_its_rail_snaps_where_the_rail_lets_go():
+    """A force at the rail replaces the force of the rail; the strip alone is unstable there."""
+    rod = ec.bend(ec.optimal_rod(WAVE, between=ec.Rail(200.0), loads=ec.PointForce(200.0, (0, 1e-9)),
+                                 bending_stiffness=1e4, samples=201))  # fmt: skip
+    push = 1e4 * rod.between_forces[0]
+    held = ec.bend(rod, loads=ec.PointForce(200.0, 0.9 * push))
+    assert largest_move(held, rod) < 1e-3 * rod.length
+    assert 1e4 * held.between_forces[0] == pytest.approx(0.1 * push, rel=0.02, abs=2e-3 * np.hypot(*push))
+    snapped = ec.bend(rod, loads=ec.PointForce(200.0, 2 * push))
+    assert not snapped.between_forces.any()
+    assert has_snapped(snapped)
+    assert ec.stability(snapped).stable
+    assert snapped.warnings[0].values["percent"] == pytest.approx(50.0, abs=1.0)

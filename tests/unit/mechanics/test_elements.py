@@ -5,7 +5,6 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.sideways import SidewaysSection, sideways_stability_of
 
 ARCH = ec.PlaneCurve.ellipse((0, 0), (200, 100), start=0, end=np.pi)
 WAVE = ec.PlaneCurve.spline(
@@ -110,9 +109,7 @@ def test_other_studies_refuse_them():
     rod = ec.optimal_rod(WAVE, between=ec.Pin(200.0))
     strip = ec.Strip(rod, ec.Sheet.named("birch-plywood-0.8"), max_width=30.0)
     assert strip.outline.length > 2 * rod.length
-    assert strip.sideways is None
     for refused in (
-        lambda: sideways_stability_of(rod, SidewaysSection.round(np.ones(201), 4.0, 0.38)),
         strip.held,
         lambda: ec.Strip(rod, "birch-plywood-0.8", max_width=30.0, creep=0.5).crept,
     ):
