@@ -82,7 +82,7 @@ def batten(**chosen: Any) -> None:
     """
     name = chosen["name"]
     if "/" in name or "\\" in name:
-        raise InputError("The name {name!r} is also the name of files. Leave out / and \\.", name=name)
+        raise InputError("The name {name!r} is used in file names. Leave out / and \\.", name=name)
     spec = BattenSpec(
         chosen["length"],
         chosen["camber"] / 100,
@@ -136,7 +136,10 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
     camber = f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord"
     say_row(Row("Camber", f"{camber}, at most {leafed.deviation:.2g} mm from the planed batten"))
     if not leafed.settled:
-        text = "the search stopped before the ends of the plies settled; other ends may come nearer"
+        text = (
+            "the search for the ends of the plies stopped early; other ends may come nearer to the "
+            "planed batten"
+        )
         say_row(warning_row(text))
     _print_load(strip, force)
     leaves = leafed.leaves

@@ -152,7 +152,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         now = ", ".join(
             f"its {end} {chosen[f'hold_{end}']}" for end in ("start", "end") if chosen[f"hold_{end}"]
         )
-        say(f"the strip is the one designed for {curve.name} {designed}; here {now}")
+        say(f"the strip is designed for {curve.name} {designed}, and here bent with {now}")
     side = {"left": 1, "right": -1, None: None}[chosen["side"]]
     name = f"{curve.stem if curve is not None else 'straight'}-bent"
     moved = None

@@ -56,14 +56,16 @@ _STOCK = (
     which_options,
     click.option("--rod", type=Diameters(), metavar="DIAMETER|LEAST:LARGEST",
                  help="Round rod: its diameter, or the limits of a taper such as 6:8."),
-    sheet_options(required=False, use="Material, for newtons and safety; with --max-width the sheet of a strip"),
+    sheet_options(required=False, use="Material, for forces in newtons and the strain; with --max-width, "
+                                      "the sheet of a strip"),
     click.option("--max-width", type=LENGTH, metavar="MM", help="Largest width of a strip cut from the sheet."),
     click.option("--min-width", type=LENGTH, metavar="MM",
                  help="Least width of the strip; equal to --max-width for a strip of constant width."),
     smooth_option,
     click.option("--nearest", is_flag=True, help="Change the curve as little as possible, for a varying section."),
     click.option("--shorter", type=float, multiple=True, metavar="PERCENT",
-                 help="Shorten the cord by this part in a row of the table; may be repeated  [default: 2 5 10 20]"),
+                 help="Add a row to the table, with the cord shorter by this percentage; repeatable  "
+                      "[default: 2 5 10 20]"),
     output_options,
 )  # fmt: skip
 

@@ -200,7 +200,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
         keys = paths_of(record)
         listed = [path for path in keys if path.count(".") <= DEEPEST]
         if path := near_path(name, listed):
-            return f"{typed} is given by --set {path}=VALUE: `elastica help {path}` explains it"
+            return f"use --set {path}=VALUE instead of {typed}: `elastica help {path}` explains it"
     return problem.format_message()
 
 

@@ -75,7 +75,7 @@ def coupon(**chosen: Any) -> None:
     """
     known, name = _known(chosen), chosen["name"]
     if name and ("/" in name or "\\" in name):
-        raise InputError("The name {name!r} is also the name of a file. Leave out / and \\.", name=name)
+        raise InputError("The name {name!r} is used in a file name. Leave out / and \\.", name=name)
     if chosen["measured"]:
         _calibrate(known, chosen)
         return
@@ -119,7 +119,7 @@ def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Ca
             "Readings",
             f"Two measurements contradict each other: a droop of {near[1]:g} mm over {near[0]:g} mm gives an "
             f"elasto-gravity length of {low:.4g} mm, a droop of {far[1]:g} mm over {far[0]:g} mm gives "
-            f"{high:.4g} mm. Measure again; turn a curved sheet over.",
+            f"{high:.4g} mm. Measure again; if the sheet is curved, turn it over.",
         )
 
 

@@ -92,7 +92,10 @@ def model(
     say_step("reading the design")
     read = read_design(design, _read_with_note, read_surface, below=below, changes=changes)
     if read.kit.cutting.service and not parts:
-        raise InputError("--no-parts leaves nothing to cut because cut.for is service. Leave out --no-parts.")
+        raise InputError(
+            'With cut.for = "service" only the separate parts are written, and --no-parts '
+            "leaves them out. Leave out --no-parts."
+        )
     read = read.nearest() if nearest else read
     read = read.with_limits_ignored() if ignore_limits else read
     check_kit_folder(read.name, output, force=force)

@@ -52,17 +52,17 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         if not scale:
             known = ", ".join(["a number of mm", *(f"the word {word}" for word in self.words)])
             self.fail(
-                f"{value!r} is no length: give {known}, or a length with its unit such as 1.5in or 4cm",
+                f"{value!r} is not a length: give {known}, or a length with its unit such as 1.5in or 4cm",
                 param,
                 ctx,
             )
         if self.positive and not length > 0:
-            self.fail(f"{value} is no length above 0", param, ctx)
+            self.fail(f"{value} is not a length above 0", param, ctx)
         return length
 
 
 LENGTH = Length()
-IDLE_DOWN = "--down says how weight pulls, which is left out: add --gravity"
+IDLE_DOWN = "--down sets the direction of the weight, but the weight is not included. Add --gravity."
 POINT, SPACE_POINT = (LENGTH, LENGTH), (LENGTH, LENGTH, LENGTH)
 
 
@@ -139,7 +139,7 @@ class _Folder(click.Path):
     def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
         if str(value).startswith("-"):
             self.fail(
-                f"'{value}' reads as an option: name a folder before it, or write ./{value}", param, context
+                f"'{value}' looks like an option: name a folder before it, or write ./{value}", param, context
             )
         return super().convert(value, param, context)
 

@@ -24,7 +24,7 @@ from elastica_cad.mechanics.theorem1 import require_bendable
 from elastica_cad.refusals import Severity
 from elastica_cad.report_rows import Row, warning_row
 
-NO_MAP = "A curve that no strip can take stays so under every such map. Redraw the curve."
+NO_MAP = "Moving these corners cannot make the curve possible for a strip. Redraw the curve."
 
 KINDS = ("dxf", "svg", "json")
 

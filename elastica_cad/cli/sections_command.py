@@ -149,7 +149,7 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
         say_step(f"judged {curve.name}", number, len(curves))
         verdicts.append(_verdict(curve))
     for section in verdicts:
-        say_row(Row(section["name"], _sentence(section)))
+        say_row(Row("Section", f"{section['name'].removeprefix('section ')}: {_sentence(section)}"))
     for text in reports:
         say_row(warning_row(f"{text}{_option_for(text, chosen)}", "Note"))
     answer({"sections": verdicts})

@@ -138,7 +138,8 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             places = (chosen["output"] / file.name for file in kit.files)
             if any(os.path.exists(path) and path.samefile(requested.path) for path in places):
                 raise InputError(
-                    "{kept} has the drawn curve and is not overwritten. Choose another folder, such as -o out.",
+                    "{kept} contains the drawn curve and is not overwritten. Choose another folder, such as "
+                    "-o out.",
                     kept=requested.path,
                 )
             process = ctx.find_object(DrawingProcess)
@@ -167,7 +168,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         if len(curves) > 1:
             less = f"; {chosen['save_design']} leaves them out" if refused and chosen["save_design"] else ""
             warn(
-                f"{wrong} of {len(curves)} curves have no strip with these options{listing_note(refused)}{less}."
+                f"{wrong} of {len(curves)} curves cannot be made with these options{listing_note(refused)}{less}."
             )
         ctx.exit(1)
 
@@ -291,7 +292,7 @@ def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> N
     tabs = result.spec.tabs_message
     more = [pre_bend_message(strip), tabs]
     joined = [
-        f"It {end} at the corner {joint}, where the strip of the same number continues."
+        f"It {end} at corner {joint} of the curve, where another strip has an end with the same number."
         for joint, end in zip(result.joints, ("starts", "ends"), strict=True)
         if joint
     ]

@@ -202,7 +202,9 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
         table["natural_curvature"] = chosen["natural_curvature"]
     table = with_settings(table, parsed_settings(chosen["settings"], CommandKeys))
     if "keep" in table and "limits" not in table:
-        raise InputError("The keys of keep apply to a curve that may change only. Add --nearest.")
+        raise InputError(
+            "The keys of `keep` limit how the curve may change, and it may not change here. Add --nearest."
+        )
     return table
 
 

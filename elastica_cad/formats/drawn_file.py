@@ -127,10 +127,11 @@ class ReadReport:
         width, height = self.size
         size = note("{width:.1f} x {height:.1f} mm ({unit})", width=width, height=height, unit=str(self.unit))
         kinds = [counted(count, kind) for kind, count in self.kinds.items()]
-        exact = "exact" if self.distance <= EXACT_MM else note(
-            "within {distance:.2g} of the drawing", distance=Length(self.distance)
-        )  # fmt: skip
-        return sentences([size, *kinds, *self.done, exact], ", ")
+        if self.distance > EXACT_MM:
+            away = note("within {distance:.2g} of the drawing", distance=Length(self.distance))
+            return sentences([size, *kinds, *self.done, away], ", ")
+        exact = "curve through all points" if "fitted" in self.done else "exact"
+        return sentences([size, *kinds, *(name for name in self.done if name != "fitted"), exact], ", ")
 
     def as_dict(self) -> dict[str, Any]:
         """Return the report for programs."""

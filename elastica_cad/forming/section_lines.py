@@ -227,7 +227,8 @@ def collect_section(
         starts = Listed(place_in_words(frame.point(line[0])) for line in lines[:3])
         reports = (
             note(
-                "{name} has {count} separate lines, starting at {starts}",
+                "{name} consists of {count} separate lines, starting at {starts}. Each line becomes its own "
+                "curve",
                 name=name,
                 count=len(lines),
                 starts=starts,

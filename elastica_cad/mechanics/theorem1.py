@@ -111,25 +111,20 @@ class Undecided:
 
     def __str__(self) -> str:
         return note(
-            "These points leave the verdict undecided: they are exact to {resolution} only. A curve within "
-            "{far} of them has {count} inflections, another within {near} has {others}. Give more points, or "
-            "more decimals."
+            "These points leave the verdict undecided, because they are exact to {resolution} only. The fitted "
+            "curve has {count} inflections; another curve that fits them too has {others}. Give more points, "
+            "or more decimals."
             if self.fit.realizable == self.other.realizable else
-            "These points leave the verdict undecided: they are exact to {resolution} only. A curve within "
-            "{far} of them (inflections: {count}) can be bent, another within {near} (inflections: {others}) "
+            "These points leave the verdict undecided, because they are exact to {resolution} only. The fitted "
+            "curve (inflections: {count}) can be bent; another curve that fits them too (inflections: {others}) "
             "cannot. Give more points, or more decimals."
             if self.fit.realizable else
-            "These points leave the verdict undecided: they are exact to {resolution} only. A curve within "
-            "{far} of them (inflections: {count}) cannot be bent, another within {near} (inflections: "
+            "These points leave the verdict undecided, because they are exact to {resolution} only. The fitted "
+            "curve (inflections: {count}) cannot be bent; another curve that fits them too (inflections: "
             "{others}) can. Give more points, or more decimals.",
-            resolution=_two_digits(self.resolution), near=_two_digits(self.other.distance),
-            far=_two_digits(self.fit.distance), others=self.other.inflections, count=self.fit.inflections,
-            severity="warning",
+            resolution=Length(float(f"{round(self.resolution, 6):.2g}")),
+            others=self.other.inflections, count=self.fit.inflections, severity="warning",
         )  # fmt: skip
-
-
-def _two_digits(mm: float) -> Length:
-    return Length(float(f"{round(mm, 6):.2g}"))
 
 
 @dataclass(frozen=True, eq=False)

@@ -56,7 +56,7 @@ def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, F
     """
     law, size = strip.layout.section, strip.layout.size
     if law is None or size is None:
-        raise InputError("a strip of even thickness has no side view: set a section law")
+        raise InputError("a strip of constant thickness has no side view: set a section law")
     first, last = (tab.length for tab in strip.ends)
     tips = -first, strip.rod.length + last
     evenly = np.unique([*tips, *np.linspace(0.0, strip.rod.length, ROWS)])
@@ -209,13 +209,13 @@ class BattenSpec:
         except NotConvergedError:
             if self.lying is not None:  # the message already describes the effect of the weight
                 raise
-            raise self._too_thin(0.5 - self.place, self._even_chord, note("less")) from None
+            raise self._too_thin(0.5 - self.place, self._even_chord, "") from None
         thin = self.stock.largest * np.exp(-abs(taper))
         if thin < self.stock.least * (1 - 1e-9):
-            raise self._too_thin(taper, chord, Length(thin))
+            raise self._too_thin(taper, chord, note(" (it needs {thin})", thin=Length(thin)))
         return Batten(self, _straight_ends(_pressed(self, taper, chord, FINE_NODES).curve))
 
-    def _too_thin(self, side: float, chord: float, thin: object) -> InputError:
+    def _too_thin(self, side: float, chord: float, thin: str) -> InputError:
         """Return the error that the largest taper of the stock does not bring the camber to its place."""
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
         within = 100 * self._place_of(most, chord)
@@ -226,11 +226,10 @@ class BattenSpec:
             else note("at most {percent:.3g}", percent=np.floor(10 * within) / 10)
         )
         return InputError(
-            "camber at {place:.4g} % of the chord needs {thin} at the thin end of stock of {largest:g}, less "
-            "than the limit of {least:g}. Move the camber to {nearest} % of the chord, or reduce this limit",
+            "for a camber at {place:.4g} % of the chord, the thin end must be thinner than the limit of "
+            "{least:g}{thin}. Move the camber to {nearest} % of the chord, or reduce this limit",
             place=100 * self.place,
             thin=thin,
-            largest=Length(self.stock.largest),
             least=Length(self.stock.least),
             nearest=nearest,
         )

@@ -129,8 +129,8 @@ def _require_holdable(strip: Strip, name: str | None = None) -> None:
     """Refuse a strip whose ends fit no holder of this package."""
     if strip.layout.stack is not None:
         raise InputError(
-            f"{name or strip.label or 'strip'}: a stack of plies is on one side of its curve, where "
-            "no holder fits: hold its ends in clamps, and give the holder only the other strips"
+            f"{name or strip.label or 'strip'}: a holder does not fit a stack of plies, which "
+            "is on one side of its curve: hold its ends in clamps, and give the holder only the other strips"
         )
 
 
@@ -217,7 +217,7 @@ class EndFixture(EqualByValue):
             require_record(self.floor, Frame, "the floor", "a Frame")
         who = f"fixture {self.tab.name}"
         if self.tab.length <= 0:
-            raise InputError(f"{who}: the strip has no tab there to hold; give it one, e.g. Tab(10)")
+            raise InputError(f"{who}: the strip has no tab at this end: add one, such as Tab(10)")
         require_declared(EndFixture, vars(self), f"{who}:")
         if self.foot and self.screw > 0.8 * min(self.foot, self.across):
             raise InputError(

@@ -210,7 +210,7 @@ def _shape(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
     try:
         strayed = member.strip.held(*(_seat_of(seats, member, end) for end in ENDS)).deviation
     except NotConvergedError:
-        return note("the strip has no rest shape in it")
+        return note("no stable shape of the strip was found with the tabs in it")
     return note(
         "the strip then deviates by up to {far:.2g} ({percent:.2g} % of its length)",
         far=Length(strayed),

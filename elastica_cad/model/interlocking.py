@@ -441,7 +441,7 @@ def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
     text = note("assembly: {order}; push each strip onto the strips before it", order=", ".join(names))
     if both:
         last = note(
-            "{strips} must be threaded in, because slots hold it from both edges", strips=", ".join(both)
+            "{strips} must be threaded in, because slots enter from both edges", strips=", ".join(both)
         )
         return sentences([text, last])
     return text

@@ -122,7 +122,7 @@ def stand(
     blocks = end_fixtures(placed)
     if not blocks:
         raise InputError(
-            "strips without tabs cannot be held: give their ends a length ({problem})", problem=problem
+            "strips without tabs cannot be held: add tabs to their ends ({problem})", problem=problem
         )
     return Stand(
         blocks,
@@ -372,8 +372,8 @@ class Model:
     def _arranged(self, placed: tuple[Placed, ...]) -> "Model":
         if self.plates:
             raise InputError(
-                f"the model {self.name!r} has {self.plates[0].name}, which fits its strips only in place: "
-                "repeat the strips without rings"
+                f"the model {self.name!r} has {self.plates[0].name}, which fits only the strips "
+                "where they are: repeat the strips without rings"
             )
         return replace(self, placed=placed)
 

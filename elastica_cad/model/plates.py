@@ -549,8 +549,8 @@ def ring_plate(
         lean, steep, flat = np.degrees([np.arcsin(abs(rise)), FLATTEST_RAD, LYING_RAD])
         raise InputError(
             "{name}: the tabs meet the plane of the ring at {lean:.3g} degrees. Slots need more than "
-            "{steep:.0f} degrees, and tabs glued flat need less than {flat:.0f}. End the strips where they "
-            "have such an angle",
+            "{steep:.0f} degrees, and tabs glued flat need less than {flat:.0f}. Shorten or lengthen the "
+            "strips until their ends are steeper or flatter",
             name=name,
             lean=lean,
             steep=steep,

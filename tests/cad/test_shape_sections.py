@@ -40,7 +40,7 @@ def test_several_lines_and_misses_are_told(bodies):
         ],
     )
     assert len(ring.lines) == 2
-    assert "has 2 separate lines" in ring.reports[0]
+    assert "consists of 2 separate lines" in ring.reports[0]
     assert missed.lines == ()
     assert "misses the shape" in missed.reports[0]
     for nothing in (None, SimpleNamespace(wrapped=None), object()):

@@ -222,9 +222,9 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
         ((), "The material of the batten is missing"),
         (
             ("--stock", 25, 8, "--at", 95),
-            r"needs less at the thin end .*Move the camber to at most \d\d\.\d %",
+            r"the thin end must be thinner than the limit of 2 mm. Move the camber to at most \d\d\.\d %",
         ),
-        (("--stock", 25, 8, "--least", 6), r"needs 3.3\d mm at the thin end"),
+        (("--stock", 25, 8, "--least", 6), r"must be thinner than the limit of 6 mm \(it needs 3.3\d mm\)"),
         (
             ("--stock", 25, 8, "--least", 6, "--at", 30),
             r"Move the camber to at least \d\d\.\d % of the chord",

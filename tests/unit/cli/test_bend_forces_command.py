@@ -105,7 +105,7 @@ def test_other_keys_of_the_strip_are_set(tmp_path):
         ("--sheet pom-1 --set max_widht=12", "did you mean max_width?"),
         (
             "--sheet pom-1 --ratio 3",
-            "--ratio is given by --set limits.ratio=VALUE: `elastica help limits.ratio`",
+            "use --set limits.ratio=VALUE instead of --ratio: `elastica help limits.ratio`",
         ),
     ],
 )

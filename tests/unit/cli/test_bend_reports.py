@@ -78,7 +78,7 @@ def test_supports_are_those_of_the_report_unless_an_option_says_others(tmp_path)
     turned = bent("bend sine.json --hold-end clamped --end-angle -70 -o bent", tmp_path)
     assert turned["shapes"][0]["angles"][1] == pytest.approx(np.radians(-70))
     said = run("bend sine.json --hold-end clamped -o bent --force", cwd=tmp_path).stdout
-    assert "with its ends held otherwise; here its end clamped" in said
+    assert "with its ends held otherwise, and here bent with its end clamped" in said
 
 
 def test_an_option_replaces_what_the_report_says(tmp_path):

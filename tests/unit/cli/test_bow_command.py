@@ -95,7 +95,7 @@ def test_a_bow_far_from_the_drawn_curve_is_a_warning(tmp_path):
         (("--rod", 8, "--min-width", 3), "--min-width applies to strips only. Use --rod LEAST:LARGEST."),
         (("--rod", 8, "--nearest"), "--nearest and --smooth apply to a varying section only."),
         (("--rod", "8:6", "--sheet", "pom-2"), "diameter limits are 8 and 6"),
-        (("--rod", "8:x"), "'x' is no length"),
+        (("--rod", "8:x"), "'x' is not a length"),
         (("--rod", 8, "--shorter", 100), "The cord cannot be shortened by 100 %."),
     ],
 )

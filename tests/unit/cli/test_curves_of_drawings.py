@@ -102,7 +102,7 @@ def test_a_saved_design_knows_curves_by_name_and_leaves_out_what_was_refused(dra
     design = tmp_path / "class.toml"
     wishes = ("--sheet", "birch-plywood-0.8", "--max-width", 30, "--no-pictures", "--no-step")
     done = run("strip", drawing, "--all", *wishes, "--save-design", design, "-o", tmp_path / "out", code=1)
-    assert f"1 of 3 curves have no strip with these options; {design} leaves them out" in done.stderr
+    assert f"1 of 3 curves cannot be made with these options; {design} leaves them out" in done.stderr
     saved = tomllib.loads(design.read_text())["strips"]
     assert [(one["label"], one["curve"]["id"]) for one in saved] == [("arch", "arch"), ("Bow", "Böw")]
     before = lengths_of(design, tmp_path / "before")
@@ -128,7 +128,7 @@ def test_a_column_that_makes_no_curve_spoils_no_other(tmp_path):
     wishes = ("--sheet", "card-200gsm", "--max-width", 2, "--no-pictures", "--no-step")
     done = run("strip", tmp_path / "lines.csv", "--all", *wishes, "-o", tmp_path / "out", code=1)
     assert "curve 1 (A) of 2: a curve needs at least two different points" in done.stderr
-    assert "1 of 2 curves have no strip with these options" in done.stderr
+    assert "1 of 2 curves cannot be made with these options" in done.stderr
     assert "nan" not in done.stderr
     assert (tmp_path / "out" / "lines-B.dxf").exists()
 

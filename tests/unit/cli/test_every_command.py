@@ -156,7 +156,8 @@ def test_what_stays_in_mm_is_told_where_lengths_are_inches(folder):
 def test_lengths_without_sense_are_refused(folder):
     done = run("strip", "bow.txt", *SHEET, "--max-width", "3parsec", cwd=folder, code=2)
     assert (
-        "'3parsec' is no length: give a number of mm, or a length with its unit such as 1.5in" in done.stderr
+        "'3parsec' is not a length: give a number of mm, or a length with its unit such as 1.5in"
+        in done.stderr
     )
 
 

@@ -117,7 +117,7 @@ def test_nothing_is_left_of_a_model_that_fails(design, tmp_path):
     design.write_text(DESIGN.replace("max_width = 24", "max_width = 24\nnest.sheet_size = [300, 200]"))
     result = run("model", design, "-o", out, code=2)
     assert "K1: " in result.stderr
-    assert "is larger than a sheet of 300 by 200 mm" in result.stderr
+    assert "does not fit on a sheet of 300 by 200 mm" in result.stderr
     assert not out.exists()
     out.mkdir()
     taken = out / "kit.json"

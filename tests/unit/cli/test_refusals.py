@@ -266,7 +266,7 @@ def test_a_file_where_files_should_go_is_told_and_no_command_that_fails_as_well(
 
 def test_an_option_is_no_folder(tmp_path):
     asked = run("new", "lamp", "-o", "--json", cwd=tmp_path, code=2)
-    assert "'--json' reads as an option: name a folder before it" in asked.stderr
+    assert "'--json' looks like an option: name a folder before it" in asked.stderr
     assert not (tmp_path / "--json").exists()
 
 

@@ -92,7 +92,7 @@ def test_the_drawing_itself_is_never_overwritten(drawn):
     arguments = ("strip", drawn, "--sheet", "card-200gsm", "--max-width", 40, "-o", drawn.parent)
     for force in ((), ("--force",)):
         result = run(*arguments, *force, code=2)
-        assert "bow.json has the drawn curve" in result.stderr
+        assert "bow.json contains the drawn curve" in result.stderr
     assert [p.name for p in drawn.parent.iterdir()] == ["bow.json"]
     assert drawn.read_bytes() == before
 

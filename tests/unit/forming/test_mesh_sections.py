@@ -142,7 +142,7 @@ def test_open_meshes_run_upwards_and_several_lines_are_told():
     assert len(sections[0].lines) == 2
     assert sections[0].reports[0].startswith("the mesh is open along 66 edges (near (")
     assert len(sections[0].reports[0]) < 250  # a few places, not all of them
-    assert "section 1 has 2 separate lines" in sections[0].reports[1]
+    assert "section 1 consists of 2 separate lines" in sections[0].reports[1]
 
 
 def test_an_edge_of_an_open_mesh_in_the_plane_is_kept():

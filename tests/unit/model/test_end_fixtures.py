@@ -140,7 +140,7 @@ def test_impossible_blocks_are_refused(arch, options, message):
 
 def test_no_tab_no_fixture(arch):
     bare = Strip(arch.rod, PLY, max_width=24.0, ends=(Tab(0), Tab(10)), label="B")
-    with pytest.raises(InputError, match="fixture B:1: the strip has no tab"):
+    with pytest.raises(InputError, match="fixture B:1: the strip has no tab at this end"):
         EndFixture.of(bare, "start")
     assert [f.engrave for f in end_fixtures([Placed(bare)])] == ["B:2"]
 

@@ -302,7 +302,7 @@ def test_a_strip_held_from_both_edges_is_told():
     over = turned(np.pi / 2, at=(30, 0, 16), label="A")
     under = turned(np.pi / 2, at=(70, 0, -16), label="B")
     last = Model([over, under, flat(label="C")]).interlock()
-    assert last.reports[-1].endswith("C must be threaded in, because slots hold it from both edges")
+    assert last.reports[-1].endswith("C must be threaded in, because slots enter from both edges")
     assert sorted(slot.side for slot in last.strips[2].slots) == ["lower", "upper"]
     first = Model([flat(label="C"), over, under]).interlock()
     assert "threaded" not in first.reports[-1]

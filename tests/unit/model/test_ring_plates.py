@@ -192,7 +192,7 @@ def test_rings_stay_with_their_strips(vase):
         lambda: vase.rotated(2),
         lambda: vase.repeated(2, (1, 0, 0)),
     ):
-        with pytest.raises(InputError, match="which fits its strips only in place"):
+        with pytest.raises(InputError, match="which fits only the strips where they are"):
             changed()
 
 
