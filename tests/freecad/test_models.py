@@ -1,5 +1,6 @@
 """Several strips: slotted into each other, held by fixtures and a base plate, laid on sheets."""
 
+import math
 import re
 from dataclasses import replace
 
@@ -372,6 +373,64 @@ def test_the_base_plate_takes_all_tabs(document, standing):
     )
     change(plate, Placement=App.Placement(App.Vector(0, 0, -500), App.Rotation()))
     assert "no tab" in plate.getStatusString()
+
+
+BOW = [(60, 0), (85, 40), (95, 90), (85, 140), (60, 180)]
+
+
+@pytest.fixture
+def lamp(document, drawn):
+    """Six strips around the z axis: one, and links to it."""
+    drawing = drawn(BOW)
+    drawing.Placement = App.Placement(App.Vector(), App.Rotation(App.Vector(1, 0, 0), 90))
+    made = strip.create(document, drawing)
+    made.MaxWidth, made.StartTab, made.EndTab, made.EngravedText = 20, 14, 14, "L"
+    document.recompute()
+    links = []
+    for k in range(1, 6):
+        links.append(document.addObject("App::Link", "Copy"))
+        turn = App.Placement(App.Vector(), App.Rotation(App.Vector(0, 0, 1), 60 * k))
+        links[-1].LinkedObject, links[-1].Placement = made, turn * made.Placement
+    document.recompute()
+    return [made, *links]
+
+
+@pytest.mark.campaign
+def test_rings_hold_a_lamp_at_both_ends(document, lamp):
+    rings = new(baseplate.create_rings, document, lamp)
+    change(rings, Sheet="mdf-3")
+    assert rings.State == ["Up-to-date"], rings.getStatusString()
+    lower, upper = rings.Shape.Solids
+    assert lower.isValid()
+    assert upper.isValid()
+    assert lower.BoundBox.ZMax == pytest.approx(0, abs=1e-6)
+    assert upper.BoundBox.ZMin == pytest.approx(180, abs=1e-6)
+    bent = Part.Compound([Part.getShape(member) for member in lamp])
+    assert len(bent.Solids) == 6
+    assert rings.Shape.common(bent).Volume < 1e-3
+    radii = sorted(edge.Curve.Radius for edge in lower.Edges if isinstance(edge.Curve, Part.Circle))
+    slots = 3 * math.pi * (radii[-1] ** 2 - radii[0] ** 2) - lower.Volume
+    # across a tab 20 mm wide; along a tab of 0.8 mm that leans by 25 mm on a height of 40 mm
+    size = (20 + 2 * 0.3, 0.8 * math.hypot(25, 40) / 40 + 3 * 25 / 40 + 0.1)
+    assert slots == pytest.approx(6 * 3 * size[0] * size[1], rel=0.01)
+
+
+def test_rings_are_cut_with_their_lamp(document, lamp):
+    rings = new(baseplate.create_rings, document, lamp)
+    cuts = cuts_of([*lamp, rings])
+    assert [(cut.piece.name, cut.piece.count) for cut in cuts] == [
+        ("L", 6),
+        ("Rings-start", 1),
+        ("Rings-end", 1),
+    ]
+    assert [line.partition(" has ")[0] for line in rings.Reports] == [
+        "slot of Rings-start",
+        "slot of Rings-end",
+    ]
+    change(rings, Ends="end", Gap=4)
+    assert [cut.piece.name for cut in cuts_of([rings])] == ["Rings", "Rings-outer"]
+    change(rings, Ends="start", Gap=40)
+    assert "make the tab" in rings.getStatusString()
 
 
 def test_a_nest_and_its_files(document, standing, tmp_path):

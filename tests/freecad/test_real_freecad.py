@@ -451,7 +451,7 @@ def test_every_button_in_every_state(tmp_path):
 @pytest.mark.campaign
 def test_what_a_hand_does(tmp_path):
     found = launching.run_window("hand.py", tmp_path)
-    kinds = ["Strip", "Model", "Flat", "Fixtures", "BasePlate", "Nest", "Bent", "Nearest", "Section"]
+    kinds = ["Strip", "Model", "Flat", "Fixtures", "BasePlate", "Rings", "Nest", "Bent", "Nearest", "Section"]
     assert set(found["edited"]) == {f"{kind}Feature" for kind in kinds}
     assert all(found["edited"].values()), found["edited"]
     for place in ("tree", "view"):
@@ -467,6 +467,22 @@ def test_what_a_hand_does(tmp_path):
     assert found["drawn"] in ("can", "breaks")
     assert found["nearest, undone"][1:] == [6, "cannot"]
     assert found["folder opened"] == str(tmp_path / "files")
+
+
+@pytest.mark.campaign
+def test_a_lamp_from_an_empty_document_to_its_files(tmp_path):
+    found = launching.run_window("lamp.py", tmp_path)
+    assert found["strip"][0] == ["Up-to-date"], found["strip"]
+    assert found["rings"][:2] == [["Up-to-date"], 2], found["rings"]
+    low, high = found["heights"]
+    assert low < -88
+    assert high > 88
+    assert found["pairs"] == 4
+    assert found["nest"] >= 1
+    counts = {line.split(",")[0]: int(line.split(",")[5]) for line in found["list"][1:]}
+    rings = [f"Rings-{end}{second}" for end in ("start", "end") for second in ("", "-outer")]
+    assert counts == {"Strip": 6, **dict.fromkeys(rings, 1)}
+    assert {f"{name}_mdf-3_3mm_x1.svg" for name in rings} < set(found["files"])
 
 
 @pytest.mark.campaign

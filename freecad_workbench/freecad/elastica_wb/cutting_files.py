@@ -20,7 +20,7 @@ from freecad.elastica_wb.features.model import model_of, solids_of
 from freecad.elastica_wb.features.pieces import Cut, counted, cuts_of, later_features
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.objects import is_base_plate, is_model
+from freecad.elastica_wb.host.objects import is_model, is_plate
 from freecad.elastica_wb.host.progress import Step, go_on
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import Unit, Words, user_language
@@ -106,7 +106,7 @@ def write_cutting_files(
         for file in cutting_files(replace(drawing, name=stem), stem, cutting, sheet)
         if file.name.rpartition(".")[2] in kinds
     ]
-    bodies = [obj for obj in counted(sources) if not is_base_plate(obj)] if "step" in kinds else []
+    bodies = [obj for obj in counted(sources) if not is_plate(obj)] if "step" in kinds else []
     steps = distinct(file_word(obj.Label) for obj in bodies)
     files += [
         File(f"{word}.step", partial(_write_step, obj)) for word, obj in zip(steps, bodies, strict=True)

@@ -415,6 +415,22 @@
         <source>Sideways stability</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Model or strips whose tabs go through the rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet of the rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends of the strips that have a ring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -504,10 +520,6 @@
     </message>
     <message>
         <source>The edited object was deleted. Press Cancel.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Select blocks or a plate.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1226,6 +1238,22 @@
         <source>Fold or unfold the card</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Select blocks, a plate or rings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ends held</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gap (0 = one ring)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -1609,6 +1637,30 @@
         <source>Least distance of slots from the edge</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One ring with a slot for every tab at the start of the strips, and one for the ends, such as below and above a lamp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a ring for each end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sheet of the rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Gap between two rings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ElasticaPreferences</name>
@@ -1971,7 +2023,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate</source>
+        <source>Make printed blocks, a slotted base plate or rings that hold the ends of the selected strips or model</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

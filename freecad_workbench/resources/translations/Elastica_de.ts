@@ -411,6 +411,22 @@
         <source>Sideways stability</source>
         <translation>Seitliche Stabilität</translation>
     </message>
+    <message>
+        <source>Model or strips whose tabs go through the rings</source>
+        <translation>Modell oder Streifen, deren Laschen durch die Ringe gehen</translation>
+    </message>
+    <message>
+        <source>Sheet of the rings</source>
+        <translation>Platte für die Ringe</translation>
+    </message>
+    <message>
+        <source>Ends of the strips that have a ring</source>
+        <translation>Enden der Streifen, die einen Ring haben</translation>
+    </message>
+    <message>
+        <source>Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end</source>
+        <translation>Abstand zweier Ringe, die schräge Laschen in ihrem Winkel halten; 0 für einen Ring an jedem Ende</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -501,10 +517,6 @@
     <message>
         <source>The edited object was deleted. Press Cancel.</source>
         <translation>Das bearbeitete Objekt wurde gelöscht. Drücken Sie Abbrechen.</translation>
-    </message>
-    <message>
-        <source>Select blocks or a plate.</source>
-        <translation>Wählen Sie Blöcke oder eine Platte.</translation>
     </message>
     <message>
         <source>Use the nearest curve</source>
@@ -1222,6 +1234,22 @@
         <source>Fold or unfold the card</source>
         <translation>Die Karte ein- oder ausklappen</translation>
     </message>
+    <message>
+        <source>Select blocks, a plate or rings.</source>
+        <translation>Wählen Sie Halter, eine Platte oder Ringe.</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>Ringe</translation>
+    </message>
+    <message>
+        <source>Ends held</source>
+        <translation>Gehaltene Enden</translation>
+    </message>
+    <message>
+        <source>Gap (0 = one ring)</source>
+        <translation>Abstand (0 = ein Ring)</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -1605,6 +1633,30 @@
         <source>Least distance of slots from the edge</source>
         <translation>Kleinster Abstand der Schlitze vom Rand</translation>
     </message>
+    <message>
+        <source>Rings</source>
+        <translation>Ringe</translation>
+    </message>
+    <message>
+        <source>One ring with a slot for every tab at the start of the strips, and one for the ends, such as below and above a lamp</source>
+        <translation>Ein Ring mit einem Schlitz für jede Lasche am Anfang der Streifen und einer für ihre Enden, etwa unter und über einer Lampe</translation>
+    </message>
+    <message>
+        <source>Make a ring for each end</source>
+        <translation>Für jedes Ende einen Ring erzeugen</translation>
+    </message>
+    <message>
+        <source>Sheet of the rings</source>
+        <translation>Platte für die Ringe</translation>
+    </message>
+    <message>
+        <source>Gap between two rings</source>
+        <translation>Abstand zweier Ringe</translation>
+    </message>
+    <message>
+        <source>Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end</source>
+        <translation>Abstand zweier Ringe, die schräge Laschen in ihrem Winkel halten; 0 für einen Ring an jedem Ende</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaPreferences</name>
@@ -1967,8 +2019,8 @@
         <translation>Endhalter und Grundplatte</translation>
     </message>
     <message>
-        <source>Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate</source>
-        <translation>Gedruckte Halter für die Enden der gewählten Streifen oder des Modells erzeugen, oder eine geschlitzte Grundplatte</translation>
+        <source>Make printed blocks, a slotted base plate or rings that hold the ends of the selected strips or model</source>
+        <translation>Gedruckte Halter, eine geschlitzte Grundplatte oder Ringe erzeugen, die die Enden der gewählten Streifen oder des Modells halten</translation>
     </message>
 </context>
 <context>

@@ -411,6 +411,22 @@
         <source>Sideways stability</source>
         <translation>侧向稳定性</translation>
     </message>
+    <message>
+        <source>Model or strips whose tabs go through the rings</source>
+        <translation>耳片穿过圆环的模型或条带</translation>
+    </message>
+    <message>
+        <source>Sheet of the rings</source>
+        <translation>圆环的板材</translation>
+    </message>
+    <message>
+        <source>Ends of the strips that have a ring</source>
+        <translation>条带的哪些端有圆环</translation>
+    </message>
+    <message>
+        <source>Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end</source>
+        <translation>两个圆环之间的距离，使倾斜的耳片保持角度；0 表示每端一个圆环</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -501,10 +517,6 @@
     <message>
         <source>The edited object was deleted. Press Cancel.</source>
         <translation>所编辑的对象已被删除。请按“取消”。</translation>
-    </message>
-    <message>
-        <source>Select blocks or a plate.</source>
-        <translation>请选择夹具或底板。</translation>
     </message>
     <message>
         <source>Use the nearest curve</source>
@@ -1222,6 +1234,22 @@
         <source>Fold or unfold the card</source>
         <translation>折叠或展开卡片</translation>
     </message>
+    <message>
+        <source>Select blocks, a plate or rings.</source>
+        <translation>请选择夹具、底板或圆环。</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <translation>圆环</translation>
+    </message>
+    <message>
+        <source>Ends held</source>
+        <translation>固定的端</translation>
+    </message>
+    <message>
+        <source>Gap (0 = one ring)</source>
+        <translation>间距（0 = 一个圆环）</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -1605,6 +1633,30 @@
         <source>Least distance of slots from the edge</source>
         <translation>槽到边缘的最小距离</translation>
     </message>
+    <message>
+        <source>Rings</source>
+        <translation>圆环</translation>
+    </message>
+    <message>
+        <source>One ring with a slot for every tab at the start of the strips, and one for the ends, such as below and above a lamp</source>
+        <translation>一个圆环为条带起点的每个耳片开槽，另一个用于终点，例如灯的下方和上方</translation>
+    </message>
+    <message>
+        <source>Make a ring for each end</source>
+        <translation>为每端制作一个圆环</translation>
+    </message>
+    <message>
+        <source>Sheet of the rings</source>
+        <translation>圆环的板材</translation>
+    </message>
+    <message>
+        <source>Gap between two rings</source>
+        <translation>两个圆环的间距</translation>
+    </message>
+    <message>
+        <source>Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end</source>
+        <translation>两个圆环之间的距离，使倾斜的耳片保持角度；0 表示每端一个圆环</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaPreferences</name>
@@ -1967,8 +2019,8 @@
         <translation>端部夹具与底板</translation>
     </message>
     <message>
-        <source>Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate</source>
-        <translation>为所选条带或模型的端部生成打印夹具，或一块开槽底板</translation>
+        <source>Make printed blocks, a slotted base plate or rings that hold the ends of the selected strips or model</source>
+        <translation>制作打印的夹具、开槽的底板或圆环，固定所选条带或模型的端部</translation>
     </message>
 </context>
 <context>

@@ -11,16 +11,10 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from inside import (
     OUT,
-    Dialog,
-    QtCore,
-    QtWidgets,
     answers,
     at_rest,
-    click,
-    dialog_button,
     fit,
     is_grey,
-    keys,
     live_at_rest,
     looks_from,
     mouse,
@@ -32,77 +26,14 @@ from inside import (
     run,
     still,
     told,
-    toolbar_button,
-    trigger,
     type_into,
     typed,
     until,
-    viewport,
-    wait,
     window,
 )
+from sketching import draw, new_sketch, splines
 
 POLES = [(-170, -20), (-130, 60), (-50, 90), (30, 60), (70, -20)]  # 1.1 lays its panel over the right
-
-
-def ok_of(box):
-    """The OK of a dialog."""
-    buttons = (
-        one.button(QtWidgets.QDialogButtonBox.Ok) for one in box.findChildren(QtWidgets.QDialogButtonBox)
-    )
-    return next(button for button in buttons if button is not None)
-
-
-def draws():
-    """Has the sketcher a tool in its hand? It gives the mouse another cursor."""
-    kinds = {widget.cursor().shape() for widget in [viewport(), *viewport().findChildren(QtWidgets.QWidget)]}
-    return QtCore.Qt.BitmapCursor in kinds
-
-
-def splines(sketch):
-    return [one for one in sketch.Geometry if "BSpline" in one.TypeId]
-
-
-def new_sketch():
-    """The button asks for a plane; OK takes XY."""
-    answers["grey at first"] = [name for name in ("Elastica_Strip", "Elastica_Live") if is_grey(name)]
-
-    def accept(box):
-        until(lambda: ok_of(box).isVisible())
-        still(lambda: ok_of(box).mapToGlobal(ok_of(box).rect().center()).toTuple())
-        click(ok_of(box))
-
-    asked = Dialog(accept)
-    press("Sketcher_NewSketch")
-    for _ in range(60):
-        if until(lambda: Gui.ActiveDocument.getInEdit() is not None, 1):
-            break
-        if dialog_button("Ok") is not None and not asked.done:  # 1.1 asks in a panel
-            press_button("Ok")
-    asked.stop()
-    assert Gui.ActiveDocument.getInEdit() is not None, "no sketch is open"
-
-
-def draw():
-    """The sketcher's B-spline tool, one click for each pole, Escape ends it."""
-    for name in ("Sketcher_CreateBSpline", "Sketcher_CompCreateBSpline"):
-        button = toolbar_button(name)
-        if button is not None:
-            break
-    if button is None:
-        trigger("Sketcher_CreateBSpline")  # a tool of FreeCAD's own that its toolbar hides
-    else:
-        click(button)
-    until(draws, 10)
-    for place in POLES:
-        x, y = on_screen(*place)
-        mouse("mousemove", x - 4, y - 3, "sleep", 0.05, "mousemove", x, y, "sleep", 0.05, "click", 1)
-    wait(200)
-    sketch = Gui.ActiveDocument.getInEdit().Object
-    mouse("click", 3)
-    until(lambda: splines(sketch))
-    keys("Escape")
-    until(lambda: not draws(), 10)
 
 
 def work():
@@ -117,6 +48,7 @@ def work():
     Gui.ActiveDocument.ActiveView.viewTop()
     still(looks_from)
     picture("1-empty.png")
+    answers["grey at first"] = [name for name in ("Elastica_Strip", "Elastica_Live") if is_grey(name)]
     new_sketch()
     from freecad.elastica_wb.live import session as live
 
@@ -124,7 +56,7 @@ def work():
     fit(height=400)
     answers["session in the new sketch"] = live.session() is not None
     picture("2-sketch.png")
-    draw()
+    draw(POLES)
     sketch = Gui.ActiveDocument.getInEdit().Object
     answers["drawn"] = [g.TypeId for g in sketch.Geometry][:2]
     answers["remembers"] = sketch.ElasticaLive

@@ -173,7 +173,7 @@ MODELS = (
         text=QT_TRANSLATE_NOOP("Elastica_Fixtures", "End fixtures and base plate"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Fixtures",
-            "Make printed blocks that hold the ends of the selected strips or model, or one slotted base plate",
+            "Make printed blocks, a slotted base plate or rings that hold the ends of the selected strips or model",
         ),
         run=partial(open_on, FixturesPanel, chosen_sources),
         has_subject=HAS_PARTS,

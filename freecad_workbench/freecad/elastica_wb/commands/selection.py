@@ -15,9 +15,9 @@ from freecad.elastica_wb.features.pieces import cut_for, is_cut
 from freecad.elastica_wb.features.strip import BODY
 from freecad.elastica_wb.host.objects import (
     feature_kind,
-    is_base_plate,
     is_flat,
     is_ours,
+    is_plate,
     is_sketch,
     is_strip,
 )
@@ -218,7 +218,7 @@ def _all_sources() -> list[Any]:
         source for source in sources if not all(is_strip(cut_for(original)) for original in originals(source))
     ]
     if assemblies:
-        held = [source for plate in assemblies if is_base_plate(plate) for source in plate.Sources]
+        held = [source for plate in assemblies if is_plate(plate) for source in plate.Sources]
         return list(dict.fromkeys([*assemblies, *held]))
     strips = {cut_for(original) for source in sources for original in originals(source)}
     return sources if len(strips) == 1 else []

@@ -1,25 +1,36 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The base plate as a parametric object: one slotted plate for the tabs of all strips."""
+"""Slotted plates as parametric objects: one base plate for the tabs of all strips, or a ring for each end."""
 
 from typing import Any, ClassVar
 
+import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid
-from freecad.elastica_wb.curves.sketch_curves import frame_of
+from freecad.elastica_wb.curves.sketch_curves import container, frame_of
 from freecad.elastica_wb.features.fixtures import show_plays, source_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
+from freecad.elastica_wb.host.objects import is_rings
 from freecad.elastica_wb.host.property_table import Property, declared_property, values_of
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
-from elastica_cad.declared import declared
+from elastica_cad.declared import Field, declared
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.model.plates import BasePlate, PlateOptions
+from elastica_cad.model.plate_pairs import end_plates
+from elastica_cad.model.plates import BasePlate, PlateOptions, RingOptions
+from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.solids import FlatSolid
 
 NAMES = {"play": "Play", "clearance": "Clearance", "border": "Border", "shape": "Outline"}
-SIZES = {NAMES[option.name]: option for option in declared(PlateOptions) if option.name in NAMES}
-"""Options of a plate, by its properties."""
+HELD_ENDS = ["both", "start", "end"]
+
+
+def _sizes(options: type[PlateOptions]) -> dict[str, Field]:
+    """Return the options of a kind of plate, by its properties."""
+    return {NAMES[option.name]: option for option in declared(options) if option.name in NAMES}
+
+
+SIZES, RING_SIZES = _sizes(PlateOptions), _sizes(RingOptions)
 
 
 class BasePlateFeature(Feature):
@@ -40,11 +51,41 @@ class BasePlateFeature(Feature):
 
     def make(self, obj: Any) -> None:
         """Make the plate with its slots."""
-        plate = plate_of(obj)
+        (plate,) = plates_of(obj)
         solid = plate.solid
         lowered = Frame().shifted(z=-solid.thickness)
         obj.Shape = make_solid(FlatSolid(solid.outline, solid.holes, solid.thickness, lowered))
         show_plays(obj, source_model(obj.Sources), [plate])
+
+
+class RingsFeature(Feature):
+    """A ring for the tabs at each end of the strips, or two rings that hold inclined tabs at their angle."""
+
+    properties = (
+        Property("LinkListGlobal", "Sources", "Rings", "Model or strips whose tabs go through the rings"),
+        Property("Enumeration", "Sheet", "Rings", "Sheet of the rings"),
+        Property("String", "SheetData", "Rings", "Data of the sheet", hidden=True),
+        Property("Enumeration", "Ends", "Rings", "Ends of the strips that have a ring", HELD_ENDS),
+        Property(
+            "Length",
+            "Gap",
+            "Rings",
+            "Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end",
+        ),
+        *(declared_property(field, "Rings", name) for name, field in RING_SIZES.items()),
+        REPORTS,
+        CONTAINERS,
+    )
+
+    sheets: ClassVar = {"Sheet": "SheetData"}
+
+    def make(self, obj: Any) -> None:
+        """Make the rings in their places."""
+        rings = plates_of(obj)
+        shape = Part.Compound([make_solid(ring.solid) for ring in rings])
+        shape.Placement = container(obj).inverse()
+        obj.Shape = shape
+        show_plays(obj, source_model(obj.Sources), rings)
 
 
 def create(document: Any, sources: list[Any]) -> Any:
@@ -52,11 +93,19 @@ def create(document: Any, sources: list[Any]) -> Any:
     return added(document, "BasePlate", BasePlateFeature, sources, Sources=sources)
 
 
-def plate_of(obj: Any) -> BasePlate:
-    """Return the `BasePlate` record that a base plate feature shows."""
-    return source_model(obj.Sources).base_plate(
-        sheet_called(obj.Sheet, obj.SheetData),
-        frame=frame_of(obj.getGlobalPlacement()),
-        **values_of(obj, SIZES),
-        name=obj.Label,
-    )
+def create_rings(document: Any, sources: list[Any]) -> Any:
+    """Make rings for the ends of a model or of strips; recompute the document to see them."""
+    return added(document, "Rings", RingsFeature, sources, Sources=sources)
+
+
+def plates_of(obj: Any) -> tuple[BasePlate, ...]:
+    """Return the records of the plates that a base plate or rings show."""
+    model, sheet = source_model(obj.Sources), sheet_called(obj.Sheet, obj.SheetData)
+    if is_rings(obj):
+        ends = ENDS if obj.Ends == HELD_ENDS[0] else (obj.Ends,)
+        options = values_of(obj, RING_SIZES)
+        return end_plates(
+            model.placed, sheet, gap=obj.Gap.Value or None, ends=ends, name=obj.Label, **options
+        )
+    frame = frame_of(obj.getGlobalPlacement())
+    return (model.base_plate(sheet, frame=frame, name=obj.Label, **values_of(obj, SIZES)),)

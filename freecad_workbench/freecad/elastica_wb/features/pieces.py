@@ -13,11 +13,11 @@ from itertools import zip_longest
 from typing import Any
 
 from freecad.elastica_wb.curves.copies import BASE, COMPOUND, PATTERNS, not_repeated
-from freecad.elastica_wb.features.baseplate import plate_of
+from freecad.elastica_wb.features.baseplate import plates_of
 from freecad.elastica_wb.features.model import model_of
 from freecad.elastica_wb.features.proxy import why_left_out
 from freecad.elastica_wb.features.strip import shown_strips, strip_of
-from freecad.elastica_wb.host.objects import is_base_plate, is_flat, is_model, is_strip
+from freecad.elastica_wb.host.objects import is_flat, is_model, is_plate, is_strip
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad.errors import InputError
@@ -94,8 +94,8 @@ def cut_for(obj: Any) -> Any:
 
 
 def is_cut(obj: Any) -> bool:
-    """Return True if this object is a strip, a model or a base plate."""
-    return is_strip(obj) or is_model(obj) or is_base_plate(obj)
+    """Return True if this object is a strip, a model, a base plate or rings."""
+    return is_strip(obj) or is_model(obj) or is_plate(obj)
 
 
 def _cuts(obj: Any) -> list[Cut]:
@@ -106,8 +106,8 @@ def _cuts(obj: Any) -> list[Cut]:
         model = model_of(obj)
         strips = [part.strip for part in model.parts for _ in part.strip.layers]
         return [Cut(*fields) for fields in zip_longest(model.pieces, strips)]
-    if is_base_plate(obj):
-        return [Cut(replace(plate_of(obj).piece, name=obj.Label))]
+    if is_plate(obj):
+        return [Cut(plate.piece) for plate in plates_of(obj)]
     strip, name = strip_of(obj), obj.EngravedText or obj.Label
     names = [layer.called(name) for layer in strip.layers]
     return [

@@ -97,6 +97,12 @@ class BasePlateView(View):
     icon_name = "Elastica_Fixtures"
 
 
+class RingsView(View):
+    """View provider of the rings."""
+
+    icon_name = "Elastica_Fixtures"
+
+
 class NestView(View):
     """View provider of the nested sheets."""
 
@@ -123,7 +129,7 @@ class SectionView(View):
 
 KINDS = {
     "Strip": StripView, "Flat": FlatView, "Model": ModelView, "Fixtures": FixturesView,
-    "BasePlate": BasePlateView, "Nest": NestView, "Nearest": NearestView, "Bent": BentView,
-    "Section": SectionView,
+    "BasePlate": BasePlateView, "Rings": RingsView, "Nest": NestView, "Nearest": NearestView,
+    "Bent": BentView, "Section": SectionView,
 }  # fmt: skip
 """View provider of every kind of feature."""

@@ -52,9 +52,14 @@ def is_flat(obj: Any) -> bool:
     return feature_kind(obj) == "Flat"
 
 
-def is_base_plate(obj: Any) -> bool:
-    """Return True if an object is a base plate."""
-    return feature_kind(obj) == "BasePlate"
+def is_rings(obj: Any) -> bool:
+    """Return True if an object is the rings at the ends of strips."""
+    return feature_kind(obj) == "Rings"
+
+
+def is_plate(obj: Any) -> bool:
+    """Return True if an object is a base plate or rings."""
+    return feature_kind(obj) in ("BasePlate", "Rings")
 
 
 def is_sketch(obj: Any) -> bool:

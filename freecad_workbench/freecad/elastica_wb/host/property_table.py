@@ -69,8 +69,8 @@ def declared_property(
     if kind.name == "list" and kind.of[0].name == "number":
         called = "FloatList"
     if kind.name == "choice":
-        choices = [*([] if default is not None else [NOTHING]), *kind.choices]
-        return Property(called, name, group, field.help, choices)
+        usual = NOTHING if default is None else default
+        return Property(called, name, group, field.help, list(dict.fromkeys([usual, *kind.choices])))
     usual = default if isinstance(default, (bool, int, float, str)) else None
     return Property(called, name, group, field.help, usual if given is None else given, example=example)
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from freecad.elastica_wb.curves.plane_sections import FAMILIES
-from freecad.elastica_wb.features.baseplate import BasePlateFeature
+from freecad.elastica_wb.features.baseplate import BasePlateFeature, RingsFeature
 from freecad.elastica_wb.features.curves import (
     NearestFeature,
     SectionFeature,
@@ -168,6 +168,24 @@ BASE_PLATE = Layout(
     BasePlateFeature.properties,
 )
 
+RINGS = Layout(
+    QT_TRANSLATE_NOOP("Elastica", "Rings"),
+    "Elastica_Fixtures",
+    "Edit rings",
+    {
+        QT_TRANSLATE_NOOP("Elastica", "Rings"): (
+            "Sheet",
+            "Ends",
+            "Gap",
+            "Outline",
+            "Play",
+            "Clearance",
+            "Border",
+        )
+    },
+    RingsFeature.properties,
+)
+
 NEST = Layout(
     QT_TRANSLATE_NOOP("Elastica", "Nest on sheets"),
     "Elastica_Nest",
@@ -243,6 +261,7 @@ LAYOUTS = {
     "Flat": FLAT,
     "Fixtures": FIXTURES,
     "BasePlate": BASE_PLATE,
+    "Rings": RINGS,
     "Nest": NEST,
     "Nearest": NEAREST,
     "Section": SECTION,

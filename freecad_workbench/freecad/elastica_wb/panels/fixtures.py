@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of fixtures: printed blocks for the ends, and a slotted plate."""
+"""The panel of fixtures: printed blocks for the ends, a slotted plate, and rings."""
 
 from typing import Any
 
 from freecad.elastica_wb.features import baseplate, fixtures
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.fields import set_value
-from freecad.elastica_wb.host.objects import is_base_plate
+from freecad.elastica_wb.host.objects import is_plate
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import default_sheet, sheet_list
@@ -28,17 +28,18 @@ class FixturesPanel(Panel):
     def __init__(self, sources: list[Any]) -> None:
         """Open the panel for sources. If all are base plates, take the strips on them."""
         super().__init__(sources[0].Document, sources)
-        held = [source for obj in sources if is_base_plate(obj) for source in obj.Sources]
-        self.sources = [obj for obj in sources if not is_base_plate(obj)] or list(dict.fromkeys(held))
-        self.form.sheet.addItems(sheet_list())
-        self.form.sheet.setCurrentText(default_sheet())
+        held = [source for obj in sources if is_plate(obj) for source in obj.Sources]
+        self.sources = [obj for obj in sources if not is_plate(obj)] or list(dict.fromkeys(held))
+        for box in (self.form.sheet, self.form.ringSheet):
+            box.addItems(sheet_list())
+            box.setCurrentText(default_sheet())
         set_value(self.form.slot, preferences.get("Clearance"))
 
     def finished(self) -> None:
         """Make the fixtures. An error keeps the panel open."""
         form = self.form
-        if not (form.plate.isChecked() or form.blocks.isChecked()):
-            raise InputError(translate("Elastica", "Select blocks or a plate."))
+        if not any(box.isChecked() for box in (form.plate, form.rings, form.blocks)):
+            raise InputError(translate("Elastica", "Select blocks, a plate or rings."))
         holders = []
         if form.plate.isChecked():  # first, because its errors should not wait for the blocks
             holders.append(recorded(baseplate.create, self.document, self.sources))
@@ -46,6 +47,11 @@ class FixturesPanel(Panel):
             record_value(holders[-1], "Placement.Base.z", self.value("plateHeight"))
             for name, field in (("Play", "play"), ("Clearance", "slot"), ("Border", "border")):
                 record_value(holders[-1], name, self.value(field))
+            self._make(holders)
+        if form.rings.isChecked():
+            holders.append(recorded(baseplate.create_rings, self.document, self.sources))
+            record_value(holders[-1], "Sheet", form.ringSheet.currentText())
+            record_value(holders[-1], "Gap", self.value("gap"))
             self._make(holders)
         if form.blocks.isChecked():
             holders.append(recorded(fixtures.create, self.document, self.sources))
