@@ -215,3 +215,17 @@ def distinct(values: FloatArray) -> FloatArray:
     """
     ordered = np.sort(values)
     return np.asarray(ordered[np.diff(ordered, prepend=np.nan) != 0])
+
+
+def clipped(point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray | None:
+    """Return the part of a line inside a box, as end points (2, 2), or None if the line misses the box."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        t = np.sort(np.array([low - point, high - point]) / direction, axis=0)
+    inside = np.all((direction != 0) | ((low <= point) & (point <= high)))
+    first, last = (
+        np.nanmax(np.where(direction != 0, t[0], -np.inf)),
+        np.nanmin(np.where(direction != 0, t[1], np.inf)),
+    )
+    return (
+        np.array([point + first * direction, point + last * direction]) if inside and first < last else None
+    )

@@ -7,7 +7,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
-from elastica_cad.geometry.plane_points import box_about
+from elastica_cad.geometry.plane_points import box_about, clipped
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, measured_points
 from elastica_cad.plot.canvas import INK, Figure, new_page
 from elastica_cad.plot.strip_pictures import (
@@ -15,7 +15,6 @@ from elastica_cad.plot.strip_pictures import (
     LINE,
     NUMBERED,
     WIDE,
-    clipped,
     comb_tips,
     finish_axes,
     paint_comb,

@@ -8,12 +8,13 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.geometry.plane_points import box_about
+from elastica_cad.geometry.plane_points import box_about, clipped
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.elements import NOUNS, Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import sheet_color
+from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.holding_template import HeldEnd, distance_between, held_ends
@@ -44,9 +45,6 @@ MARGIN_SHARE = 0.04
 """Space beside the flat strip, as a fraction of its length."""
 COMB_SHARE = 0.16
 """Longest tooth of the curvature comb, as a fraction of the curve's extent."""
-
-PARALLEL = 1e-6
-"""Sine of the angle below which neighbouring sides of a thrust line have no corner."""
 
 SMOOTH_MM = 0.02
 """Accuracy of polylines for splines in pictures, less than a printed dot."""
@@ -168,7 +166,7 @@ def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ())
 
 def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> None:
     """Draw the bent rod, its curvature comb, inflection or thrust line and supports, and the requested curve."""
-    position, tips, turns = rod.position, comb_tips(rod), _inflections(rod)
+    position, tips, turns = rod.position, comb_tips(rod), inflections_of(rod)
     paint_comb(axes, position, tips)
     wished = [] if wish is None else [wish.sample(600).position]
     for points in wished:
@@ -192,7 +190,7 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[He
         if line is not None:
             axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
             shown += [*line]
-    for k, side in enumerate(_thrust_sides(rod, turns, low, high)):
+    for k, side in enumerate(thrust_sides(rod, low, high)):
         label = "_side" if k else "thrust line"
         axes.plot(*side.T, color=LINE, linewidth=1.0, linestyle="--", label=label)
     _mark_stations(axes, rod)
@@ -281,17 +279,6 @@ def _stations_of(size: Profile) -> list[float]:
     return sorted(kept)
 
 
-def _inflections(rod: Rod) -> FloatArray:
-    """Return points (k, 2) where kappa - kappa_0 changes sign; these are the inflections if the strip is cut
-    flat."""
-    if rod.shape is not None and not np.any(rod.natural_curvature):
-        return np.asarray(rod.shape.at(rod.shape.inflections).position, dtype=float).reshape(-1, 2)
-    kappa = rod.curvature - rod.natural_curvature
-    i = np.flatnonzero(kappa[:-1] * kappa[1:] < 0)
-    u = (kappa[i] / (kappa[i] - kappa[i + 1]))[:, None]
-    return np.asarray(rod.position[i] * (1 - u) + rod.position[i + 1] * u, dtype=float)
-
-
 def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
     """Return point and direction of the line of zero moment (Eq. 3), or None for a rod with weight."""
     size = float(np.linalg.norm(rod.force[0]))
@@ -300,41 +287,6 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
     direction = rod.force[0] / size
     gradient = np.array([direction[1], -direction[0]])  # b = R^t lambda
     return rod.position[0] - gradient * rod.moment[0] / size, direction
-
-
-def _thrust_sides(rod: Rod, turns: FloatArray, low: FloatArray, high: FloatArray) -> list[FloatArray]:
-    """Return the sides (2, 2) of the thrust line in a box, between their corners and past their inflections."""
-    lines = [
-        None if side is None else (np.array(side.point), np.array(side.direction)) for side in rod.thrust_line
-    ]
-    if not rod.acting or not lines:
-        return []
-    reached: list[list[FloatArray]] = [[] for _ in lines]
-    reached[0].append(rod.position[0])
-    reached[-1].append(rod.position[-1])
-    for k in range(len(lines) - 1):
-        first, second = lines[k], lines[k + 1]
-        if first is None or second is None:
-            continue
-        ways = np.column_stack([first[1], -second[1]])
-        if abs(np.linalg.det(ways)) > PARALLEL:
-            corner = first[0] + first[1] * np.linalg.solve(ways, second[0] - first[0])[0]
-            reached[k].append(corner)
-            reached[k + 1].append(corner)
-    far = [np.inf if side is None else np.abs(side.distance(turns)) for side in rod.thrust_line]
-    for turn, row in zip(turns, np.array([np.broadcast_to(one, len(turns)) for one in far]).T, strict=True):
-        reached[int(row.argmin())].append(turn)
-    sides = []
-    for line, points in zip(lines, reached, strict=True):
-        shown = None if line is None else clipped(*line, low, high)
-        if line is None or shown is None or len(points) < 2:
-            continue
-        t = (np.array(points) - line[0]) @ line[1]
-        inside = (shown - line[0]) @ line[1]
-        least, most = max(t.min(), inside[0]), min(t.max(), inside[1])
-        if least < most:
-            sides.append(line[0] + line[1] * np.array([[least], [most]]))
-    return sides
 
 
 def _mark_stations(axes: Axes, rod: Rod) -> None:
@@ -346,20 +298,6 @@ def _mark_stations(axes: Axes, rod: Rod) -> None:
         mark = {"color": HOLD, "markersize": 8, "markerfacecolor": "none", "linestyle": ":"}
         axes.plot(*at.T, MARKERS[type(action.element)], label=f"_{noun}", **mark)
         axes.annotate(noun, tuple(at[0]), **beside)
-
-
-def clipped(point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray | None:
-    """Return the part of a line inside a box, as end points (2, 2), or None if the line misses the box."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        t = np.sort(np.array([low - point, high - point]) / direction, axis=0)
-    inside = np.all((direction != 0) | ((low <= point) & (point <= high)))
-    first, last = (
-        np.nanmax(np.where(direction != 0, t[0], -np.inf)),
-        np.nanmin(np.where(direction != 0, t[1], np.inf)),
-    )
-    return (
-        np.array([point + first * direction, point + last * direction]) if inside and first < last else None
-    )
 
 
 def comb_tips(rod: Rod | CurveSamples) -> FloatArray:

@@ -26,10 +26,14 @@ from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit
 from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
+from elastica_cad.mechanics.elements import NOUNS, Pin, PlacedElement, PointForce, Rail, Tie
+from elastica_cad.mechanics.loads import PointMass, Weight
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
-from elastica_cad.mechanics.stability import SAFE_MARGIN
+from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
+from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
+from elastica_cad.mechanics.thrust_line import thrust_sides
 from elastica_cad.model.assembly import assembly_parts
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.pairs.summary import pair_rows
@@ -53,6 +57,9 @@ from elastica_cad.web.saved_design import (
 )
 
 Record = dict[str, Any]
+
+PLACE_DIGITS = 6
+"""Decimals of a place along the curve, mm; the end of the curve must stay on it."""
 
 DRAWN_NODES = 160
 """Largest number of nodes of a strip that are sent; more are not visible on a screen."""
@@ -172,14 +179,16 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 def _strip(request: Mapping[str, Any]) -> Record:
     """Return check, shape, flat part and numbers of a strip; requested at every move of the pointer."""
-    spec = _spec(request)
-    check = spec.rod_spec.check
-    record: Record = {"theorem": _theorem(check), "text": str(check)}
+    spec, kept = _with_kept_fractions(request)
+    check, drawn = spec.rod_spec.check, spec.rod_spec.drawn or spec.rod_spec.curve
+    path = {"points": _rounded(drawn.sample(DRAWN_NODES + 1).position, 3), "length": drawn.length}
+    record: Record = {"theorem": _theorem(check), "text": str(check), "path": path, "kept": kept}
     try:
         rod = solve_rod(spec.rod_spec)
         strip = spec.make(rod)
     except ElasticaError as problem:
-        return record | _drawn(spec) | refused(problem)
+        return record | {"elements": _elements(spec)} | _drawn(spec) | refused(problem)
+    record |= {"elements": _elements(spec, strip), "thrust": _thrust_line(strip.rod)}
     near = rod if isinstance(rod, NearestRod) else None
     record |= _shape(strip) | {
         "flat": _flat(strip.drawings()),
@@ -188,6 +197,69 @@ def _strip(request: Mapping[str, Any]) -> Record:
         "rows": _rows(strip_rows(strip, near, quick=bool(request.get("live")))),
     }
     return record | (_drawn(spec) if spec.may_change else {})
+
+
+def _with_kept_fractions(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
+    """Return the request for a strip, and its ties and loads if they moved with the curve.
+
+    If the page edits the curve, it sends the length (mm) to which the places of ties and loads refer. They keep
+    their fractions of the length.
+    """
+    design, k, before = request["design"], request.get("strip", 0), request.get("length")
+    spec = requested_spec(design, k)
+    after = (spec.rod_spec.drawn or spec.rod_spec.curve).length
+    if not isinstance(before, int | float) or not before > 0 or before == after:
+        return spec, {}
+    strip = design["strips"][k]
+    listed = {key: strip.get(key, design.get(key)) for key in ("between", "loads")}
+    kept = {
+        key: [
+            _scaled(record, after / before, ("start", "end", *(("at",) if key == "loads" else ())))
+            for record in records
+        ]
+        for key, records in listed.items()
+        if isinstance(records, list)
+    }
+    strips = [*design["strips"][:k], strip | kept, *design["strips"][k + 1 :]]
+    return requested_spec(design | {"strips": strips}, k), kept
+
+
+def _scaled(record: Mapping[str, Any], factor: float, names: Sequence[str]) -> Record:
+    """Return a record with places along the curve (mm) times a factor; places as points are unchanged."""
+    places = {name: record[name] for name in names if isinstance(record.get(name), int | float)}
+    return {**record, **{name: round(factor * place, PLACE_DIGITS) for name, place in places.items()}}
+
+
+def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
+    """Return the elements and loads between the ends with their places, and their forces in N if they are known."""
+    curve = spec.rod_spec.check.curve
+    drawn = spec.rod_spec.drawn or spec.rod_spec.curve
+    loads = () if isinstance(spec.loads, Weight) else spec.loads
+    forces = {id(load): np.array(load.force) for load in loads if isinstance(load, PointForce)}
+    if strip is not None:
+        forces |= {id(held.element): strip.bending_stiffness * held.force[0] for held in strip.rod.between}
+    found: list[Record] = []
+    listed: Mapping[str, Sequence[Any]] = {"between": spec.between, "loads": loads}
+    for key, records in listed.items():
+        for k, record in enumerate(records):
+            mass = record.mass if isinstance(record, PointMass) else None
+            element = PointForce(record.at, (0, 0)) if isinstance(record, PointMass) else record
+            with suppress(InputError):  # the verdict states which place is not on the curve
+                places = curve.at(PlacedElement.on(element, drawn, curve).s).position
+                force = forces.get(id(record))
+                found.append({
+                    "key": key, "index": k, "noun": NOUNS[type(element)] if mass is None else "point mass",
+                    "places": _rounded(places, 3), "force": None if force is None else _rounded(force, 6),
+                    "mass": mass, "slot": isinstance(element, Rail) and not element.one_sided,
+                })  # fmt: skip
+    return found
+
+
+def _thrust_line(rod: Rod) -> list[Any]:
+    """Return the sides of the thrust line, as pairs of points, up to one size of the curve around it."""
+    low, high = rod.position.min(axis=0), rod.position.max(axis=0)
+    size = max(high - low)
+    return [_rounded(side, 3) for side in thrust_sides(rod, low - size, high + size)]
 
 
 def _drawn(spec: StripSpec) -> Record:
@@ -283,6 +355,22 @@ def _nearest(request: Mapping[str, Any]) -> Record:
     }
 
 
+def _support(request: Mapping[str, Any]) -> Record:
+    """Return the rail, pin or tie that makes a strip possible, stable and strong enough, or an empty record."""
+    spec = _spec(request)
+    if spec.may_change or spec.between or spec.loads or spec.gravity is not None:
+        return {}
+    element = suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature)
+    if element is None:
+        return {}
+    strip = spec.changed(between=element).make()
+    if not (strip.strain_verdict.allowed and stability(strip.rod).stable):
+        return {}
+    assert isinstance(element, Rail | Pin | Tie)
+    places = {"start": element.start, "end": element.end} if isinstance(element, Tie) else {"at": element.at}
+    return {"between": {"kind": NOUNS[type(element)], **places}}
+
+
 def _sheets(request: Mapping[str, Any]) -> Record:
     """Return, for each sheet, the strain as a fraction of the limit, or why the strip is impossible."""
     spec, rows = _spec(request), []
@@ -303,6 +391,10 @@ def _bend(request: Mapping[str, Any]) -> Record:
     """Return the shapes of the strip from flat to its design and beyond, with end forces and snap-through."""
     spec = _spec(request)
     strip = spec.make()
+    if strip.rod.acting:
+        raise InputError(
+            "The slider cannot bend a strip with rails, pins, ties or point forces. Remove them first."
+        )
     start, end, angles = strip.rod.position[0], strip.rod.position[-1], strip.rod.angle[[0, -1]]
     chord = end - start
     if not np.hypot(*chord) > 0:
@@ -589,6 +681,7 @@ QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "strip": _strip,
     "nearest": _nearest,
     "sheets": _sheets,
+    "support": _support,
     "bend": _bend,
     "model": _model,
     "pair": _pair,

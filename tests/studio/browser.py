@@ -147,9 +147,11 @@ class Studio:
     def verdict(self):
         return self.text(".verdict strong")
 
-    def shape(self):
-        """What the drawing shows of the strip, to tell whether it has changed."""
-        return self.browser.execute_script("return document.querySelector('g.strip').innerHTML")
+    def shape(self, layer="strip"):
+        """What the drawing shows in a layer, to tell whether it has changed."""
+        return self.browser.execute_script(
+            "return document.querySelector(arguments[0]).innerHTML", f"g.{layer}"
+        )
 
     def scene(self):
         """The picture of the strip in space."""
@@ -160,8 +162,7 @@ class Studio:
 
     def type(self, selector, text):
         (one,) = self.all(selector)
-        one.clear()
-        one.send_keys(text, "\t")
+        one.send_keys("\ue009a\ue000", text or "\ue003", "\t")  # Ctrl-A, the text or Backspace, Tab
 
     def download(self, kind, name):
         if self.browser.execute_script("return !document.querySelector('.downloads').open"):

@@ -1,10 +1,12 @@
 """The studio's server, started as a user starts it, and what a page of it says."""
 
+import base64
 import json
 import re
 import socket
 import subprocess
 import sys
+import zlib
 from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
@@ -26,6 +28,23 @@ def design(points=ARCH, **keys):
         "strips": [strip],
         **keys,
     }
+
+
+WAVE = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
+
+
+def wave(points=WAVE, **keys):
+    """A curve that a strip takes only if it is held between its ends."""
+    drawn = design(points, **keys)
+    drawn["strips"][0]["curve"]["degree"] = 5
+    return drawn
+
+
+def link(design):
+    """The part of the page's address that holds a design."""
+    packed = zlib.compressobj(wbits=-15)
+    letters = base64.urlsafe_b64encode(packed.compress(json.dumps(design).encode()) + packed.flush())
+    return letters.decode().rstrip("=")
 
 
 def without_command(drawing):

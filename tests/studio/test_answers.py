@@ -17,7 +17,7 @@ from elastica_cad.web.answers import Download, answer, with_point_near, without_
 from elastica_cad.web.saved_design import compose_design, curve_table, open_design
 from elastica_cad.web.vocabulary import page_words
 from elastica_cad.web.worker import reply
-from tests.studio.conftest import ARCH, design, without_command
+from tests.studio.conftest import ARCH, WAVE, design, wave, without_command
 
 OFF_LINE = [(0, 0), (60, 80), (120, 100), (200, -60), (260, 50), (330, 0), (360, 50)]
 LAMP = [[60, 0], [75, 20], [110, 60], [110, 120], [75, 160], [60, 180]]
@@ -280,6 +280,43 @@ def test_two_curves_become_one_part(tmp_path):
         main(["pair", str(path), "-o", str(tmp_path / "out"), "-q"])
     assert given.name == "clip-mm.dxf"
     assert given.content == without_command((tmp_path / "out" / given.name).read_bytes())
+
+
+def test_elements_are_shown_at_their_places_with_their_forces():
+    between = [{"at": [180, 5]}, {"kind": "tie", "start": 40, "end": 310}]
+    told = answer({"do": "strip", "design": wave(between=between, loads=[{"at": 150, "force": [0, -0.1]}])})
+    made = ec.make_strip(
+        ec.PlaneCurve.spline(WAVE, degree=5), "birch-plywood-0.8", max_width=40,
+        between=(ec.Rail((180, 5)), ec.Tie(40, 310)), loads=(ec.PointForce(150, (0, -0.1)),),
+    )  # fmt: skip
+    rail, tie, load = told["elements"]
+    assert [one["noun"] for one in (rail, tie, load)] == ["rail", "tie", "point force"]
+    forces = made.bending_stiffness * made.rod.between_forces
+    assert np.array([rail["force"], tie["force"]]) == pytest.approx(forces, abs=1e-5)
+    assert load["force"] == [0, -0.1]
+    for one, held in zip(told["elements"], made.rod.acting, strict=True):
+        assert np.array(one["places"]) == pytest.approx(made.rod.curve.at(held.s).position, abs=2e-3)
+    assert told["theorem"]["line"] is None
+    assert len(told["thrust"]) >= 3
+
+
+def test_ties_and_loads_keep_their_fraction_of_an_edited_curve():
+    between = [{"at": [180, 5]}, {"at": 100}, {"kind": "tie", "start": 0, "end": 390}]
+    shorter = wave([(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (350, 0)],
+                   between=between, loads=[{"at": 195, "force": [0, -1]}])  # fmt: skip
+    told = answer({"do": "strip", "design": shorter, "length": 390})
+    length = told["path"]["length"]
+    assert told["kept"]["between"][:2] == between[:2]
+    assert told["kept"]["between"][2] == {"kind": "tie", "start": 0, "end": pytest.approx(length, abs=1e-6)}
+    assert told["kept"]["loads"][0]["at"] == pytest.approx(length / 2, abs=1e-6)
+    assert answer({"do": "strip", "design": shorter})["kept"] == {}
+
+
+def test_the_support_that_is_suggested_makes_the_strip():
+    told = answer({"do": "support", "design": wave()})
+    made = answer({"do": "strip", "design": wave(between=[told["between"]])})
+    assert "refused" not in made
+    assert answer({"do": "support", "design": wave(gravity=True)}) == {}
 
 
 @pytest.mark.campaign

@@ -1,13 +1,10 @@
 """Walks through the studio in Chromium, by mouse and keyboard; the long ones are a campaign."""
 
-import base64
-import json
 import statistics
 import subprocess
 import sys
 import time
 import tomllib
-import zlib
 from math import sin
 from zipfile import ZipFile
 
@@ -17,7 +14,7 @@ import pytest
 
 import elastica_cad as ec
 from tests.studio.browser import TIMED, chromium
-from tests.studio.conftest import ARCH, running, without_command
+from tests.studio.conftest import ARCH, link, running, wave, without_command
 
 CURVE = [(0.12, 0.75), (0.2, 0.6), (0.3, 0.25), (0.5, 0.15), (0.7, 0.25), (0.8, 0.6), (0.88, 0.75)]
 """Places on the drawing, in shares of its size."""
@@ -110,6 +107,52 @@ def test_all_that_a_page_can_do(server, tmp_path):
         for _ in range(3):
             studio.click("Undo")
         assert len(studio.all("g.points circle")) == 9
+
+
+@pytest.mark.campaign
+def test_rails_ties_and_loads_are_set_on_the_curve(server, tmp_path):
+    """A refused wave gets the rail of a button; a tie, a force and a mass are set by mouse, moved and typed."""
+    with chromium(tmp_path) as studio:
+        studio.open(f"{server.address}#{link(wave())}")
+        studio.until(lambda: studio.all(".support"))[0].click()
+        studio.until(lambda: studio.verdict().startswith("It can be made"))
+        rail = studio.center("g.elements .rail circle")
+        pushed = studio.text("g.elements .rail text")
+        studio.press(rail, (4, 0), (12, 0))
+        studio.until(lambda: "rail at" in studio.text(".numbers") and studio.text(".numbers") != pushed)
+
+        for noun, at, ways in (
+            ("tie", np.add(studio.point(2), (0, 40)), [studio.point(6) - studio.point(2)]),
+            ("point force", np.add(rail, (-40, -10)), []),
+            ("point mass", np.add(rail, (60, -10)), []),
+        ):
+            studio.all(".holding summary")[0].click()
+            studio.all(f"[data-put='{noun}']")[0].click()
+            studio.press(at, *ways)
+            studio.until(lambda noun=noun: studio.all(f"g.elements .{noun.replace(' ', '-')}"))
+        studio.browser.execute_script(
+            "for (const more of document.querySelectorAll('details')) more.open = true"
+        )
+        studio.type("#field-loads-0-force", "0; -0.05")
+        studio.until(lambda: "0.05 N" in studio.shape("elements"))
+
+        before = tomllib.loads(studio.download("design", "arch.toml").read_text())
+        (tmp_path / "arch.toml").unlink()
+        studio.press(studio.point(7), (6, 0), (20, 0))
+        time.sleep(1)  # the answer to the last move
+        after = tomllib.loads(studio.download("design", "arch.toml").read_text())
+        length = [
+            ec.PlaneCurve.spline(one["strips"][0]["curve"]["spline"], degree=5).length
+            for one in (before, after)
+        ]
+        tie, moved = before["strips"][0]["between"][1], after["strips"][0]["between"][1]
+        assert moved["end"] / length[1] == pytest.approx(tie["end"] / length[0], abs=1e-6)
+        assert after["gravity"]
+        (tmp_path / "arch.toml").unlink()
+        packed = studio.until(lambda: studio.browser.current_url.partition("#")[2])
+    with chromium(tmp_path) as fresh:
+        fresh.open(f"{server.address}#{packed}")
+        fresh.until(lambda: len(fresh.all("g.elements > g")) == 4)
 
 
 @pytest.mark.campaign
@@ -207,7 +250,7 @@ def test_a_lamp_of_twelve_strips_from_an_empty_page(server, tmp_path):
         studio.open(server.address)
         drawn(studio, [(0.2, 0.9), (0.23, 0.8), (0.34, 0.65), (0.34, 0.35), (0.23, 0.2), (0.2, 0.1)])
         studio.until(lambda: studio.verdict() == "It can be made")
-        studio.type("#field-Around-the-axis-x-0", "12")
+        studio.type("#field-Copies-around-the-axis-x-0", "12")
         studio.choose("#field-Holders", "rings")
         studio.until(lambda: "12 strips" in studio.text(".said") and "2 sheets" in studio.text(".said"))
         studio.until(
@@ -284,9 +327,7 @@ def test_the_strip_follows_the_pointer(tmp_path, monkeypatch):
     ],
 )
 def test_a_link_of_wrong_types_is_answered_by_a_sentence(server, tmp_path, linked, message):
-    packed = zlib.compressobj(wbits=-15)
-    letters = base64.urlsafe_b64encode(packed.compress(json.dumps(linked).encode()) + packed.flush())
     with chromium(tmp_path) as studio:
-        studio.open(f"{server.address}#{letters.decode().rstrip('=')}")
+        studio.open(f"{server.address}#{link(linked)}")
         studio.until(lambda: message in studio.text(".told"))
         assert studio.logged() == []

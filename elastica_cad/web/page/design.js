@@ -47,6 +47,14 @@ export class History {
     this.tell();
   }
 
+  // A change that follows from the last one: no state of its own.
+  amend(edit) {
+    const design = this.design;
+    edit(design);
+    this.now = JSON.stringify(design);
+    this.keep();
+  }
+
   undo() { this.go(this.past, this.future); }
   redo() { this.go(this.future, this.past); }
 

@@ -2,9 +2,11 @@
 import { COLORS, stepOf } from "./colors.js";
 
 const SVG = "http://www.w3.org/2000/svg";
-const LAYERS = ["grid", "axis", "comb", "line", "drawn", "strip", "ghost", "polygon", "marks", "points"];
+const LAYERS = ["grid", "axis", "comb", "line", "drawn", "strip", "ghost", "polygon", "marks", "elements", "points"];
 const COMB_SHARE = 0.12; // of the drawing's size: the longest tooth
 const HIT = 12; // px about a control point
+const BAR = 6; // px: radius of a rail and length of half an arrow's head
+const ARROW = 44; // px
 
 export function element(name, attributes = {}, ...children) {
   const made = document.createElementNS(SVG, name);
@@ -78,12 +80,13 @@ export class Drawing {
     this.svg.setPointerCapture(event.pointerId);
     this.fingers.set(event.pointerId, [event.clientX, event.clientY]);
     this.fitted = false;
-    const hit = this.hit(event);
+    const hit = this.hit(event, this.points), held = this.held(event);
     if (this.fingers.size > 1) { // two fingers zoom: the first set no point
       if (this.appended) this.on.undo();
       this.grabbed = null;
       this.appended = false;
-    } else if (hit >= 0) {
+    } else if (!["move", "draw"].includes(this.mode)) this.put(event);
+    else if (hit >= 0) {
       this.grabbed = hit;
       this.on.grab(hit);
       this.focus(hit);
@@ -91,13 +94,54 @@ export class Drawing {
       this.on.append(this.place(event));
       this.appended = true;
       this.grabbed = this.points.length - 1;
+    } else if (held) {
+      this.on.grab();
+      this.sliding = held;
     }
     event.preventDefault();
   }
 
-  hit(event) {
+  // Sets an element of the chosen kind on the curve; a tie from where the pointer is pressed to where it is released.
+  put(event) {
+    const place = this.along(event);
+    if (!place) return;
+    this.from ??= [];
+    this.from.push(place);
+    if (this.mode !== "tie" || this.from.length > 1) {
+      this.on.put(this.mode, this.from);
+      this.from = null;
+      this.filled = true;
+    }
+  }
+
+  // The element under the pointer and which of its places.
+  held(event) {
+    const places = (this.answer?.elements ?? []).flatMap((element) => element.places.map((at, end) => ({ element, end, at })));
+    return places[this.hit(event, places.map(({ at }) => at))];
+  }
+
+  // The nearest place of the drawn curve: its point, and how far along it is, mm.
+  along(event) {
+    const { points = [], length } = this.answer?.path ?? {}, [x, y] = this.place(event, 0);
+    const ways = points.slice(1).map((point, k) => Math.hypot(point[0] - points[k][0], point[1] - points[k][1]));
+    const whole = ways.reduce((sum, way) => sum + way, 0);
+    let best = null, before = 0;
+    ways.forEach((way, k) => {
+      const [[ax, ay], [bx, by]] = [points[k], points[k + 1]];
+      const part = Math.min(Math.max(((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / (way * way || 1), 0), 1);
+      const point = [ax + part * (bx - ax), ay + part * (by - ay)], off = Math.hypot(x - point[0], y - point[1]);
+      if (!best || off < best.off) best = { off, point, s: ((before + part * way) / whole) * length };
+      before += way;
+    });
+    if (!best) return null;
+    const end = [[0, points[0]], [length, points.at(-1)]].find(([s]) => Math.abs(s - best.s) * this.view.scale < HIT);
+    if (end) return { s: end[0], point: end[1] };
+    return { s: rounded(best.s, this.snap || 0.1), point: best.point.map((v) => rounded(v, 0.01)) };
+  }
+
+  hit(event, points) {
     const box = this.svg.getBoundingClientRect(), at = [event.clientX - box.left, event.clientY - box.top];
-    const far = this.points.map((point) => Math.hypot(...this.toScreen(point).map((v, i) => v - at[i])));
+    const far = points.map((point) => Math.hypot(...this.toScreen(point).map((v, i) => v - at[i])));
     const least = Math.min(...far);
     return least <= (event.pointerType === "touch" ? 2 : 1) * HIT ? far.indexOf(least) : -1;
   }
@@ -113,7 +157,12 @@ export class Drawing {
       this.zoom(apart(now) / Math.max(apart(before), 1), [other[0] - box.left, other[1] - box.top]);
     } else if (this.grabbed != null) {
       this.on.move(this.grabbed, this.place(event));
-    } else {
+    } else if (this.sliding) {
+      const place = this.along(event);
+      if (place) this.on.slide(this.sliding, place);
+    } else if (this.from) {
+      this.layers.ghost.replaceChildren(drawn(this.path([this.from[0].point, this.place(event, 0)])));
+    } else if (["move", "draw"].includes(this.mode)) {
       this.view.x += now[0] - before[0];
       this.view.y += now[1] - before[1];
       this.paint();
@@ -122,10 +171,12 @@ export class Drawing {
 
   released(event) {
     this.fingers.delete(event.pointerId);
-    const moved = this.grabbed != null;
-    this.grabbed = null;
-    this.appended = false;
-    if (moved) this.on.release();
+    const place = this.from && this.along(event);
+    if (place && Math.abs(place.s - this.from[0].s) * this.view.scale > HIT) this.put(event);
+    const changed = this.grabbed != null || this.sliding || this.filled;
+    this.grabbed = this.sliding = null;
+    this.appended = this.filled = false;
+    if (changed) this.on.release();
   }
 
   typed(event) {
@@ -173,7 +224,9 @@ export class Drawing {
     layers.drawn.replaceChildren(...(answer?.drawn ? [drawn(this.path(answer.drawn))] : []));
     layers.strip.replaceChildren(...(answer?.position ? this.strained(answer) : []));
     layers.comb.replaceChildren(...(answer?.curvature && !answer.moved ? [drawn(this.comb(answer))] : []));
-    layers.line.replaceChildren(...(answer?.theorem?.line ? [drawn(this.line(answer.theorem.line))] : []));
+    layers.line.replaceChildren(...(answer?.theorem?.line ? [drawn(this.line(answer.theorem.line))] : []),
+      ...(answer?.thrust ?? []).map((side) => drawn(this.path(side))));
+    layers.elements.replaceChildren(...(answer?.elements ?? []).map((element) => this.glyph(element)));
     layers.marks.replaceChildren(...(answer?.theorem ? this.marks(answer.theorem) : []));
   }
 
@@ -241,6 +294,24 @@ export class Drawing {
     const [width, height] = this.size, [cx, cy] = this.toPlane(width / 2, height / 2);
     const at = (cx - x) * dx + (cy - y) * dy, far = (width + height) / 2 / this.view.scale;
     return this.path([at - far, at + far].map((t) => [x + t * dx, y + t * dy]));
+  }
+
+  // A rail is a bar on the side from which it pushes, a pin a ring, a tie a cord, a force an arrow, a mass a weight.
+  glyph({ noun, places, force, mass, slot }) {
+    const at = places.map((point) => this.toScreen(point)), [[x, y]] = at, size = force && Math.hypot(...force);
+    const [dx, dy] = size ? [force[0] / size, -force[1] / size] : [0, -1]; // where it pushes to, on the screen
+    const circle = (cx, cy, r, name) => element("circle", { cx: cx.toFixed(1), cy: cy.toFixed(1), r, class: name ?? "" });
+    const bar = (side) => circle(x - side * dx * (BAR + 3), y - side * dy * (BAR + 3), BAR, "solid");
+    const arrow = () => {
+      const [tx, ty] = [x - dx * ARROW, y - dy * ARROW], head = [1, -1].map((side) => `${(x - BAR * (2 * dx + side * dy)).toFixed(1)},${(y - BAR * (2 * dy - side * dx)).toFixed(1)}`);
+      return drawn(`M${tx.toFixed(1)},${ty.toFixed(1)}L${x.toFixed(1)},${y.toFixed(1)}M${head[0]}L${x.toFixed(1)},${y.toFixed(1)}L${head[1]}`);
+    };
+    const shape = { rail: () => [bar(1), ...(slot ? [bar(-1)] : [])], pin: () => [circle(x, y, BAR)],
+      tie: () => [drawn(this.path(places)), ...at.map(([cx, cy]) => circle(cx, cy, 4, "solid"))],
+      "point force": () => [arrow()], "point mass": () => [drawn(`M${x},${y}v14`), element("rect", { x: x - 8, y: y + 14, width: 16, height: 14 })] }[noun]();
+    const said = size ? `${+size.toPrecision(2)} N` : mass ? `${+mass.toPrecision(4)} g` : "";
+    const [lx, ly] = noun === "tie" ? at[0].map((v, i) => (3 * v + at[1][i]) / 4) : noun === "point mass" ? [x + 6, y + 22] : [x - dx * (noun === "point force" ? ARROW : 2 * BAR), y - dy * (noun === "point force" ? ARROW : 2 * BAR)];
+    return element("g", { class: noun.replace(" ", "-") }, ...shape, element("title", {}, `${this.t(noun)} ${said}`), element("text", { x: (lx + 8).toFixed(1), y: (ly + 4).toFixed(1) }, said));
   }
 
   marks({ inflections, at, off, crossings }) {

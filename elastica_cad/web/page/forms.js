@@ -1,6 +1,7 @@
 // Controls made of declared fields: the server says what can be asked, and in which words and units.
 
 const LABELS = { true: "yes", false: "no", base: "base plate", fixtures: "printed blocks", stand: "first that fits" }; // of values
+const TITLES = { between: "rails, pins and ties", loads: "masses and forces" }; // of fields whose names say little
 const PER = { mm: 1, cm: 10, m: 1000, in: 25.4, inch: 25.4, '"': 25.4 };
 
 export function html(name, attributes = {}, ...children) {
@@ -14,10 +15,12 @@ export function html(name, attributes = {}, ...children) {
   return made;
 }
 
-// What was typed: a number, a length with its unit, a list or table as JSON writes it, or a text (a formula too).
+// What was typed: a number, a length with its unit, two numbers with a semicolon between, a list or table as JSON writes it, or a text (a formula too).
 export function read(text, unit) {
   const typed = text.trim();
   if (!typed) return undefined;
+  const place = typed.match(/^(-?[\d.,]+)\s*;\s*(-?[\d.,]+)$/);
+  if (place) return place.slice(1).map((value) => Number(value.replace(",", ".")));
   const number = typed.match(/^(-?[\d.,]+(?:e-?\d+)?)\s*(mm|cm|m|in|inch|")?$/i);
   const value = number && Number(number[1].replace(",", "."));
   if (number && Number.isFinite(value)) return unit === "mm" && number[2] ? value * PER[number[2].toLowerCase()] : value;
@@ -29,12 +32,16 @@ export function read(text, unit) {
 
 // The things that the value of a field may be.
 const valuesOf = (field) => (field.kind === "either" ? field.of : [field]);
+// The tables of which a value is a list.
+const listed = (value) => (value?.kind === "list" ? value.of.flatMap(valuesOf).filter((entry) => entry.fields) : []);
+const shown = (value, unit) => (value == null ? "" : typeof value === "number" ? `${unit === "mm" ? +value.toPrecision(6) : value}`
+  : Array.isArray(value) && value.length === 2 && value.every(Number.isFinite) ? value.join("; ") : typeof value === "object" ? JSON.stringify(value) : `${value}`);
 const titleOf = (table) => table.word ?? table.table;
 
 export class Form {
   // get(path) and set(path, value) reach into the design; undefined is what is not given.
-  constructor(host, fields, { t, get, set, sheets }) {
-    Object.assign(this, { t, get, set, sheets, controls: [] });
+  constructor(host, fields, { t, get, set, sheets, begin }) {
+    Object.assign(this, { t, get, set, sheets, begin, controls: [] });
     const groups = new Map();
     for (const field of fields) groups.set(field.group, [...(groups.get(field.group) ?? []), field]);
     host.replaceChildren(...[...groups].flatMap(([group, of]) => {
@@ -45,17 +52,52 @@ export class Form {
     this.show();
   }
 
-  show() { for (const control of this.controls) control(); }
+  show() { for (const control of [...this.controls]) control(); }
 
   control(field, path) {
     const tables = valuesOf(field).filter((value) => value.fields);
-    return tables.length ? this.table(field, tables, path) : this.plain(field, path);
+    return tables.length ? this.table(field, tables, path) : listed(field).length ? this.list(field, listed(field), path) : this.plain(field, path);
+  }
+
+  // Controls of a part of the form that is made anew: those before are dropped.
+  renew(host, before, make) {
+    this.controls = this.controls.filter((control) => !before.includes(control));
+    const count = this.controls.length;
+    host.replaceChildren(...make());
+    const made = this.controls.slice(count);
+    for (const control of made) control();
+    return made;
+  }
+
+  // A list of tables: each with its fields and a button that removes it, and below a choice of what to add.
+  list(field, tables, path) {
+    const { t } = this, id = `${idOf(path)}-add`, rows = html("div", { class: "inner" });
+    const kindOf = (entry) => Math.max(tables.findIndex((table) => (table.word && "kind" in entry ? table.word === entry.kind : Object.keys(entry).every((key) => table.fields.some(({ name }) => name === key)))), 0);
+    const add = this.select([["", "–"], ...tables.map((table, k) => [`${k}`, t(titleOf(table))])], { id, onchange: () => {
+      const table = tables[add.value];
+      if (table) this.set(path, [...(this.get(path) ?? []), { ...(table.word ? { kind: table.word } : {}), ...this.begin(table) }]);
+      add.value = "";
+    } });
+    const entries = () => (Array.isArray(this.get(path)) ? this.get(path) : []);
+    let kinds = null, made = [];
+    this.controls.push(() => {
+      const now = entries().map(kindOf);
+      if (`${now}` === kinds) return;
+      kinds = `${now}`;
+      made = this.renew(rows, made, () => now.map((kind, k) => html("div", { class: "entry" },
+        html("div", { class: "title" }, `${t(titleOf(tables[kind]))} ${k + 1}`, html("button", { type: "button", "aria-label": `${t("Remove")}: ${t(titleOf(tables[kind]))} ${k + 1}`, onclick: () => {
+          const rest = entries().filter((_, other) => other !== k);
+          kinds = null; // the entries behind it move up
+          this.set(path, rest.length ? rest : undefined);
+        } }, t("Remove"))), ...tables[kind].fields.map((one) => this.control(one, [...path, k, one.name])))));
+    });
+    return html("div", { class: "table list" }, this.row(field, add, id), rows);
   }
 
   row(field, input, id) {
     const { t } = this, help = t(field.help);
     (input.id ? input : input.firstChild).title = help; // read as its description
-    return html("div", { class: "field" }, html("label", { for: id }, t(field.name.replaceAll("_", " "))), input, html("span", { class: "unit" }, field.unit));
+    return html("div", { class: "field" }, html("label", { for: id }, t(TITLES[field.name] ?? field.name.replaceAll("_", " "))), input, html("span", { class: "unit" }, field.unit));
   }
 
   // A value and its text each; or the title of a group and the options in it.
@@ -70,13 +112,17 @@ export class Form {
     if (value.size === 2 && value.of[0].choices) return this.pair(field, path, value.of[0].choices);
     const words = (value.kind === "flag" && values.length === 1 ? ["true", "false"] : value.choices ?? []).map((one) => [one, t(LABELS[one] ?? one)]);
     const choices = field.sheets || ["sheet", "backing"].includes(field.name) ? this.sheets : words;
-    const changed = ({ target }) => this.set(path, value.kind === "text" || value.kind === "choice" ? target.value || undefined : read(target.value, field.unit));
+    const changed = ({ target }) => {
+      const typed = value.kind === "text" || value.kind === "choice" ? target.value || undefined : read(target.value, field.unit);
+      if (typed === undefined && field.required && path.length > 1) target.value = shown(this.get(path), field.unit); // an entry of a list is not complete without it
+      else this.set(path, typed);
+    };
     const input = choices.length
       ? this.select([...(field.name === "sheet" ? [] : [["", absent]]), ...choices], { id, onchange: changed })
       : html("input", { id, onchange: changed, inputmode: value.kind === "text" ? "text" : "decimal", placeholder: absent, spellcheck: "false" });
     this.controls.push(() => {
       const now = this.get(path);
-      if (document.activeElement !== input || choices.length) input.value = now == null ? "" : typeof now === "object" ? JSON.stringify(now) : `${now}`;
+      if (document.activeElement !== input || choices.length) input.value = shown(now, field.unit);
     });
     return this.row(field, input, id);
   }
@@ -104,15 +150,13 @@ export class Form {
       const one = tables[select.value];
       this.set(path, { "": undefined, "true": true, "value": others[0]?.kind === "number" ? 0 : [] }[select.value] ?? (one && (one.word ? { kind: one.word } : {})));
     });
-    let shown = null;
+    let kind = null, made = [];
     this.controls.push(() => {
       select.value = kindOf(this.get(path));
-      if (shown === select.value) return;
-      shown = select.value;
-      const count = this.controls.length;
-      const fields = shown === "value" ? [this.plain({ ...field, kind: "either", of: others, name: "value" }, path)] : (tables[shown]?.fields ?? []).map((one) => this.control(one, [...path, one.name]));
-      inner.replaceChildren(...fields);
-      for (const control of this.controls.slice(count)) control();
+      if (kind === select.value) return;
+      kind = select.value;
+      made = this.renew(inner, made, () => (kind === "value" ? [this.control({ ...field, ...(others.length > 1 ? { kind: "either", of: others } : others[0]), name: "value" }, path)]
+        : (tables[kind]?.fields ?? []).map((one) => this.control(one, [...path, one.name]))));
     });
     return html("div", { class: "table" }, this.row(field, select, id), inner);
   }

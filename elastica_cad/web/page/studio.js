@@ -10,6 +10,14 @@ import { COLORS, STEPS } from "./colors.js";
 const LANGUAGES = { en: "English", de: "Deutsch", zh: "中文" };
 const FILES = { dxf: "DXF", svg: "SVG", pdf: "PDF at 1:1", step: "STEP", stl: "STL", kit: "Kit as zip" };
 const HOLDERS = ["rings", "base", "fixtures", "stand"];
+// What holds or loads a strip between its ends, as the records of a design; rails and pins keep their point.
+const ELEMENTS = {
+  rail: ["between", ([{ point }]) => ({ kind: "rail", at: point })],
+  pin: ["between", ([{ point }]) => ({ kind: "pin", at: point })],
+  tie: ["between", (places) => { const [start, end] = places.map(({ s }) => s).sort((a, b) => a - b); return { kind: "tie", start, end }; }],
+  "point mass": ["loads", ([{ s }]) => ({ at: s, mass: 10 })],
+  "point force": ["loads", ([{ s }]) => ({ at: s, force: [0, -1] })],
+};
 const STATES = ["first", "second"]; // of a part that rests in two curves
 const SNAPS = [0, 1, 5, 10];
 const SPACE_MS = 30, SLOW_SPACE_MS = 300; // between two pictures of the bent strip while it is dragged
@@ -86,6 +94,12 @@ class Studio {
     const space = html("div", { class: "scene" });
     this.pairing = button("Two states", () => this.twoStates(), { "data-do": "pair" });
     this.mode = button("Draw", () => this.draws(this.drawing.mode !== "draw"));
+    const holding = html("details", { class: "menu holding" }, html("summary", {}, t("Hold and load")), html("div", {}, ...Object.keys(ELEMENTS).map((noun) => button(noun, () => {
+      holding.open = false;
+      this.draws(false);
+      this.drawing.mode = noun;
+      this.tell(t(noun === "tie" ? "Click on both places of the curve, or drag from one to the other." : "Click on the curve."));
+    }, { "data-put": noun }))));
     const file = html("input", { type: "file", accept: ".svg,.dxf,.csv,.txt,.json,.toml", hidden: true, onchange: () => this.open(file.files[0]) });
     const files = [...this.hello.downloads.map((kind) => [kind, FILES[kind]]), ["design", "Design file"]];
     const menu = html("details", { class: "menu downloads" }, html("summary", {}, t("Download")), html("div", {}, ...files.map(([kind, text]) => button(text, () => {
@@ -101,7 +115,7 @@ class Studio {
           select("Snap", SNAPS.map((step) => [`${step}`, step ? `${t("Snap")} ${step} mm` : `${t("Snap")} ${t("off")}`]), (step) => { this.drawing.snap = +step; this.drawing.paint(); }, "0"),
           button("Start from", () => this.starts(), { "data-do": "starts" }), button("Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
           button("Nearest curve", () => this.nearest(), { class: "nearest" }), button("Suitable sheets", () => this.sheets(), { class: "sheets" }),
-          this.pairing, this.hello.file ? button("Save", () => this.save(), { class: "save", title: this.hello.file }) : null,
+          holding, this.pairing, this.hello.file ? button("Save", () => this.save(), { class: "save", title: this.hello.file }) : null,
           this.address ? button("Copy link", () => this.link()) : null,
           menu,
           select("Language", Object.entries(LANGUAGES), (one) => { localStored("elastica-language", one); this.build(one); }, language))),
@@ -117,7 +131,16 @@ class Studio {
     this.drawing = new Drawing(plane, t, {
       grab: () => { this.fresh = true; },
       move: (k, point) => this.edit((curve) => { curve.spline[k] = point; }, this.fresh),
-      release: () => this.changed(),
+      release: () => {
+        this.before = this.length;
+        this.changed();
+      },
+      put: (noun, places) => this.put(noun, places),
+      slide: ({ element: { key, index }, end }, { s, point }) => {
+        const table = tableOf(this.design, this.strip, key)[key][index], name = ["at", "start", "end"].filter((each) => each in table)[end];
+        this.history.change((design) => { tableOf(design, this.strip, key)[key][index][name] = Array.isArray(table[name]) ? point : s; }, { step: this.fresh });
+        this.fresh = false;
+      },
       append: (point) => this.edit((curve) => {
         curve.spline.push(point);
         delete curve.knots;
@@ -141,7 +164,7 @@ class Studio {
     const pair = this.formOf = Boolean(design.pair), table = (one, key) => (pair ? one.pair : tableOf(one, this.strip, key));
     const { fields, pair_fields, sheets } = this.hello, at = fields.findIndex((field) => field.group === "limits");
     this.form = new Form(this.fields, pair ? pair_fields : [...fields.slice(0, at), ...COPIES, ...fields.slice(at)], {
-      t: this.t, sheets,
+      t: this.t, sheets, begin: (table) => this.begin(table),
       get: (path) => (copyOf(path)?.get(this.design) ?? reach(table(this.design, path[0]) ?? {}, path)),
       set: (path, value) => {
         const copy = copyOf(path);
@@ -196,8 +219,38 @@ class Studio {
   }
 
   edit(change, step = true) {
-    this.history.change((design) => change(this.curve(design)), { step });
+    this.reshape((design) => change(this.curve(design)), step);
     this.fresh = false;
+  }
+
+  // Ties and loads keep their fraction of the length: the server moves them from the length to which they refer.
+  reshape(change, step = true) {
+    this.before = this.length ?? this.answer?.path?.length;
+    this.history.change(change, { step });
+  }
+
+  // The required fields of a new table: places on the curve, else the smallest number allowed.
+  begin({ fields }) {
+    const length = this.answer?.path?.length ?? 100, part = { start: 0.25, end: 0.75 };
+    return Object.fromEntries(fields.filter(({ required }) => required).map(({ name, kind, least }) => [name,
+      kind === "either" || name === "at" ? +(length * (part[name] ?? 0.5)).toFixed(1) : kind === "list" ? [0, -1] : Math.max(least ?? 1, 1)]));
+  }
+
+  put(noun, places) {
+    const [key, made] = ELEMENTS[noun];
+    this.draws(false);
+    if (!Array.isArray(tableOf(this.design, this.strip, key)[key] ?? [])) return this.tell(this.t("The loads are a weight. Remove it to set loads on the curve."));
+    this.tell("");
+    this.history.change((design) => {
+      this.listOf(design, key).push(made(places));
+      if (noun === "point mass") tableOf(design, this.strip, "gravity").gravity ??= true; // or the mass has no weight
+    });
+  }
+
+  // The list of elements or loads of the strip; where there is none, a new one in its table.
+  listOf(design, key) {
+    const table = tableOf(design, this.strip, key);
+    return table[key] ?? (design.strips[this.strip][key] = []);
   }
 
   changed() {
@@ -206,6 +259,8 @@ class Studio {
     this.pairing.setAttribute("aria-pressed", Boolean(design.pair));
     if (this.formOf !== Boolean(design.pair)) this.formFor(design);
     this.frames = null;
+    this.length = this.before;
+    this.before = null;
     Object.assign(this.bar, { max: FURTHEST, value: 1 });
     this.forces.textContent = "";
     const axis = Boolean(design.patterns?.some((pattern) => pattern.rotate));
@@ -237,16 +292,36 @@ class Studio {
       this.paint(null);
       return;
     }
-    const answer = await this.channel.ask({ do: design.pair ? "pair" : "strip", design, strip: this.strip, live: this.drawing.grabbed != null });
+    const answer = await this.channel.ask({ do: design.pair ? "pair" : "strip", design, strip: this.strip, live: this.drawing.grabbed != null, length: this.length });
     if (!answer || answer.id < this.shown) return;
     this.shown = answer.id;
+    if (this.length && Object.keys(answer.kept ?? {}).length) this.keep(answer);
     this.paint(answer);
+  }
+
+  keep({ kept, path }) {
+    this.history.amend((design) => { for (const [key, records] of Object.entries(kept)) this.listOf(design, key).splice(0, Infinity, ...records); });
+    this.length = path.length;
+    if (!this.drawing.fingers.size) this.form.show();
+    this.onchange(this.design);
   }
 
   async rested() {
     const design = this.design;
     if (this.address) history.replaceState(null, "", `#${await packed(design)}`);
     this.model();
+    this.support(design);
+  }
+
+  // After a refusal: the rail, pin or tie that makes the curve possible, as a button.
+  async support(design) {
+    if (this.answer?.refused?.kind !== "not realizable") return;
+    const { between } = await this.channel.ask({ do: "support", design, strip: this.strip }) ?? {};
+    if (!between || !same(design, this.design)) return;
+    const { kind, ...places } = between, where = Object.values(places).map((place) => `${this.number(place)} mm`).join(" – ");
+    this.verdict.append(html("button", { type: "button", class: "support", onclick: () => {
+      this.history.change((one) => { this.listOf(one, "between").push(between); });
+    } }, `${this.t("Try")}: ${this.t(kind)} ${where}`));
   }
 
   async model() {
@@ -402,7 +477,7 @@ class Studio {
 
   async counted(which) {
     const answer = await this.ask({ do: "edit", design: this.design, strip: this.strip, ...which });
-    if (answer) this.history.change((design) => { put(design, this.place(design), answer.curve); });
+    if (answer) this.reshape((design) => { put(design, this.place(design), answer.curve); });
   }
 
   place(design) { return design.pair ? ["pair", STATES[this.strip]] : ["strips", this.strip, "curve"]; }
@@ -431,7 +506,7 @@ class Studio {
     };
     this.tell(`${t("The nearest curve differs by at most")} ${this.number(answer.deviation)} mm. ${[answer.text, ...answer.advice].join(" ")} `,
       html("button", { type: "button", class: "take", onclick: () => {
-        this.history.change((design) => { design.strips[this.strip].curve = answer.curve; });
+        this.reshape((design) => { design.strips[this.strip].curve = answer.curve; });
         done();
       } }, t("Use it")),
       html("button", { type: "button", onclick: done }, t("Discard it")));
@@ -539,7 +614,7 @@ class Studio {
 
   take({ curve, read }) {
     if (read) this.read = { curve, text: read };
-    this.history.change((design) => { put(design, this.place(design), curve); });
+    this.reshape((design) => { put(design, this.place(design), curve); });
     this.drawing.fit();
   }
 }

@@ -1,0 +1,61 @@
+"""The thrust line of a rod with elements or point forces, as pictures show it."""
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.geometry.plane_points import clipped
+from elastica_cad.mechanics.rod import Rod
+
+PARALLEL = 1e-6
+"""Sine of the angle below which neighbouring sides of a thrust line have no corner."""
+
+
+def inflections_of(rod: Rod) -> FloatArray:
+    """Return points (k, 2) where kappa - kappa_0 changes sign; these are the inflections if the strip is cut
+    flat."""
+    if rod.shape is not None and not np.any(rod.natural_curvature):
+        return np.asarray(rod.shape.at(rod.shape.inflections).position, dtype=float).reshape(-1, 2)
+    kappa = rod.curvature - rod.natural_curvature
+    i = np.flatnonzero(kappa[:-1] * kappa[1:] < 0)
+    u = (kappa[i] / (kappa[i] - kappa[i + 1]))[:, None]
+    return np.asarray(rod.position[i] * (1 - u) + rod.position[i + 1] * u, dtype=float)
+
+
+def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
+    """Return the sides (2, 2) of the thrust line in a box, between their corners and past their inflections.
+
+    A rod without elements and point forces has no thrust line here, because it is the inflection line.
+    """
+    turns = inflections_of(rod)
+    lines = [
+        None if side is None else (np.array(side.point), np.array(side.direction)) for side in rod.thrust_line
+    ]
+    if not rod.acting or not lines:
+        return []
+    reached: list[list[FloatArray]] = [[] for _ in lines]
+    reached[0].append(rod.position[0])
+    reached[-1].append(rod.position[-1])
+    for k in range(len(lines) - 1):
+        first, second = lines[k], lines[k + 1]
+        if first is None or second is None:
+            continue
+        ways = np.column_stack([first[1], -second[1]])
+        if abs(np.linalg.det(ways)) > PARALLEL:
+            corner = first[0] + first[1] * np.linalg.solve(ways, second[0] - first[0])[0]
+            reached[k].append(corner)
+            reached[k + 1].append(corner)
+    none = np.full(len(turns), np.inf)
+    far = np.array([none if side is None else np.abs(side.distance(turns)) for side in rod.thrust_line])
+    for turn, row in zip(turns, far.T, strict=True):
+        reached[int(row.argmin())].append(turn)
+    sides = []
+    for line, points in zip(lines, reached, strict=True):
+        shown = None if line is None else clipped(*line, low, high)
+        if line is None or shown is None or len(points) < 2:
+            continue
+        t = (np.array(points) - line[0]) @ line[1]
+        inside = (shown - line[0]) @ line[1]
+        least, most = max(t.min(), inside[0]), min(t.max(), inside[1])
+        if least < most:
+            sides.append(line[0] + line[1] * np.array([[least], [most]]))
+    return sides
