@@ -208,8 +208,9 @@ class RationalPieces:
 
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
         """Evaluate at local coordinates u (n,) of spans (n,)."""
-        basis = scaled_bernstein(self.spans.degree, u)
-        rows = [sums_in_pieces(basis, self._series(k), index) for k in range(order + 1)]
+        values = sums_in_pieces(scaled_bernstein(self.spans.degree, u), self._series_to(order), index)
+        size = values.shape[1] // (order + 1)
+        rows = [values[:, k : k + size] for k in range(0, values.shape[1], size)]
         if self.rational:
             parts = _quotient([row[:, :2].T for row in rows], [row[:, 2] for row in rows])
             rows = [part.T for part in parts]
@@ -227,9 +228,7 @@ class RationalPieces:
         """Return lengths (n,) of the velocities d/dt, mm, at parameters (n,) of spans (n,)."""
         u = (t - self.edges[index]) / self.spans.widths[index]
         u = np.minimum(np.maximum(u, 0.0), 1.0)
-        if self.rational:
-            return norm(self.within(index, u, 1)[1])
-        return norm(sums_in_pieces(scaled_bernstein(self.spans.degree, u), self._series(1), index))
+        return norm(self.within(index, u, 1)[1])
 
     def extremes(self) -> FloatArray:
         """Return parameters (k,) of the knots, and of places beyond their box where x or y is stationary."""
@@ -255,21 +254,25 @@ class RationalPieces:
         """Parts of the curve within which the tangent turns by less than 180 degrees."""
         return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
 
+    def _series_to(self, order: int) -> FloatArray:
+        """Return position and derivatives up to `order`, (p, degree + 1, 2 or 3 columns an order), as `_series`."""
+        if order not in self._known:
+            self._known[order] = np.concatenate([self._series(k) for k in range(order + 1)], axis=2)
+        return self._known[order]
+
     def _series(self, order: int) -> FloatArray:
         """Return the derivative d/dt of all pieces, (p, degree + 1, 2 or 3), in a scaled Bernstein basis."""
-        if order not in self._known:
-            degree, widths = self.spans.degree, self.spans.widths[:, None, None]
-            if order > degree:
-                return np.zeros_like(self._local)
-            # derivatives overflow if knots nearly coincide; callers that need these derivatives refuse such curves
-            with np.errstate(over="ignore", invalid="ignore"):
-                rate = perm(degree, order) / widths**order
-                self._known[order] = _raised(degree, order) @ np.diff(self._local, order, axis=1) * rate
-        return self._known[order]
+        degree, widths = self.spans.degree, self.spans.widths[:, None, None]
+        if order > degree:
+            return np.zeros_like(self._local)
+        # derivatives overflow if knots nearly coincide; callers that need these derivatives refuse such curves
+        with np.errstate(over="ignore", invalid="ignore"):
+            rate = perm(degree, order) / widths**order
+            return np.asarray(_raised(degree, order) @ np.diff(self._local, order, axis=1) * rate)
 
     @cached_property
     def _known(self) -> dict[int, FloatArray]:
-        """Cached derivative series, by order."""
+        """Cached series, by their highest order."""
         return {}
 
     @cached_property

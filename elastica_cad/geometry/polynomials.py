@@ -245,17 +245,18 @@ def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArr
     """Return the only sign change (k,) of each polynomial, exact to rounding, and the slope there."""
     low, high = np.zeros(len(c)), np.ones(len(c))
     u, slope = c[:, 0] / (c[:, 0] - c[:, -1]), np.zeros(len(c))
-    for _ in range(80):
-        value, slope = value_and_slope(c, u)
-        beyond = (value > 0) == (c[:, -1] > 0)
-        low, high = np.where(beyond, low, u), np.where(beyond, u, high)
-        with np.errstate(divide="ignore", invalid="ignore"):
+    rising = c[:, -1] > 0
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for _ in range(80):
+            value, slope = value_and_slope(c, u)
+            beyond = (value > 0) == rising
+            low, high = np.where(beyond, low, u), np.where(beyond, u, high)
             newton = u - value / slope
-        following = np.where((newton > low) & (newton < high), newton, (low + high) / 2)
-        open_ = (np.abs(value) > _EPS * largest) & (np.abs(following - u) > 4e-16)
-        u = np.where(open_, following, u)
-        if not open_.any():
-            break
+            following = np.where((newton > low) & (newton < high), newton, (low + high) / 2)
+            open_ = (np.abs(value) > _EPS * largest) & (np.abs(following - u) > 4e-16)
+            if not open_.any():
+                break
+            u = np.where(open_, following, u)
     return u, slope
 
 

@@ -193,7 +193,7 @@ class Profile:
     def scaled(self, factor: float) -> "Profile":
         """Return the profile times `factor`."""
         require_number(factor, "the factor of a profile")
-        return Profile(self.knots, self.coefficients * factor, self.degree)
+        return self._changed(0.0, factor, 0.0)
 
     def stretched(self, low: float, high: float) -> "Profile":
         """Return the profile with its values scaled to the extremes `low` and `high`; it must not be constant.
@@ -207,8 +207,16 @@ class Profile:
         require_number(low, "the least value of a profile")
         require_number(high, "the largest value of a profile")
         least, most = self.extremes
-        factor = (high - low) / (most - least)
-        return Profile(self.knots, low + (self.coefficients - least) * factor, self.degree)
+        return self._changed(least, (high - low) / (most - least), low)
+
+    def _changed(self, least: float, factor: float, low: float) -> "Profile":
+        """Return the profile with the values low + (value - least) factor; a positive factor keeps the extreme
+        places."""
+        changed = Profile(self.knots, low + (self.coefficients - least) * factor, self.degree)
+        if factor > 0 and "_extreme_points" in vars(self):
+            points = [(place, low + (value - least) * factor) for place, value in self._extreme_points]
+            vars(changed)["_extreme_points"] = tuple(points)
+        return changed
 
     @cached_property
     def _function(self) -> SplineFunction:

@@ -493,11 +493,13 @@ def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
 def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     check, nodes = request.check, request.nodes
     panel, x = balance.panels.locate(nodes.t)
-    K, moment, b = (function.at(panel, x) for function in (balance.stiffness, balance.moment, balance.force))
-    least = float(K.min())
+    functions = (balance.stiffness, balance.moment, balance.force)
+    values = PanelFunction(np.dstack([function.coefficients for function in functions])).at(panel, x)
+    least = float(values[:, 0].min())
     if least <= 0:
         raise NotRealizable(check)
-    K, moment, b = K / least, moment / least, b / least
+    K, moment, b = np.split(values / least, [1, 2], axis=1)
+    K, moment = K[:, 0], moment[:, 0]
     size = np.abs(moment).max()
     change = nodes.curvature - nodal_curvature(request.natural_curvature, nodes.s)
     effective = change if request.law is None else request.law.effective_curvature(change)

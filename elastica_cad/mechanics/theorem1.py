@@ -864,7 +864,8 @@ def _warn_of_widths(
     curve: PlaneCurve, jumps: Sequence[float], flats: Sequence[CurvatureZero]
 ) -> Iterable[str]:
     """Warn of jumps and kinks of the width, except at ends of straight pieces, where smoothing does not help."""
-    breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
+    knots = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
+    breaks = [knot for knot in knots if knot.continuity < 3]
     if not breaks:
         return
     sizes = zip(breaks, *curvature_jumps(curve, breaks), strict=True)

@@ -417,7 +417,8 @@ def bends_along(rod: Rod) -> Bends:
     jumps = np.array([at.t for at in curve.breaks if at.continuity < 2])
     t = np.sort(np.concatenate([t, jumps, jumps]))
     kappa = curve.curvature_at(t)
-    kappa[np.searchsorted(t, jumps)] = curve.curvature_at(jumps, left=True)
+    if jumps.size:
+        kappa[np.searchsorted(t, jumps)] = curve.curvature_at(jumps, left=True)
     if np.size(rest) > 1:
         rest = rod.rest_at(curve.arc_length(t))
     return Bends(np.abs(kappa - rest), t, curve)

@@ -137,6 +137,7 @@ LONGEST_PART = 2.0  # length of the parts of cuts in the first search, as a mult
 FACING = (
     0.9  # least cosine between a width and both inward normals, so corners above 50 degrees are not necks
 )
+STEEPEST = 1.0  # slope of the width: cuts at most 26 degrees from the centre line face each other across it
 _REACHES = np.array([1 / 16, 1 / 4, 1])  # search distances in order, as fractions of the least width
 FLAT_SHARE = 0.02  # flatness of the sampled cuts, as a fraction of the least width
 
@@ -406,21 +407,23 @@ def find_strip_faults(
     shop = shop or FabricationLimits()
     name = strip.label or "strip"
     joined = shop.lap is not None  # a longer strip may be joined from pieces
-    stocks = [shop.stock_for(layer.sheet) for layer in strip.layers]
-    leasts = [shop.width_for(layer.sheet) for layer in strip.layers]
+    backing = strip.layout.backing
+    sheets = (strip.sheet,) if backing is None else (strip.sheet, backing.sheet)
+    stocks = [shop.stock_for(sheet) for sheet in sheets]
+    leasts = [shop.width_for(sheet) for sheet in sheets]
     if isinstance(strip.style, Laminated):  # a glued backing needs no strength by itself
         leasts[1:] = [min(least, strip.style.least_backing) for least in leasts[1:]]
     ligament = shop.ligament_for(strip.sheet)
     faults: list[Fault] = []
     length = strip.rod.length + sum(tab.length for tab in strip.ends)
     width = max(float(strip.width.extremes[1]), *(tab.width or 0.0 for tab in strip.ends))
-    for i, (layer, least, stock) in enumerate(zip(strip.layers, leasts, stocks, strict=True)):
+    for i, (sheet, least, stock) in enumerate(zip(sheets, leasts, stocks, strict=True)):
         called = name if i == 0 else f"{name}, backing"
         long = min(length, stock[0] if joined else np.inf)
-        if max(long, width) < FAR_LARGER * stock[0]:
-            web = min(least, shop.bridge_for(layer.sheet))
-            faults += _thin_strip(called, strip, layer, least, web, noisy=noisy)
-        faults += _too_large(called, long, width, layer.sheet, stock, strip.style)
+        web = min(least, shop.bridge_for(sheet))
+        if max(long, width) < FAR_LARGER * stock[0] and not _is_plainly_wide(strip, least):
+            faults += _thin_strip(called, strip, strip.layers[i], least, web, noisy=noisy)
+        faults += _too_large(called, long, width, sheet, stock, strip.style)
     style = strip.style
     if isinstance(style, Perforated) and style.least_ligament < ligament * (1 - SEEN_APART):
         allowed = style.least_ligament
@@ -500,13 +503,26 @@ def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]
     )
 
 
+def _is_plainly_wide(strip: Strip, least: float) -> bool:
+    """Return True if the strip has two gently sloping long edges, at least `least` mm apart, and no other cuts."""
+    layout, width = strip.layout, strip.width
+    if strip.slots or layout.backing is not None or layout.pattern is not None:
+        return False
+    for tab in strip.ends:
+        if tab.width or tab.corner_radius or tab.chamfer or tab.taper or tab.holes or tab.t_slot is not None:
+            return False
+    # the slope of a spline is between its coefficients
+    rises, runs = np.abs(np.diff(width.coefficients)), width.greville[1:] - width.greville[:-1]
+    return min(width.extremes[0], strip.rod.length) >= least and bool((rises < STEEPEST * runs).all())
+
+
 def _thin_strip(
     name: str, strip: Strip, layer: Layer, least: float, web: float, *, noisy: bool
 ) -> Iterator[Fault]:
     """Yield faults of necks of the strip and its tabs below `least` mm, and of webs beside holes below `web` mm."""
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # ligaments have a separate limit
-    places = find_thin_places([layer.outline], holes, max(least, web))
+    places = find_thin_places([layer.outline], holes, least)
     necks = [place for place in places if place.loops == (0, 0) and place.width < least * (1 - SEEN_APART)]
     free: list[ThinPlace] = []
     tabs: list[ThinPlace] = []

@@ -41,6 +41,25 @@ def test_a_sound_strip_has_no_faults():
     assert find_strip_faults(strip()) == ()
 
 
+def test_plainly_wide_strips_have_no_thin_place_and_keep_their_layers_for_later():
+    rng, plainly = np.random.default_rng(67), 0
+    for _ in range(150):
+        wavy = strip(
+            1 + rng.uniform(0, 3) * rng.random(7), length=rng.uniform(20, 300), max_width=rng.uniform(3, 30)
+        )
+        find_strip_faults(wavy)
+        if "layers" not in vars(wavy):
+            plainly += 1
+            assert find_thin_places([wavy.outline], (), 3.0) == ()
+    assert 50 < plainly < 140
+
+
+@pytest.mark.parametrize("options", [{"ends": Tab(12, width=2.0)}, {"slots": Slot(100.0, 0.8, 18.5)}])
+def test_a_tab_or_slot_leaves_a_neck_in_a_plainly_wide_strip(options):
+    (fault,) = find_strip_faults(strip(**options))[:1]
+    assert "only" in fault.what
+
+
 def test_the_neck_of_half_a_millimetre_is_named_with_its_place():
     (fault,) = find_strip_faults(strip((40, 1, 40), max_width=20.4, label="A1"))
     assert fault.part == "A1"
