@@ -11,7 +11,7 @@ from elastica_cad.errors import InputError, NotConvergedError, installed_version
 from elastica_cad.formats.json_curves import curve_record
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.mechanics.elements import NOUNS
+from elastica_cad.mechanics.elements import NOUNS, Tie
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability
@@ -206,15 +206,22 @@ def _sideways_report(verdict: SidewaysStability) -> dict[str, Any]:
 
 
 def _between(strip: Strip) -> list[dict[str, Any]]:
-    """Return rails, pins, ties and point forces with their stations (mm) and forces on the strip (N)."""
-    return [
-        {
+    """Return rails, pins, ties and point forces with their stations (mm) and forces on the strip (N).
+
+    A tie has its length (mm) and its pull (N).
+    """
+    rows = []
+    for action in strip.rod.acting:
+        row = {
             "kind": NOUNS[type(action.element)],
             "at": round_numbers(action.s),
             "force": round_numbers(strip.bending_stiffness * action.force),
         }
-        for action in strip.rod.acting
-    ]
+        if isinstance(action.element, Tie):
+            row["length"] = round_numbers(action.distance_on(strip.rod.curve))
+            row["pull"] = round_numbers(strip.bending_stiffness * action.size)
+        rows.append(row)
+    return rows
 
 
 def _stations_report(strip: Strip, count: int) -> dict[str, Any]:

@@ -17,7 +17,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import is_number, pair, require_flag, require_positive, several
-from elastica_cad.declared import Option
+from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of
@@ -28,6 +28,8 @@ Place: TypeAlias = float | tuple[float, float]
 """Arc length along the drawn curve, mm, or a point (x, y) near the curve, mm."""
 
 _AT = Option("Place along the curve, or a point (x, y) near it.", "mm")
+_HOLE = Option("Diameter of the hole in the strip for a cord or screw; 0 for none.", "mm", least=0)
+_NOTCH = Option("Width of a notch in each edge of the strip, for two cords; 0 for none.", "mm", least=0)
 
 
 class Element:
@@ -69,17 +71,23 @@ class Pin(Element):
     ----------
     at : float or (float, float)
         Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest place.
+    hole, notch : float
+        Diameter of a hole on the centre line, or width and depth of a notch in each edge, mm; 0 for none. The strip
+        is widened there, so that it bends as without these cuts.
 
     Examples
     --------
-    >>> Pin(180)
-    Pin(at=180.0)
+    >>> Pin(180, hole=4).at
+    180.0
     """
 
     at: Annotated[Place, _AT]
+    hole: Annotated[float, _HOLE] = 0.0
+    notch: Annotated[float, _NOTCH] = 0.0
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "at", _require_place(self.at, "a pin"))
+        _require_cut(self)
 
 
 @dataclass(frozen=True)
@@ -92,22 +100,29 @@ class Tie(Element):
         Arc lengths along the drawn curve, mm, or points near the curve, which are moved to the nearest places.
     length : float, optional
         Length of the cord for `bend`, mm; by default, the distance between its places.
+    hole, notch : float
+        Diameter of a hole on the centre line, or width and depth of a notch in each edge for two
+        cords, mm; 0 for none. The strip is widened there, so that it bends as without these
+        cuts.
 
     Examples
     --------
-    >>> Tie(40, 310)
-    Tie(start=40.0, end=310.0, length=None)
+    >>> Tie(40, 310, hole=3).end
+    310.0
     """
 
     start: Annotated[Place, _AT]
     end: Annotated[Place, _AT]
     length: float | None = None
+    hole: Annotated[float, _HOLE] = 0.0
+    notch: Annotated[float, _NOTCH] = 0.0
 
     def __post_init__(self) -> None:
         for name in ("start", "end"):
             object.__setattr__(self, name, _require_place(getattr(self, name), f"the {name} of a tie"))
         if self.length is not None:
             require_positive(self.length, "the length of a tie")
+        _require_cut(self)
 
 
 @dataclass(frozen=True)
@@ -146,6 +161,16 @@ def _require_place(at: object, owner: str) -> Place:
             f"The place of {owner} is {quoted(at)}. Give the arc length in mm, or a point (x, y) on the curve."
         ) from None
     return x, y
+
+
+def _require_cut(element: "Pin | Tie") -> None:
+    """Refuse negative sizes of cuts, and a hole and notches at the same place."""
+    require_declared(type(element), vars(element), NOUNS[type(element)])
+    if element.hole and element.notch:
+        raise InputError(
+            "A {element} has either a hole or notches. Leave out {hole} or {notch}.",
+            element=noun_of(element), hole=FieldName("hole"), notch=FieldName("notch"),
+        )  # fmt: skip
 
 
 NOUNS = {Rail: "rail", Pin: "pin", Tie: "tie", PointForce: "point force"}
@@ -367,6 +392,11 @@ class ElementForce:
     def size(self) -> float:
         """Size of the force, 1/mm2; the pull of a tie."""
         return float(np.hypot(*self.force[0]))
+
+    def distance_on(self, curve: PlaneCurve) -> float:
+        """Return the distance between the first and the last station on a curve, mm: the length of a taut cord."""
+        ends = curve.at(self.s).position
+        return float(np.hypot(*(ends[-1] - ends[0])))
 
 
 def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[ElementForce, ...]:

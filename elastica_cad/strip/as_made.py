@@ -41,7 +41,9 @@ CUTS = 8
 """Number of stations in each cell of the rod at which the material is measured."""
 
 
-def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
+def rod_as_built(
+    rod: Rod, layout: Layout, layers: Sequence[Layer], kinks: Sequence[tuple[float, float]] = ()
+) -> Rod:
     """Return the rod with the stiffness and weight of the cut strip: slots, solid ends, rounded tips.
 
     The stiffness of each node is reduced by the mean compliance of its cell, which determines the angle across the
@@ -55,6 +57,8 @@ def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
         Layout that the style made of the rod.
     layers : sequence of Layer
         Layers as they are cut.
+    kinks : sequence of (float, float)
+        Place, mm, and added length, mm, of cuts that are not in the layers.
 
     Returns
     -------
@@ -73,6 +77,8 @@ def rod_as_built(rod: Rod, layout: Layout, layers: Sequence[Layer]) -> Rod:
     wanted = rod.profile(s)
     softer = layout.bending_stiffness * wanted / has
     EI = layout.bending_stiffness * _stiffness_of_cells(rod, wanted) / _cell_means(softer, n)
+    if kinks:
+        EI = EI * _softer(kinks, rod)
     least = float(EI.min())
     softer_by = layout.bending_stiffness / least
     loads = tuple(replace(load, force=softer_by * load.force) for load in rod.point_forces)

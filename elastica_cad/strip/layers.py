@@ -139,8 +139,10 @@ class Layer:
         return loop, points.T, ends.T
 
 
-def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) -> tuple[Layer, ...]:
-    """Return the layers with tabs and slots, the base first.
+def cut_layers(
+    layout: Layout, ends: Ends, slots: Sequence[Slot], cord_holes: Sequence[Path] = (), *, name: str
+) -> tuple[Layer, ...]:
+    """Return the layers with tabs, slots and holes for cords, the base first.
 
     Raises
     ------
@@ -152,7 +154,7 @@ def cut_layers(layout: Layout, ends: Ends, slots: Sequence[Slot], *, name: str) 
         return _cut_leaves(layout.stack, width.length, ends)
     # the layers of a laminate are aligned by holes in their tabs
     ends_held = add_register_holes(width, ends, layout.dots) if layout.dots else ends
-    holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots))
+    holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots), *cord_holes)
     outline = cut_slots(flat_rim(width, ends), holes, slots, width, name=name)
     rims = tuple(Cut(slot_cut(slot, width, beyond=slot.width), "inside") for slot in slots)
     base = Layer(layout.sheet, outline, holes, slots=rims)
@@ -271,7 +273,7 @@ def _label_texts(
 ) -> tuple[Text, ...]:
     """Return the label, clear of cuts: along the middle or, if there are holes, across a tab with enough room."""
     if layout.pattern is None:
-        return (label_off_cuts(label, width, Cuts(rim=layer.rim if slotted else None)),)
+        return (label_off_cuts(label, width, Cuts(layer.holes, rim=layer.rim if slotted else None)),)
     length = width.length
     spans = ((-ends[0].length, 0.0), (length, length + ends[1].length))
     tabs = [

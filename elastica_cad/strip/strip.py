@@ -55,6 +55,15 @@ from elastica_cad.mechanics.sideways import (
 from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.refusals import FieldName, Length, Span, note
 from elastica_cad.strip.drawing import Drawing
+from elastica_cad.strip.element_cuts import (
+    StrainedCut,
+    crossing_warnings,
+    cut_holes,
+    cut_kinks,
+    element_cuts,
+    strained_cuts,
+    widened_for_cuts,
+)
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance, Reactions, closes
 from elastica_cad.strip.layers import Layer, cut_layers, draw_layers
 from elastica_cad.strip.lettering import require_engravable
@@ -457,6 +466,8 @@ class Strip:
         object.__setattr__(self, "slots", several("slots", self.slots, Slot, "Slot"))
         for slot in self.slots:
             slot.require_rad()
+        missing = [notch for cut in element_cuts(self.rod) for notch in cut.missing_from(self.slots)]
+        object.__setattr__(self, "slots", (*self.slots, *missing))
         object.__setattr__(self, "creep", require_creep(self.creep))
         if self.is_closed:
             object.__setattr__(self, "ends", (Tab(0.0), self.ends[1]))
@@ -516,9 +527,13 @@ class Strip:
     def layout(self) -> Layout:
         """Layout that the style makes of the rod."""
         widths = {"max_width": self.max_width, "min_width": self.min_width}
-        if self.correction is None:
-            return self.style.laid_out(self.rod, self.sheet, **widths)
-        return correct_layout(self.style, self.rod, self.sheet, self.correction, **widths)
+
+        def laid_out(factor: Profile) -> Layout:
+            return correct_layout(self.style, self.rod, self.sheet, factor, **widths)
+
+        if self.correction is not None:
+            return laid_out(self.correction)
+        return widened_for_cuts(self.rod, self.style.laid_out(self.rod, self.sheet, **widths), laid_out)
 
     @property
     def width(self) -> Profile:
@@ -528,7 +543,8 @@ class Strip:
     @cached_property
     def layers(self) -> tuple[Layer, ...]:
         """Sheets of the strip, the base first."""
-        return cut_layers(self.layout, self.ends, self.slots, name=self.label or "strip")
+        holes = cut_holes(self.rod, self.ends)
+        return cut_layers(self.layout, self.ends, self.slots, holes, name=self.label or "strip")
 
     def cut_as(self, other: "Strip") -> "Strip":
         """Return this strip with the layers of another strip that is cut alike (`cut_key`), so that they are
@@ -617,8 +633,10 @@ class Strip:
         return (*_warn_of_strains(self.strains, self._bends), *map(str, self._shoulders))
 
     @cached_property
-    def _shoulders(self) -> tuple[Shoulder, ...]:
-        return _find_shoulders(self.layout, self.ends, self.strains)
+    def _shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
+        """Tabs and cuts for cords that are strained beyond a limit."""
+        shoulders = _find_shoulders(self.layout, self.ends, self.strains)
+        return (*shoulders, *strained_cuts(self.rod, self.layout))
 
     @cached_property
     def strains(self) -> tuple[LayerStrain, ...]:
@@ -641,6 +659,7 @@ class Strip:
             *self.rod.warnings,
             *self.layout.warnings,
             *self.strain_warnings,
+            *crossing_warnings(self.rod, self.width),
             *_warn_of_width(self.width, self.rod.length, outline_field(self.style), closed=self.is_closed),
         )
         if self.layout.size is not None:
@@ -698,7 +717,8 @@ class Strip:
         """Rod with the stiffness and weight of the cut strip, not yet bent: see `rod_as_built`."""
         from elastica_cad.strip.as_made import rod_as_built
 
-        return rod_as_built(self.rod, self.layout, self.layers)
+        kinks = cut_kinks(self.rod, self.width, self.sheet)
+        return rod_as_built(self.rod, self.layout, self.whole() if kinks else self.layers, kinks)
 
     @cached_property
     def deviation_as_built(self) -> float:
@@ -732,8 +752,9 @@ class Strip:
         return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole)
 
     def whole(self) -> tuple[Layer, ...]:
-        """Return the layers without slots."""
-        return cut_layers(self.layout, self.ends, (), name="strip") if self.slots else self.layers
+        """Return the layers without slots and without holes for cords."""
+        cut = self.slots or element_cuts(self.rod)
+        return cut_layers(self.layout, self.ends, (), name="strip") if cut else self.layers
 
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
         """Return the shape of the strip as made, in its holders; an end without a holder is held as designed.

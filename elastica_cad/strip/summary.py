@@ -183,17 +183,17 @@ def _between_rows(strip: Strip) -> Iterator[Row]:
 
 def _element_text(action: ElementForce, strip: Strip) -> Refusal:
     """Return the place and the force (N) of an element in words."""
-    curve = strip.rod.curve.at(action.s)
     force = strip.bending_stiffness * action.size
     if isinstance(action.element, Tie):
         return note(
             "tie from {start:.0f} to {end:.0f}, {length:.1f} long, pulls {force:.2g} N",
             start=Length(action.s[0]), end=Length(action.s[1]), force=force,
-            length=Length(float(np.hypot(*(curve.position[1] - curve.position[0])))),
+            length=Length(action.distance_on(strip.rod.curve)),
         )  # fmt: skip
     x, y = action.force[0]
     if isinstance(action.element, Rail):
-        left = y * np.cos(curve.angle[0]) > x * np.sin(curve.angle[0])
+        angle = strip.rod.curve.at(action.s).angle[0]
+        left = y * np.cos(angle) > x * np.sin(angle)
         text = (
             "rail at {at:.0f} pushes {force:.2g} N to the left"
             if left

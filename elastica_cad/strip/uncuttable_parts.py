@@ -15,6 +15,7 @@ from elastica_cad.geometry.path_intersections import anticlockwise
 from elastica_cad.geometry.plane_points import near_pairs, numbers_in_groups
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import FieldName, Length, Listed, Point, note, sentences
+from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.layers import Layer
 from elastica_cad.strip.perforation import Perforated
@@ -506,7 +507,7 @@ def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]
 def _is_plainly_wide(strip: Strip, least: float) -> bool:
     """Return True if the strip has two gently sloping long edges, at least `least` mm apart, and no other cuts."""
     layout, width = strip.layout, strip.width
-    if strip.slots or layout.backing is not None or layout.pattern is not None:
+    if strip.slots or element_cuts(strip.rod) or layout.backing is not None or layout.pattern is not None:
         return False
     for tab in strip.ends:
         if tab.width or tab.corner_radius or tab.chamfer or tab.taper or tab.holes or tab.t_slot is not None:

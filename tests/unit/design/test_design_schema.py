@@ -117,6 +117,8 @@ reshape = { handles = [[0, 0], [9, 0], [9, 9], [0, 9]], to = [[0, 0], [9, 0], [9
     ONE + "loads = [{ at = 30, mass = 2 }]\ngravity = true\n",
     ONE + 'between = [{ at = 30, one_sided = false }, { kind = "rail", at = 20 }, { kind = "pin", at = 60 }, '
     '{ kind = "tie", start = 10, end = 70 }]\nloads = [{ at = 40, force = [0, -0.001] }]\n',
+    ONE + 'between = [{ kind = "pin", at = 60, hole = 2, notch = 0 }, { kind = "tie", start = 10, end = 70, '
+    "hole = 0, notch = 2 }]\n",
     ONE + "limits = { strain = 0.01 }\nkeep = { ends = [true, false], tangents = true }\n",
     HEAD + '[[strips]]\ncurve = { file = "two.svg", id = "a" }\n',
     HEAD + '[[strips]]\ncurve = { file = "two.svg", layer = "L" }\n',

@@ -1,0 +1,305 @@
+"""Holes and notches in a strip for cords and lugs, and the widening that compensates them."""
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad._values import distinct_digits
+from elastica_cad.errors import InputError, rounded_up
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import left_of
+from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.elements import Pin, Tie, noun_of
+from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.section_limits import BRITTLE, StrainState, StrainVerdict, judge_strain
+from elastica_cad.mechanics.sections import crack_energy
+from elastica_cad.mechanics.sheets import Sheet, even_shear_ratio
+from elastica_cad.refusals import Length, Listed, Refusal, note
+from elastica_cad.strip.outline import Ends
+from elastica_cad.strip.slots import Side, Slot
+from elastica_cad.strip.styles import Bends, Layout
+
+ROUNDS = 4
+"""Number of times the widening is computed for the width that it changes; the error is then negligible."""
+
+NOTCH_FILL = 0.5 + np.pi / 8
+"""Area of a notch with a half round end over the square of its width, if it is as deep as wide."""
+
+SHARES = (np.arange(400) + 0.5) / 400
+"""Places at which a widening and a hole are integrated, as fractions of their lengths."""
+
+HIGHEST = 9.0
+"""Largest relative widening in the search; a hole that takes the whole width needs less."""
+
+FIT_TOLERANCE = 1e-6
+"""Error of the factor on the stiffness."""
+
+
+def _grain(sheet: Sheet) -> float:
+    """Return the factor of a sheet with grain on the effect of corners: see `CUT_GRAIN`."""
+    from elastica_cad.strip.as_made import CUT_GRAIN
+
+    nu = min(sheet.poisson_ratio, 0.5)
+    return float((even_shear_ratio(nu) / sheet.shear_ratio) ** (CUT_GRAIN / 2))
+
+
+@dataclass(frozen=True)
+class ElementCut:
+    """Cut for a pin or for one end of a tie: a hole on the centre line, or a notch in each edge.
+
+    Attributes
+    ----------
+    at : float
+        Arc length of its centre, mm.
+    hole, notch : float
+        Diameter of the hole and width and depth of each notch, mm; 0 for none.
+    noun : Refusal
+        Name of the element in messages.
+    """
+
+    at: float
+    hole: float
+    notch: float
+    noun: Refusal
+
+    def missing_from(self, slots: Sequence[Slot]) -> Iterator[Slot]:
+        """Yield the notches, as slots with a half round end, that are not among the slots of a strip."""
+        sides: tuple[Side, ...] = ("upper", "lower") if self.notch else ()
+        for side in sides:
+            if not any((slot.at, slot.width, slot.side) == (self.at, self.notch, side) for slot in slots):
+                yield Slot(self.at, width=self.notch, depth=self.notch / 2, side=side, relief="round")
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """Start and end of the cut along the strip, mm."""
+        half = max(self.hole, self.notch) / 2
+        return self.at - half, self.at + half
+
+    @property
+    def concentration(self) -> float:
+        """Excess over 1 of the tension at the cut over that beside it, in a wide sheet: 2 sqrt(depth / radius)."""
+        return 2.0 if self.hole else float(2.0 * np.sqrt(2.0))
+
+    def added_length(self, width: float, sheet: Sheet) -> float:
+        """Return the length of strip, mm, that bends as much as the cut adds in a strip of this width, mm.
+
+        A hole adds the compliance of its net section and that of the idle corners beside it. In a wide Kirchhoff
+        plate both together are pi / 4 d^2 / width times the concentration 1 + 2 (1 + nu) / (3 + nu) of the stress.
+        In a narrower strip the part of the corners is divided by 1 + d / width, which agrees with plate elements
+        within 3 %. Notches count as slots; plate elements are up to 12 % softer or stiffer.
+        """
+        from elastica_cad.strip.as_made import CUT
+
+        nu, grain = min(sheet.poisson_ratio, 0.5), _grain(sheet)
+        chords = self.hole * np.sqrt(1 - (2 * SHARES - 1) ** 2)
+        net = self.hole * float(np.mean(chords / (width - chords)))
+        corners = 2 * (1 + nu) / (3 + nu) * grain * np.pi / 4 * self.hole**2 / (width + self.hole)
+        cracks = 2 * CUT * crack_energy(nu) * grain * self.notch**2 / width
+        return net + corners + cracks + NOTCH_FILL * self.notch * 2 * self.notch / (width - 2 * self.notch)
+
+
+def element_cuts(rod: Rod) -> tuple[ElementCut, ...]:
+    """Return the cuts for the pins and ties of a rod."""
+    return tuple(
+        ElementCut(float(at), action.element.hole, action.element.notch, noun_of(action.element))
+        for action in rod.between
+        if isinstance(action.element, Pin | Tie) and (action.element.hole or action.element.notch)
+        for at in action.s
+    )
+
+
+def cut_holes(rod: Rod, ends: Ends) -> tuple[Path, ...]:
+    """Return the holes for the pins and ties of a rod in a strip with these tabs.
+
+    Raises
+    ------
+    InputError
+        A cut extends beyond the end of the strip, or meets another cut.
+    """
+    cuts = element_cuts(rod)
+    for cut in cuts:
+        low, high = cut.span
+        if low <= -ends[0].length or high >= rod.length + ends[1].length:
+            raise InputError(
+                "The hole or notch for the {element} at {at} extends beyond the end of the strip. Move it, or "
+                "give the strip a longer tab there.",
+                element=cut.noun, at=Length(cut.at), where={"field": "between"},
+            )  # fmt: skip
+    for first, second in combinations(cuts, 2):
+        if first.span[0] < second.span[1] and second.span[0] < first.span[1]:
+            raise InputError(
+                "The holes or notches at {first} and {second} overlap. Move one of these elements, or leave out "
+                "its hole or notch.",
+                first=Length(first.at), second=Length(second.at), where={"field": "between"},
+            )  # fmt: skip
+    return tuple(Path.circle((cut.at, 0.0), cut.hole / 2) for cut in cuts if cut.hole)
+
+
+def cut_kinks(rod: Rod, width: Profile, sheet: Sheet) -> list[tuple[float, float]]:
+    """Return for each cut its place, mm, and the length of strip, mm, that adds the same angle."""
+    return [(cut.at, cut.added_length(float(width(cut.at)), sheet)) for cut in element_cuts(rod)]
+
+
+def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Layout]) -> Layout:
+    """Return the layout with a smooth widening at each cut, so that the strip bends as much as without cuts.
+
+    Parameters
+    ----------
+    rod : Rod
+    layout : Layout
+        Layout without widenings.
+    laid_out : callable
+        Function that returns the layout for a factor on the stiffness.
+
+    Raises
+    ------
+    InputError
+        A cut is as wide as the strip.
+    """
+    cuts = element_cuts(rod)
+    for cut in cuts:
+        _require_room(cut, float(layout.width(cut.at)))
+    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # a free end has no moment
+    peaks = np.zeros(len(cuts))
+    for _ in range(ROUNDS if cuts else 0):
+        bumps = []
+        for cut, peak in zip(cuts, peaks, strict=True):
+            plain = float(layout.width(cut.at)) / (1 + peak)
+            _require_room(cut, plain)
+            bumps.append(_Bump(cut.at, plain, plain / 2 + max(cut.hole, cut.notch)))
+        pairs = zip(cuts, bumps, strict=True)
+        peaks = np.array([bump.peak(cut, layout.sheet, rod.length) for cut, bump in pairs])
+        layout = laid_out(_factor(bumps, peaks, rod.length))
+    return layout
+
+
+def _require_room(cut: ElementCut, width: float) -> None:
+    """Refuse a cut as wide as the strip (mm), without its widening."""
+    needed = max(cut.hole, 2 * cut.notch)
+    if needed >= width:
+        raise InputError(
+            "The hole or notches for the {element} at {at} take {needed:g} of the width, but the strip is only "
+            "{wide:.4g} wide there without its widening. Make the hole or notches smaller, or the strip wider.",
+            element=cut.noun, at=Length(cut.at), needed=Length(needed), wide=Length(width),
+            where={"field": "between"},
+        )  # fmt: skip
+
+
+def _factor(bumps: Sequence["_Bump"], peaks: FloatArray, length: float) -> Profile:
+    """Return the factor on the stiffness: 1 plus the bumps, which end at the distance of their reach."""
+    knots = np.concatenate([bump.at + bump.reach * np.linspace(-1, 1, 5) for bump in bumps])
+    return Profile.fit(
+        lambda s: 1 + sum(peak * bump(s) for bump, peak in zip(bumps, peaks, strict=True)),
+        length, knots=np.unique(knots[(knots > 0) & (knots < length)]), tolerance=FIT_TOLERANCE,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class _Bump:
+    """Cubic B-spline of height 1 at `at`, mm, in a strip `width` mm wide that ends `reach` mm from there."""
+
+    at: float
+    width: float
+    reach: float
+
+    def __call__(self, s: FloatArray) -> FloatArray:
+        v = 2 * np.abs(s - self.at) / self.reach
+        return np.asarray(np.where(v < 1, 1 - 1.5 * v**2 + 0.75 * v**3, 0.25 * np.maximum(2 - v, 0) ** 3))
+
+    def peak(self, cut: ElementCut, sheet: Sheet, length: float) -> float:
+        """Return the height at which the bump bends less by as much as the cut adds."""
+        low, high = max(self.at - self.reach, 0.0), min(self.at + self.reach, length)
+        shape = self(low + (high - low) * SHARES)
+
+        def lack(peak: float) -> float:
+            saved = float(np.mean(1 - 1 / (1 + peak * shape))) * (high - low)
+            return cut.added_length(self.width * (1 + peak), sheet) - saved
+
+        from scipy.optimize import brentq
+
+        peak: float = brentq(lack, 0.0, HIGHEST)
+        return peak
+
+
+@dataclass(frozen=True)
+class StrainedCut:
+    """Cut whose edge is strained to `strain`, in a brittle sheet."""
+
+    cut: ElementCut
+    sheet: Sheet
+    strain: float
+
+    @property
+    def verdict(self) -> StrainVerdict:
+        """Result of the strain rule, at most a warning, because the strain decreases near the edge of the cut."""
+        judged = judge_strain(self.sheet, self.strain, self.cut.at)
+        return replace(judged, state=min(judged.state, StrainState.WARNED))
+
+    def __str__(self) -> str:
+        """Return a sentence on the strain at the edge of the cut."""
+        limit = self.sheet.max_strain
+        strain, allowed = distinct_digits(100 * self.strain, 100 * limit, ".2g")
+        return note(
+            "At {at} from the start, the edge of the hole or notch for the {element} is strained by {strain:g} %; "
+            "{sheet} allows {limit:g} %: {outcome}. Move the {element} to a gentler bend, or leave out its hole or "
+            "notch.",
+            at=Length(self.cut.at), element=self.cut.noun, strain=strain, limit=allowed, sheet=self.sheet.name,
+            outcome=note(self.verdict.outcome), severity="warning",
+        )  # fmt: skip
+
+
+def strained_cuts(rod: Rod, layout: Layout) -> tuple[StrainedCut, ...]:
+    """Return the cuts whose edges are strained beyond the limit of a brittle sheet.
+
+    The excess of the strain is that in tension times (1 + nu) / (3 + nu), as beside an elliptic hole in a
+    bent plate (Goodier, Phil. Mag. 22, 1936).
+    """
+    sheet = layout.sheet
+    cuts = element_cuts(rod) if sheet.kind in BRITTLE else ()
+    nu = min(sheet.poisson_ratio, 0.5)
+    strained = []
+    for cut in cuts:
+        at = np.array([cut.at])
+        strain = max(float(layer.largest) for layer in layout.strains(Bends(np.abs(rod.bend_at(at)), at)))
+        factor = 1 + (1 + nu) / (3 + nu) * _grain(sheet) * cut.concentration
+        strained.append(StrainedCut(cut, sheet, strain * factor))
+    return tuple(cut for cut in strained if not cut.verdict.allowed)
+
+
+def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
+    """Yield a warning for each cord whose line between its holes or notches crosses the strip."""
+    for action in rod.between:
+        if not isinstance(action.element, Tie):
+            continue
+        start, end = rod.curve.at(action.s).position
+        crossings = [
+            s for s in _crossings(rod, start, end) if np.abs(s - action.s).min() > rod.length / rod.s.size
+        ]
+        if not crossings:
+            continue
+        widest = float(width(np.array(crossings)).max())
+        beside = width(action.s).min() - 2 * action.element.notch if action.element.notch else 0.0
+        if beside <= widest:
+            yield note(
+                "The cord from {start} to {end} crosses the strip at {places}. Use two cords beside its edges, "
+                "more than {apart} apart.",
+                start=Length(action.s[0]), end=Length(action.s[1]), places=Listed(map(Length, crossings)),
+                apart=Length(rounded_up(widest, 3)), severity="warning",
+            )  # fmt: skip
+
+
+def _crossings(rod: Rod, start: FloatArray, end: FloatArray) -> list[float]:
+    """Return the arc lengths, mm, at which a rod crosses the line between two points (2,), points excluded."""
+    chord = end - start
+    aside = (rod.position - start) @ left_of(chord)
+    before = np.flatnonzero(aside[:-1] * aside[1:] < 0)
+    u = aside[before] / (aside[before] - aside[before + 1])
+    along = (
+        rod.position[before] + u[:, None] * (rod.position[before + 1] - rod.position[before]) - start
+    ) @ chord
+    inside = (along > 0) & (along < chord @ chord)
+    s = rod.s[before] + u * (rod.s[before + 1] - rod.s[before])
+    return [float(place) for place in s[inside]]
