@@ -15,6 +15,7 @@ from tests.manual.proofs import asks, proved_by
 from tests.manual.test_freecad_pages import COMMANDS
 
 WORKBENCH = "docs/freecad.md"
+TREES = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad"
 LIBRARIES = {"highspy", "numpy", "scipy", "ezdxf", "svgelements", "trimesh", "OCP", "matplotlib", "build123d",
              "cadquery", "click", "FreeCAD"}  # fmt: skip
 
@@ -50,6 +51,28 @@ def imported(place):
 @asks("docs/architecture.md", "paper", "what", "file", "function")
 def _equations(row, _):
     proved_by("tests/house/test_documentation.py::test_every_equation_has_its_function")
+
+
+@asks("docs/architecture.md", "module", "what it holds")
+def _modules(row, _):
+    """The test compares the tables with what `docs/plan.py` writes."""
+    proved_by("tests/house/test_imports.py::test_the_drawing_of_the_packages_is_of_these_imports")
+    (name,) = quoted(row[0])
+    assert list((ROOT / "elastica_cad").glob(f"*/{name}.py"))
+
+
+@asks("docs/architecture.md", "door", "where it checks")
+def _doors(row, _):
+    """Each file is in the package or the workbench; each class and function is defined in the package."""
+    for name in quoted(row[1]):
+        if name.endswith(".py"):
+            (file,) = (
+                path for tree in TREES for path in tree.rglob(name.rsplit("/")[-1]) if path.match(name)
+            )
+            assert file
+        elif not name.startswith("-"):
+            defined = re.compile(rf"^ *(class|def) {name.split('.')[-1]}\b", re.MULTILINE)
+            assert any(defined.search(path.read_text(encoding="utf-8")) for path in TREES[0].rglob("*.py"))
 
 
 @asks("CONTRIBUTING.md", "folder", "what it tests")

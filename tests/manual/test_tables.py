@@ -24,6 +24,10 @@ RUN_ELSEWHERE = {
     ("docs/code_cad.md", "python"): "tests/contract/test_snippets.py::test_page_for_scripts",
     ("docs/freecad.md", "python"): "tests/freecad/test_contract.py::test_page_of_the_workbench",
     ("README.md", "sh"): "tests/contract/test_snippets.py::test_commands_of_readme",
+    (
+        "docs/architecture.md",
+        "text",
+    ): "tests/house/test_documentation.py::test_calls_of_the_three_ways_exist",
     ("docs/publishing.md", "rst"): "tests/manual/test_tables.py::test_entries_for_lists_lead_here",
     ("docs/publishing.md", "text"): "tests/manual/test_tables.py::test_entries_for_lists_lead_here",
 }
