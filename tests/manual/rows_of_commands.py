@@ -320,7 +320,7 @@ def _tabs(row, folder):
         assert changed == (key != "length")
 
 
-@asks(f"{HOW_TO}/too_much.md", "option", "keeps")
+@asks(f"{HOW_TO}/too_much.md", "option", "limit")
 def _limits(row, folder):
     drawn(folder)
     (option,) = quoted(row[0])
