@@ -58,6 +58,9 @@ from elastica_cad.web.saved_design import (
 
 Record = dict[str, Any]
 
+LEAST_STEP = 1e-3
+"""Least accuracy of the border of what can be made, mm."""
+
 PLACE_DIGITS = 6
 """Decimals of a place along the curve, mm; the end of the curve must stay on it."""
 
@@ -178,6 +181,15 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 
 def _strip(request: Mapping[str, Any]) -> Record:
+    """Return what the page shows of a strip, whose dragged point stops at the border if the request says so."""
+    record = _shown_strip(request)
+    if "hold" not in request or "refused" not in record:
+        return record
+    place, stopped = _stopped(request, request["hold"])
+    return _shown_strip(stopped) | {"point": place}
+
+
+def _shown_strip(request: Mapping[str, Any]) -> Record:
     """Return check, shape, flat part and numbers of a strip; requested at every move of the pointer."""
     spec, kept = _with_kept_fractions(request)
     check, drawn = spec.rod_spec.check, spec.rod_spec.drawn or spec.rod_spec.curve
@@ -197,6 +209,51 @@ def _strip(request: Mapping[str, Any]) -> Record:
         "rows": _rows(strip_rows(strip, near, quick=bool(request.get("live")))),
     }
     return record | (_drawn(spec) if spec.may_change else {})
+
+
+def _stopped(request: Mapping[str, Any], hold: Mapping[str, Any]) -> tuple[list[float], Record]:
+    """Return the position of a dragged control point at the border of what can be made, and its request.
+
+    `hold` has the index of the point, its last possible position `from`, and the accuracy `step`, mm. The point
+    goes from there towards the requested position as far as possible, and then along x or y.
+    """
+    design, k, step = request["design"], request.get("strip", 0), max(float(hold["step"]), LEAST_STEP)
+    strip = design["strips"][k]
+
+    def moved(place: FloatArray) -> Record:
+        spline = [*strip["curve"]["spline"]]
+        spline[hold["point"]] = place.round(PLACE_DIGITS).tolist()
+        strips = [*design["strips"]]
+        strips[k] = strip | {"curve": strip["curve"] | {"spline": spline}}
+        return {**request, "design": design | {"strips": strips}}
+
+    def farthest(start: FloatArray, way: FloatArray) -> FloatArray:
+        size, low, high = float(np.hypot(*way)), 0.0, step
+        while high < size and _is_possible(moved(start + high / size * way)):
+            low, high = high, 2 * high
+        high = min(high, size)
+        while high - low > step:
+            middle = (low + high) / 2
+            low, high = (middle, high) if _is_possible(moved(start + middle / size * way)) else (low, middle)
+        return start + low / size * way if low else start
+
+    start, end = (np.array(xy, dtype=float) for xy in (hold["from"], strip["curve"]["spline"][hold["point"]]))
+    place = farthest(start, end - start)
+    for axis in np.argsort(-np.abs(end - place)):
+        along = farthest(place, np.where(np.arange(2) == axis, end - place, 0.0))
+        if np.any(along != place):
+            place = along
+            break
+    return place.round(PLACE_DIGITS).tolist(), moved(place)
+
+
+def _is_possible(request: Mapping[str, Any]) -> bool:
+    """Return True if the strip of a request can be made."""
+    with suppress(ElasticaError):
+        spec, _ = _with_kept_fractions(request)
+        spec.make(solve_rod(spec.rod_spec))
+        return True
+    return False
 
 
 def _with_kept_fractions(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:

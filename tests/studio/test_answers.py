@@ -312,6 +312,29 @@ def test_ties_and_loads_keep_their_fraction_of_an_edited_curve():
     assert answer({"do": "strip", "design": shorter})["kept"] == {}
 
 
+@pytest.mark.parametrize("between", [[], [{"at": 200}]], ids=["alone", "rail"])
+def test_a_dragged_point_stops_at_the_border(between):
+    """Half a step further, or on the whole way, the strip is refused; along x it goes where that is possible."""
+    points, k = (WAVE, 3) if between else (ARCH, 1)
+    degree = 5 if between else 4
+
+    def at(place, **more):
+        drawn = design([place if i == k else xy for i, xy in enumerate(points)], between=between)
+        drawn["strips"][0]["curve"]["degree"] = degree
+        return answer({"do": "strip", "design": drawn, "live": True, **more})
+
+    hold = {"point": k, "from": list(points[k]), "step": 0.5}
+    far = [points[k][0] + 1.0, points[k][1] - 300.0]
+    stopped = at(far, hold=hold)
+    assert "refused" in at(far)
+    assert "refused" not in stopped
+    assert "refused" not in at(stopped["point"])
+    assert stopped["point"][1] > far[1] + 1
+    assert "refused" in at([stopped["point"][0], stopped["point"][1] - 1.1])
+    near = [points[k][0], points[k][1] - 0.1]
+    assert "point" not in at(near, hold=hold)
+
+
 def test_the_support_that_is_suggested_makes_the_strip():
     told = answer({"do": "support", "design": wave()})
     made = answer({"do": "strip", "design": wave(between=[told["between"]])})

@@ -156,6 +156,26 @@ def test_rails_ties_and_loads_are_set_on_the_curve(server, tmp_path):
 
 
 @pytest.mark.campaign
+def test_a_dragged_point_stops_at_the_border_of_what_can_be_made(server, tmp_path):
+    with chromium(tmp_path) as studio:
+        studio.open(server.address)
+        studio.start("arch")
+        studio.all("[data-do=keep]")[0].click()
+        rng, stopped = np.random.default_rng(71), 0
+        for _ in range(20):
+            k, way = int(rng.integers(2, 9)), rng.normal(size=2) * 60
+            place = studio.point(k)
+            studio.press(place, *(way * part for part in np.linspace(0.1, 1, 10)))
+            studio.until(lambda: studio.text(".numbers").count("…") == 0)
+            assert studio.verdict().startswith("It can be made")
+            stopped += np.hypot(*(studio.point(k) - place - way)) > 3
+        assert 3 < stopped < 20
+        studio.all("[data-do=keep]")[0].click()
+        studio.press(studio.point(2), (0, -150))
+        studio.until(lambda: studio.verdict() == "It cannot be made")
+
+
+@pytest.mark.campaign
 def test_by_finger_a_curve_is_drawn_moved_and_looked_at(server, tmp_path):
     with chromium(tmp_path, (500, 900)) as studio:
         studio.open(server.address)

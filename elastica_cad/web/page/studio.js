@@ -93,6 +93,7 @@ class Studio {
     this.flat.setAttribute("aria-label", t("Flat strip"));
     const space = html("div", { class: "scene" });
     this.pairing = button("Two states", () => this.twoStates(), { "data-do": "pair" });
+    this.keeping = button("Keep it possible", () => this.keeping.setAttribute("aria-pressed", (this.keeps = !this.keeps)), { "aria-pressed": `${Boolean(this.keeps)}`, "data-do": "keep", title: t("A dragged point stops at the border of what can be made.") });
     this.mode = button("Draw", () => this.draws(this.drawing.mode !== "draw"));
     const holding = html("details", { class: "menu holding" }, html("summary", {}, t("Hold and load")), html("div", {}, ...Object.keys(ELEMENTS).map((noun) => button(noun, () => {
       holding.open = false;
@@ -110,7 +111,7 @@ class Studio {
     this.root.replaceChildren(
       html("header", {}, html("h1", {}, "elastica studio"),
         html("div", { class: "tools", role: "toolbar", "aria-label": t("Strip") },
-          button("Undo", () => this.history.undo()), button("Redo", () => this.history.redo()), this.mode,
+          button("Undo", () => this.history.undo()), button("Redo", () => this.history.redo()), this.mode, this.keeping,
           button("Fit", () => this.drawing.fit()), button("Zoom in", () => this.drawing.zoom(1.25)), button("Zoom out", () => this.drawing.zoom(0.8)),
           select("Snap", SNAPS.map((step) => [`${step}`, step ? `${t("Snap")} ${step} mm` : `${t("Snap")} ${t("off")}`]), (step) => { this.drawing.snap = +step; this.drawing.paint(); }, "0"),
           button("Start from", () => this.starts(), { "data-do": "starts" }), button("Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
@@ -130,11 +131,8 @@ class Studio {
     document.documentElement.lang = language;
     this.drawing = new Drawing(plane, t, {
       grab: () => { this.fresh = true; },
-      move: (k, point) => this.edit((curve) => { curve.spline[k] = point; }, this.fresh),
-      release: () => {
-        this.before = this.length;
-        this.changed();
-      },
+      move: (k, point) => (this.keeps && !this.design.pair && this.answer?.position ? this.lead(k, point) : this.edit((curve) => { curve.spline[k] = point; }, this.fresh)),
+      release: () => { if (!this.leading) this.released(); },
       put: (noun, places) => this.put(noun, places),
       slide: ({ element: { key, index }, end }, { s, point }) => {
         const table = tableOf(this.design, this.strip, key)[key][index], name = ["at", "start", "end"].filter((each) => each in table)[end];
@@ -223,6 +221,32 @@ class Studio {
     this.fresh = false;
   }
 
+  // Keep it possible: the point follows the answers, which stop it at the border of what can be made.
+  async lead(k, point) {
+    this.wanted = point;
+    if (this.leading) return;
+    this.leading = true;
+    while (this.wanted) {
+      const { design, strip, wanted } = this, from = this.curve().spline[k], length = this.length ?? this.answer?.path?.length;
+      this.wanted = null;
+      this.curve(design).spline[k] = wanted;
+      const answer = await this.channel.ask({ do: "strip", design, strip, length, live: true, hold: { point: k, from, step: 1 / this.drawing.view.scale } });
+      if (!answer || answer.refused) continue; // where even the last position is not possible, nothing moves
+      this.shown = answer.id;
+      this.answered = answer;
+      this.edit((curve) => { curve.spline[k] = answer.point ?? wanted; }, this.fresh);
+      this.answered = null;
+    }
+    this.leading = false;
+    if (this.drawing.grabbed == null) this.released();
+  }
+
+  // The last change of a drag: what is left out while the pointer moves is computed.
+  released() {
+    this.before = this.length;
+    this.changed();
+  }
+
   // Ties and loads keep their fraction of the length: the server moves them from the length to which they refer.
   reshape(change, step = true) {
     this.before = this.length ?? this.answer?.path?.length;
@@ -292,7 +316,7 @@ class Studio {
       this.paint(null);
       return;
     }
-    const answer = await this.channel.ask({ do: design.pair ? "pair" : "strip", design, strip: this.strip, live: this.drawing.grabbed != null, length: this.length });
+    const answer = this.answered ?? await this.channel.ask({ do: design.pair ? "pair" : "strip", design, strip: this.strip, live: this.drawing.grabbed != null, length: this.length });
     if (!answer || answer.id < this.shown) return;
     this.shown = answer.id;
     if (this.length && Object.keys(answer.kept ?? {}).length) this.keep(answer);
