@@ -123,6 +123,9 @@ campaign-release: .venv-release/installed
 campaign-solids: programs .venv-campaign/installed
 	$(RECORD) solids .venv-campaign/bin/python tests/campaign/solids.py --out $(OUT)/campaign --minutes $(MINUTES)
 
+campaign-typing: .venv-campaign/installed
+	$(RECORD) typing .venv-campaign/bin/python -m tests.campaign.type_checkers
+
 campaign-mutants: $(VENV)/test-installed
 	$(RECORD) mutants $(TRUST).mutants --count 400 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
 
@@ -182,7 +185,7 @@ $(OLDEST)/installed: $(VENV)/created pyproject.toml tests/oldest/requirements.tx
 
 .venv-campaign/installed: $(VENV)/created
 	@$(ALONE) .venv-campaign
-	$(call install,.venv-campaign,--editable . "build123d==0.12.0" "cadquery==2.8.0" gmsh pyright)
+	$(call install,.venv-campaign,--editable . "build123d==0.12.0" "cadquery==2.8.0" gmsh basedpyright)
 
 .venv-release/installed: $(VENV)/created
 	@$(ALONE) .venv-release

@@ -11,7 +11,13 @@ except ImportError as error:
         f"elastica_cad.cadquery needs CadQuery: {library_trouble('cadquery', error)}"
     ) from error
 
-from elastica_cad.cadquery.strip_operations import elastica, model_assembly, register, section_strips
+from elastica_cad.cadquery.strip_operations import (
+    Workplane,
+    elastica,
+    model_assembly,
+    register,
+    section_strips,
+)
 from elastica_cad.cadquery.strip_shapes import (
     FixtureSolid,
     Slider,
@@ -32,6 +38,7 @@ __all__ = [
     "StripFace",
     "StripSolid",
     "StripWarning",
+    "Workplane",
     "bent_strip",
     "elastica",
     "end_fixture",

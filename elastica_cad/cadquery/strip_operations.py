@@ -1,7 +1,7 @@
 """The curve of a bent strip, strips of a body's sections, models as assemblies, and the methods `elasticStrip`."""
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, Any, Literal, TypeAlias, Unpack, get_args
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, Unpack, get_args
 
 import cadquery as cq
 
@@ -208,6 +208,7 @@ def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
 Form: TypeAlias = Literal["flat", "bent", "outline"]
 
 METHOD = "elasticStrip"
+Work = TypeVar("Work", bound=cq.Workplane)
 CHAIN = 1e-4  # distance, mm, of ends of pending edges that are intended to meet
 
 
@@ -232,7 +233,7 @@ def register() -> None:
 
 @lists(StripOptions)
 def _workplane_strip(
-    self: cq.Workplane,
+    self: Work,
     sheet: Sheet | str,
     *,
     max_width: float | None = None,
@@ -240,7 +241,7 @@ def _workplane_strip(
     combine: bool | str = False,
     clean: bool = True,
     **options: Unpack[StripOptions],
-) -> cq.Workplane:
+) -> Work:
     """Return the strip of the pending or selected edges and wires.
 
     Parameters
@@ -293,10 +294,16 @@ def _workplane_strip(
         put.append(next(left).moved(place) if local else next(left))
         return put[-1]
 
-    made = self.newObject(places * len(bodies)).eachpoint(at_place, local, combine, tidy)
+    strips: Work = self.newObject(places * len(bodies)).eachpoint(at_place, local, combine, tidy)
     for end in ENDS:
         self.newObject([body.end_face(end) for body in put if not isinstance(body, StripFace)]).tag(end)
-    return made
+    return strips
+
+
+class Workplane(cq.Workplane):
+    """CadQuery's Workplane with the method `elasticStrip`, which editors and type checkers find."""
+
+    elasticStrip = _workplane_strip
 
 
 def _edges(drawn: Iterable[cq.Edge | cq.Wire]) -> list[cq.Edge]:

@@ -6,9 +6,7 @@ Run it to get slotted.step and slotted.dxf.
 import cadquery as cq
 
 import elastica_cad as ec
-from elastica_cad.cadquery import register
-
-register()
+from elastica_cad.cadquery import Workplane
 
 SHEET = ec.Sheet.named("birch-plywood-0.8")
 POINTS, TANGENTS = [(0, 0), (95, 65), (210, 0)], [(0.7, 1), (0.9, -1)]
@@ -19,9 +17,9 @@ OPTIONS = {
     "label": "rib 1",
 }
 
-bent = cq.Workplane("XZ").spline(POINTS, tangents=TANGENTS).elasticStrip(SHEET, form="bent", **OPTIONS)
+bent = Workplane("XZ").spline(POINTS, tangents=TANGENTS).elasticStrip(SHEET, form="bent", **OPTIONS)
 flat = (
-    cq.Workplane("XY", origin=(0, -60, 0))
+    Workplane("XY", origin=(0, -60, 0))
     .spline(POINTS, tangents=TANGENTS)
     .elasticStrip(SHEET, form="flat", **OPTIONS)
 )

@@ -8,6 +8,7 @@ from elastica_cad import Hole, InputError, Tab
 from elastica_cad.cadquery import (
     StripSolid,
     StripWarning,
+    Workplane,
     bent_strip,
     end_fixture,
     flat_strip,
@@ -86,13 +87,15 @@ class TestFreeFunctions:
 
 
 class TestWorkplane:
-    def test_bent_on_a_plane(self):
-        work = cq.Workplane("XZ").spline(POINTS).elasticStrip(SHEET, form="bent", **OPTIONS)
+    @pytest.mark.parametrize("workplane", [cq.Workplane, Workplane])
+    def test_bent_on_a_plane(self, workplane):
+        work = workplane("XZ").spline(POINTS).elasticStrip(SHEET, form="bent", **OPTIONS)
         box = work.val().BoundingBox()
         assert (box.ymin, box.ymax) == pytest.approx((-15, 15), abs=1e-5)
         assert work.val().isValid()
         assert work.faces(tag="end").size() == 1
         assert work.val().strip.label == "A1"
+        assert type(work) is workplane
 
     @pytest.mark.parametrize("plane", ["XY", "XZ"])
     def test_fixture_of_what_is_drawn_on_a_plane(self, plane):

@@ -1,11 +1,12 @@
 """mypy sees users' mistakes through both the classes' own arguments and the typed options."""
 
-import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+
+from tests.campaign.type_checkers import WORKBENCH, write_pages
 
 ROOT = Path(__file__).resolve().parents[2]
 FILE = ROOT / "tests" / "cad" / "typing" / "mistakes.py"
@@ -46,14 +47,8 @@ def test_mypy_accepts_what_users_write():
 
 
 @pytest.mark.campaign
-def test_mypy_accepts_the_examples_of_the_manual(tmp_path):
-    """All pages but FreeCAD's, whose libraries are not in this environment."""
-    pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
-    for page in pages:
-        blocks = re.findall(r"^```python\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL)
-        if blocks and "reference" not in page.parts and page.name != "freecad.md":
-            name = "_".join(page.relative_to(ROOT).with_suffix("").parts).replace("-", "_")
-            (tmp_path / f"page_{name}.py").write_text("\n".join(blocks))
-    written = sorted(tmp_path.glob("*.py"))
+def test_mypy_accepts_the_examples_of_the_manual(tmp_path, monkeypatch):
+    written = write_pages(tmp_path)
     assert len(written) > 10
-    assert strict(*written) == ""
+    monkeypatch.setenv("MYPYPATH", f"{tmp_path}:{WORKBENCH}")
+    assert strict("--follow-imports=silent", *written) == ""
