@@ -17,17 +17,19 @@ ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "explanation" / "speed.md"
 KEPT = ROOT / "tests" / "benchmarks" / "measured.json"
 
-HEAD = """# Speed: ours beside others in the same run
+HEAD = """# Speed
 
-`make benchmark` writes this page (`docs/speed_tables.py`, from `tests/benchmarks`). Seconds are medians and
-depend on the machine. A ratio divides our time by the peer's in the same run and depends on it little; less
-than 1 is faster.
+This page compares the speed of this program with other solvers, and shows how long its commands take.
+`make benchmark` writes the page (`docs/speed_tables.py`, from `tests/benchmarks`).
+
+The times are medians, and depend on the machine. A ratio divides our time by the time of the other task in
+the same run. It depends little on the machine, and a ratio below 1 means that ours is faster.
 """
 
 PEERS = {
     "test_nearest_against_ipopt.py::test_sixteen_light_curves_against_ipopt": (
-        "`nearest_rod`: the sixteen light curves of the Flower Pot, the median of their ratios",
-        "IPOPT through casadi: the same rod of 201 nodes and 20 coefficients, exact derivatives",
+        "`nearest_rod`: sixteen curves of the Flower Pot without weight (median of their ratios)",
+        "IPOPT through casadi: the same rod (201 nodes, 20 coefficients), exact derivatives",
     ),
     "test_lp_cost.py::test_row_generation_against_all_rows[200]": (
         "least stiffness ratio of a half ellipse, 200 samples",
@@ -43,85 +45,111 @@ PEERS = {
     ),
     "test_lp_cost.py::test_all_strips_of_the_gallery": (
         "least stiffness ratios of all strips of nine models",
-        "HiGHS: the programs of the paper with all rows",
+        "HiGHS: the linear programs of the paper with all rows",
     ),
     "test_rod_speed.py::test_bend_against_solve_bvp": (
-        "`bend`: 201 nodes between two clamps",
-        "`scipy.integrate.solve_bvp`, to 1e-6",
+        "`bend`: a rod of 201 nodes between two clamps",
+        "`scipy.integrate.solve_bvp`, tolerance 1e-6",
     ),
     "test_rod_speed.py::test_stability_against_the_dense_constrained_eigenproblem": (
-        "`stability` of 1001 nodes",
+        "`stability` of a rod of 1001 nodes",
         "numpy: eigenvalues of the dense projected Hessian",
     ),
 }  # fmt: skip
 """What is measured beside a solver of others, and which one."""
 
-BESIDE_SCIPY = "500 evaluations of a cubic spline at 601 points, by scipy"
+BESIDE_SCIPY = "scipy: a cubic spline evaluated 500 times at 601 points"
 
 OURS = {
     "test_lp_cost.py::test_cost_hardly_grows_with_the_samples": (
         "least stiffness ratio, 20,000 samples",
         "the same with 200 samples",
     ),
-    "test_rod_speed.py::test_cost_is_linear_up_to_20000[bend]": ("`bend` of 20,001 nodes", "5001 nodes"),
+    "test_rod_speed.py::test_cost_is_linear_up_to_20000[bend]": (
+        "`bend` of a rod of 20,001 nodes",
+        "the same with 5001 nodes",
+    ),
     "test_rod_speed.py::test_cost_is_linear_up_to_20000[stability]": (
-        "`stability` of 20,001 nodes",
-        "5001 nodes",
+        "`stability` of a rod of 20,001 nodes",
+        "the same with 5001 nodes",
     ),
     "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[check_equilibrium-arch]": (
-        "verdict of Theorem 1, a drawn arch",
+        "`check_equilibrium` (the verdict on a curve) of a drawn arch",
         BESIDE_SCIPY,
     ),
     "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[check_equilibrium-wave]": (
-        "the same, a wave",
+        "the same of a wave",
         BESIDE_SCIPY,
     ),
     "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[optimal_rod-arch]": (
-        "`optimal_rod`, a drawn arch",
+        "`optimal_rod` of a drawn arch",
         BESIDE_SCIPY,
     ),
     "test_drawn_curve_speed.py::test_drawn_curve_against_its_evaluations[optimal_rod-wave]": (
-        "the same, a wave",
+        "the same of a wave",
         BESIDE_SCIPY,
     ),
     "test_nearest_speed.py::test_second_solves_after_a_small_move": (
-        "nearest rods of sixteen curves after a small move, `start=`",
-        "the same afresh",
+        "nearest rods of sixteen slightly moved curves, from the previous result (`start=`)",
+        "the same without `start=`",
     ),
     "test_nearest_speed.py::test_compiled_beside_python": (
-        "sixteen heavy, stable nearest rods, inner loops compiled",
-        "the same in Python (`ELASTICA_PURE`)",
+        "sixteen stable nearest rods under weight, inner loops compiled",
+        "the same without compiled code (`ELASTICA_PURE`)",
     ),
-    "test_batch_speed.py::test_two_processes": ("200 requests in two processes", "the same in one"),
-    "test_batch_speed.py::test_time_is_linear": ("600 requests in two processes", "200 requests"),
+    "test_batch_speed.py::test_two_processes": (
+        "200 nearest rods in two processes",
+        "the same in one process",
+    ),
+    "test_batch_speed.py::test_time_is_linear": (
+        "600 nearest rods in two processes",
+        "200 nearest rods in two processes",
+    ),
     "test_batch_speed.py::test_ten_thousand": (
-        "10,000 requests in two processes",
+        "10,000 nearest rods in two processes",
         "half the time of one process",
     ),
-    "test_batch_speed.py::test_memory_is_constant": ("memory of 600 requests at most", "of 200 requests"),
+    "test_batch_speed.py::test_memory_is_constant": (
+        "largest memory of 600 nearest rods",
+        "largest memory of 200 nearest rods",
+    ),
     "test_slot_speed.py::test_slots_cost_a_few_times_the_strips": (
-        "the Pavilion interlocked: 102 slots in 31 strips",
-        "its 31 rods under their weight",
+        "interlocking the Pavilion: 102 slots in 31 strips",
+        "computing its 31 rods under their weight",
     ),
 }
 """What is measured beside another task of ours."""
 
 ALONE = {
-    "test_nearest_speed.py::test_sixteen_light_curves": "nearest rods of sixteen light curves, ratio 2.5",
-    "test_nearest_speed.py::test_sixteen_heavy_stable_curves": "the same under weight, ratio 3.3, margin 5",
-    "test_nearest_speed.py::test_wishes_that_no_rod_meets": "requests that no rod meets: ratio 1.3, margin 500",
-    "test_nearest_speed.py::test_unstable_s": "an S that snaps, made stable, tangents kept",
-    "test_nearest_speed.py::test_march_with_sensitivities": "one march along 201 nodes with all derivatives",
+    "test_nearest_speed.py::test_sixteen_light_curves": (
+        "nearest rods of sixteen curves without weight, ratio at most 2.5"
+    ),
+    "test_nearest_speed.py::test_sixteen_heavy_stable_curves": (
+        "the same under weight, ratio at most 3.3, margin at least 5"
+    ),
+    "test_nearest_speed.py::test_wishes_that_no_rod_meets": (
+        "sixteen searches that find no rod: ratio at most 1.3, margin at least 500"
+    ),
+    "test_nearest_speed.py::test_unstable_s": (
+        "the nearest stable curve of an unstable S, with the same end tangents"
+    ),
+    "test_nearest_speed.py::test_march_with_sensitivities": "integration along 201 nodes, with all derivatives",
 }
 """What has no peer."""
 
 PROCESSES = {
     "test_command_speed.py::test_whole_process[import]": "`import elastica_cad`",
     "test_command_speed.py::test_whole_process[check]": "`elastica check arch.dxf`",
-    "test_command_speed.py::test_whole_process[strip without STEP]": "`elastica strip arch.dxf`, no CAD kernel",
+    "test_command_speed.py::test_whole_process[strip without STEP]": (
+        "`elastica strip arch.dxf`, without STEP files"
+    ),
     "test_command_speed.py::test_whole_process[pavilion]": "`elastica model pavilion.toml`: 31 strips, 102 slots",
-    "test_command_speed.py::test_whole_process[perforated]": "`elastica strip`, 1220 holes, with picture, no STEP",
-    "test_command_speed.py::test_whole_process[lamp]": "`examples/lamp/lamp.py` with its pictures, no STEP",
+    "test_command_speed.py::test_whole_process[perforated]": (
+        "`elastica strip`: 1220 holes, with a picture, without STEP files"
+    ),
+    "test_command_speed.py::test_whole_process[lamp]": (
+        "`examples/lamp/lamp.py`: with its pictures, without STEP files"
+    ),
 }
 """Whole processes, from the command to its end."""
 
@@ -129,7 +157,7 @@ BODIES = {
     "test_cad_speed.py::test_one_strip[FlatSolid]": "flat strip",
     "test_cad_speed.py::test_one_strip[BentSolid]": "bent strip",
     "test_cad_speed.py::test_assembly_of_31_slotted_strips": "31 bent strips with six slots each",
-    "test_cad_speed.py::test_a_strip_bent_forward": "a strip bent forward, its record",
+    "test_cad_speed.py::test_a_strip_bent_forward": "record of a strip that is bent forward",
 }
 """Bodies of OpenCASCADE."""
 
@@ -183,14 +211,14 @@ def page(kept: dict[str, Any]) -> str:
     """The whole page."""
     found = kept["rows"]
     busy = (
-        " The machine had other work meanwhile: seconds are too large, ratios are roughly right."
+        " Other programs ran at the same time: the times are too large, the ratios are roughly right."
         if kept["busy"]
         else ""
     )
     parts = [HEAD, f"All rows are of {kept['date']}: {kept['machine']}.{busy}\n"]
     parts += table(
-        "Beside solvers of others",
-        ["task", "peer", "ours", "ours / peer"],
+        "Compared with other solvers",
+        ["task", "other solver", "our time", "ratio"],
         [[*words, seconds(found[name]), ratio(found[name])] for name, words in PEERS.items()],
     )
     models = {
@@ -199,23 +227,23 @@ def page(kept: dict[str, Any]) -> str:
         if name not in ("ratio", "median_s")
     }
     parts += table(
-        "The strips of each model, beside HiGHS with all rows",
-        ["model", "ours / peer"],
+        "The strips of each model, compared with HiGHS with all rows",
+        ["model", "ratio"],
         [[name, told(share)] for name, share in models.items()],
     )
     parts += table(
-        "Beside other tasks",
-        ["task", "beside", "ours", "ratio"],
+        "Compared with other tasks",
+        ["task", "other task", "our time", "ratio"],
         [[*words, seconds(found[name]), ratio(found[name])] for name, words in OURS.items()],
     )
     parts += table(
-        "As a person waits for it",
-        ["process", "seconds", "over a process that imports numpy"],
+        "Whole commands",
+        ["command", "time", "divided by the time of a process that only imports numpy"],
         [[words, seconds(found[name]), ratio(found[name])] for name, words in PROCESSES.items()],
     )
     parts += table(
-        "What a hand feels in FreeCAD",
-        ["work", "figure"],
+        "In FreeCAD",
+        ["work", "time"],
         [
             [work.rpartition(", ")[0], f"{number:g} {work.rpartition(', ')[2]}"]
             for name in FREECAD
@@ -225,7 +253,7 @@ def page(kept: dict[str, Any]) -> str:
     )
     parts += table(
         "Bodies",
-        ["body", "seconds", "OpenCASCADE's share", "over the time of its solution"],
+        ["body", "time", "fraction spent in OpenCASCADE", "divided by the time to compute the strip"],
         [
             [
                 words,
@@ -239,7 +267,7 @@ def page(kept: dict[str, Any]) -> str:
         ],
     )
     parts += table(
-        "Alone", ["task", "seconds"], [[words, seconds(found[name])] for name, words in ALONE.items()]
+        "Other times", ["task", "time"], [[words, seconds(found[name])] for name, words in ALONE.items()]
     )
     return "\n".join(parts)
 

@@ -55,8 +55,8 @@ def elastica() -> Iterator[str]:
             rows.append([f"{one.alpha:g} deg", end, *(f"{number:.5f}" for number in numbers)])
     yield from _table(
         "A uniform strip pushed together",
-        "Timoshenko and Gere, *Theory of Elastic Stability*, section 2.7: force over Euler's, and rise over "
-        "length, for the steepest angle of the strip.",
+        "Timoshenko and Gere, *Theory of Elastic Stability*, section 2.7. The force is divided by the Euler force, "
+        "and the rise by the length. *Angle* is the steepest angle of the strip.",
         "test_elastica_tables",
         ["angle", "ends", "force", "ours", "rise", "ours"],
         rows,
@@ -72,8 +72,8 @@ def cantilever() -> Iterator[str]:
                      f"{shortening:.6f}", f"{one.angle:.6f}", f"{angle:.6f}"])  # fmt: skip
     yield from _table(
         "A cantilever with a load at its tip",
-        "K. Mattiasson, *Int. J. Numer. Meth. Eng.* 17 (1981) 145-153: load P L2 / EI, drop and shortening "
-        "over length, angle of the tip in rad.",
+        "K. Mattiasson, *Int. J. Numer. Meth. Eng.* 17 (1981) 145-153. The load is P L² / E I. Drop and shortening "
+        "of the tip are divided by the length. The angle of the tip is in rad.",
         "test_cantilever_tables",
         ["load", "drop", "ours", "shortening", "ours", "angle", "ours"],
         rows,
@@ -87,9 +87,9 @@ def lateral() -> Iterator[str]:
         for case, (value, _) in sideways.LATERAL.items()
     ]
     yield from _table(
-        "Strips that leave their plane",
-        "Critical loads divided by the root of edgewise bending stiffness times torsional stiffness; ours from a "
-        "rod of 601 nodes and a margin of 201.",
+        "Strips that tip out of their plane",
+        "The critical load is divided by the root of the product of edgewise bending stiffness and torsional "
+        "stiffness. Ours is computed with a rod of 601 nodes, and its margin with 201 nodes.",
         "test_sideways",
         ["source", "published", "ours"],
         rows,
@@ -105,10 +105,10 @@ def paper() -> Iterator[str]:
         rows.append([f"strip {strip}", f"{light:.4f}", f"{ours[0]:.4f}", f"{heavy:.4f}", f"{ours[1]:.4f}"])
     yield from _table(
         "The paper's Pavilion: least stiffness ratio",
-        "Hafner and Bickel 2021, section 9.1, their linear program at many samples with exact curvature; "
-        "without and with weight.",
+        "Hafner and Bickel 2021, section 9.1. Published: their linear program with exact curvature at many "
+        "samples, without and with weight.",
         "test_optimal_ratios",
-        ["curve", "weightless", "ours", "heavy", "ours"],
+        ["curve", "without weight", "ours", "with weight", "ours"],
         rows,
     )
 
@@ -125,8 +125,9 @@ def pot() -> Iterator[str]:
     rows.append(["mean", f"{100 * published.mean():.1f}", f"{100 * np.mean(ours):.1f}"])
     yield from _table(
         "The paper's Flower Pot: distance from the drawn curves",
-        "Hafner and Bickel 2021, section 9.2, results of their published code; largest distance in percent of "
-        "the curve's diagonal, less is nearer. Ours keeps the ratio at 2.5 or below for every curve.",
+        "Hafner and Bickel 2021, section 9.2, results of their published code. The numbers are the largest "
+        "distance in percent of the diagonal of the curve's bounding box. All our curves have a stiffness ratio of "
+        "at most 2.5.",
         "test_nearest_published",
         ["curve", "theirs", "ours"],
         rows,
@@ -145,11 +146,11 @@ def revolution() -> Iterator[str]:
         rows.append([f"{i + 1}", f"({one['gamma_end'][0]:.3f}, {one['gamma_end'][1]:.3f})",
                      f"({end[0]:.3f}, {end[1]:.3f})", f"{off:.1f}"])  # fmt: skip
     yield from _table(
-        "The paper's surfaces of revolution: where the meridians end",
-        "Hafner and Bickel 2021, section 9.4, their published loop, which integrates with steps of first order: "
-        "its end is off by some of its steps, and approaches ours as the steps get shorter.",
+        "The paper's surfaces of revolution: ends of the meridians",
+        "Hafner and Bickel 2021, section 9.4. Their published loop integrates by a method of first order, so its "
+        "end has an error of a few steps. With shorter steps their end approaches ours.",
         "test_revolution",
-        ["surface", "theirs", "ours", "apart, in their steps"],
+        ["surface", "theirs", "ours", "distance in steps of their loop"],
         rows,
     )
 
@@ -162,10 +163,10 @@ def code() -> Iterator[str]:
     (place,) = stability_determinant(rod).sign_changes
     yield from _table(
         "Where a strip loses stability",
-        "The authors' published code, one equilibrium of it: the conjugate point, as arc length in the "
-        "units of that run.",
+        "One shape in balance, computed by the published code of the authors. The strip loses stability if it is "
+        "longer than its conjugate point, which is given as arc length in the units of that run.",
         "test_stability_reference",
-        ["what", "theirs", "ours"],
+        ["result", "theirs", "ours"],
         [["conjugate point", f"{data['sigma']:.8f}", f"{place:.8f}"]],
     )
 

@@ -96,7 +96,7 @@ class Watched:
                 yield work(*task)
 
 
-ROW, LEFT, WIDTH = 24, 105, 300  # px: height of a row, width for names, width of the picture
+ROW, WIDTH = 24, 300  # px: height of a row, width of the picture
 
 
 def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
@@ -105,17 +105,18 @@ def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
     picture = QtGui.QPixmap(WIDTH, ROW * len(rows) + 10)
     picture.fill(QtGui.QColor("white"))
     painter = QtGui.QPainter(picture)
-    room = WIDTH - LEFT - 70
-    for i, (name, usual, worst) in enumerate(rows):
+    lengths = [painter.fontMetrics().boundingRect(name).width() for name, _, _ in rows]
+    left = max(lengths, default=0) + 14
+    room = WIDTH - left - 70
+    for i, ((name, usual, worst), long) in enumerate(zip(rows, lengths, strict=True)):
         y = 6 + ROW * i
         painter.setPen(QtGui.QColor("#222222"))
-        long = painter.fontMetrics().boundingRect(name).width()
-        painter.drawText(QtCore.QPoint(LEFT - 10 - long, y + 14), name)
+        painter.drawText(QtCore.QPoint(left - 10 - long, y + 14), name)
         for value, color in ((worst, "#f0c9a0"), (usual, "#c8641e")):
             painter.fillRect(
-                QtCore.QRect(LEFT, y + 2, round(room * value / largest), 14), QtGui.QColor(color)
+                QtCore.QRect(left, y + 2, round(room * value / largest), 14), QtGui.QColor(color)
             )
-        end = QtCore.QPoint(LEFT + round(room * worst / largest) + 6, y + 14)
+        end = QtCore.QPoint(left + round(room * worst / largest) + 6, y + 14)
         painter.drawText(end, worded(note("{worst:.2f}", worst=Length(worst))))
     painter.end()
     return picture
