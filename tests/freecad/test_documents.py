@@ -13,6 +13,7 @@ import Part
 import pytest
 import Sketcher
 from freecad.elastica_wb import make_strip
+from freecad.elastica_wb.curves.edge_chains import curves_in, edges_drawn
 from freecad.elastica_wb.curves.part_shapes import make_wire
 from freecad.elastica_wb.curves.sketch_curves import (
     box_around,
@@ -267,6 +268,70 @@ def test_a_chain_in_a_sketch(document):
     document.recompute()
     curve = sketch_curve(sketch)
     assert curve.length == pytest.approx(80, rel=1e-9)
+
+
+RIBS = [[(x, 0), (x + 30, 60), (x + 70, 80), (x + 120, 60), (x + 150, 0)] for x in (0, 10, 200)]
+
+
+@pytest.fixture
+def ribs(document, spline_geometry):
+    """An upright sketch of three splines, with the circles of the poles of the first before the others."""
+    sketch = document.addObject("Sketcher::SketchObject", "Ribs")
+    sketch.Placement = App.Placement(App.Vector(5, 6, 7), App.Rotation(App.Vector(1, 0, 0), 90))
+    for points in RIBS:
+        number = sketch.addGeometry(spline_geometry(points), False)
+        if points is RIBS[0]:
+            sketch.exposeInternalGeometry(number)
+    document.recompute()
+    return sketch
+
+
+def test_each_curve_of_a_sketch_has_its_strip(document, ribs):
+    chains = curves_in(ribs)
+    assert sorted(chains) == [("Edge1",), ("Edge2",), ("Edge3",)]
+    strips = [new(strip.create, document, ribs, chain) for chain in chains]
+    assert [made.State for made in strips] == [["Up-to-date"]] * 3, [made.Reasons for made in strips]
+    for made, chain in zip(strips, chains, strict=True):
+        middle = ribs.Shape.getElement(chain[0]).valueAt(0.5)
+        assert in_document(made).isInside(middle, 1e-6, True)
+        assert made.Placement.Rotation.isSame(ribs.Placement.Rotation, 1e-12)
+    assert curves_in(ribs, ["Edge2"]) == [("Edge2",)]
+    assert len({strip.strip_of(made).rod.curve.control_points[0, 0] for made in strips}) == 3
+    with pytest.raises(InputError, match="apart"):
+        drawn_curve((ribs, ()))
+
+
+def test_edges_picked_in_an_open_sketch_count_its_geometry(ribs):
+    numbers = [i for i, one in enumerate(ribs.Geometry) if not ribs.getConstruction(i)]
+    assert numbers[1] > 5, "the poles come between"
+    for number, points in zip(numbers, RIBS, strict=True):
+        (name,) = edges_drawn(ribs, [f"Edge{number + 1}"])
+        start = ribs.Placement.multVec(App.Vector(*points[0], 0))
+        assert any(v.Point.isEqual(start, 1e-9) for v in ribs.Shape.getElement(name).Vertexes)
+    assert edges_drawn(ribs, [f"Edge{numbers[0] + 2}"]) == []
+
+
+def test_a_picked_edge_goes_on_to_the_next_corner(document):
+    sketch = document.addObject("Sketcher::SketchObject", "Sketch")
+    corners = [(0, 0), (40, 0), (90, 1), (90, 50), (300, 50), (300.3, 50), (400, 50)]
+    for i in (0, 1, 2, 4 + 1):
+        ends = [App.Vector(*corners[k], 0) for k in (i, i + 1)]
+        sketch.addGeometry(Part.LineSegment(*ends), False)
+    sketch.addGeometry(Part.LineSegment(App.Vector(200, 50, 0), App.Vector(300, 50, 0)), False)
+    document.recompute()
+
+    def ends(chain):
+        edges = [sketch.Shape.getElement(name) for name in chain]
+        return sorted(round(v.X) for edge in edges for v in edge.Vertexes)
+
+    found = {tuple(ends(chain)) for chain in curves_in(sketch)}
+    assert found == {(0, 40, 40, 90, 90, 90), (200, 300, 300, 400)}, "0.3 mm are a gap, not two curves"
+    names = {tuple(ends([f"Edge{k}"])): f"Edge{k}" for k in range(1, 6)}
+    (chain,) = curves_in(sketch, [names[0, 40]])
+    assert ends(chain) == [0, 40, 40, 90]
+    assert curves_in(sketch, [names[90, 90]]) == [(names[90, 90],)]
+    (both,) = curves_in(sketch, [names[40, 90], names[90, 90]])
+    assert ends(both) == [40, 90, 90, 90], "what is picked, with its corner"
 
 
 def test_a_dragged_pole(document, sketch):

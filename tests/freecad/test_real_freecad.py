@@ -486,6 +486,20 @@ def test_a_lamp_from_an_empty_document_to_its_files(tmp_path):
 
 
 @pytest.mark.campaign
+def test_strips_of_the_curves_in_one_sketch(tmp_path):
+    found = launching.run_window("picked.py", tmp_path)
+    good = ["Up-to-date"]
+    assert found["all"] == [[[f"Edge{k}"], good] for k in (1, 2, 3)]
+    assert found["picked in the view"] == [[["Edge2"], good]]
+    assert found["in the sketch"] != [["Edge3"]], "the poles are counted too"
+    assert found["picked in the sketch"] == [[["Edge3"], good]]
+    assert found["edges"][2] == [80, 80]
+    assert [found[f"{name}, flat parts"] for name in ("all", "picked in the view")] == [3, 1]
+    assert "Edge1, Ribs Edge2, Ribs Edge3: Read" in found["checked"]
+    assert found["card"][0] == "3 curves"
+
+
+@pytest.mark.campaign
 def test_a_curve_of_given_length_between_clamps(tmp_path):
     found = launching.run_window("between.py", tmp_path)
     assert not found["grey"]

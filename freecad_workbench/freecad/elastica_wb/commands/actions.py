@@ -75,16 +75,18 @@ def _edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
 
 def check() -> None:
     """Turn the overlay on in the sketcher, or else open a panel with the full verdict."""
-    (source, edges), *_ = chosen_curves()
-    if edited_sketch() is source:
-        observers.switch(source, on=True)
+    drawn = chosen_curves()
+    if edited_sketch() is drawn[0][0]:
+        observers.switch(edited_sketch(), on=True)
         return
-    show_panel(CheckPanel, source, edges)
+    show_panel(CheckPanel, drawn)
 
 
 def make_nearest() -> None:
     """Make the nearest curve that a strip can take within limits, and open its panel."""
-    (source, edges), *_ = chosen_curves()
+    (source, edges), *others = chosen_curves()
+    if others:
+        raise InputError("{count} curves are selected. Select one edge of one curve.", count=1 + len(others))
     _edit_new("Nearest curve to sketch", curves.nearest, source, edges)
 
 

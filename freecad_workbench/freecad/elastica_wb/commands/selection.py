@@ -10,7 +10,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import Part
 from freecad.elastica_wb.curves.copies import COPYING, contents, not_repeated, originals
-from freecad.elastica_wb.curves.sketch_curves import edge_called, is_edge, is_outline, linked, picked
+from freecad.elastica_wb.curves.edge_chains import chains_of, curves_in, edges_drawn
+from freecad.elastica_wb.curves.sketch_curves import is_edge, is_outline, linked, picked
 from freecad.elastica_wb.features.pieces import cut_for, is_cut
 from freecad.elastica_wb.features.strip import BODY
 from freecad.elastica_wb.host.objects import (
@@ -27,7 +28,6 @@ from freecad.elastica_wb.live.sketches import edited_sketch, followers
 
 from elastica_cad.errors import InputError
 
-JOIN_MM = 1e-4  # as for the edges of a strip
 LINE = "Part::GeomLine"
 OPEN = ("Edge", "Wire", "Compound")  # kinds of shapes that may be a curve
 
@@ -43,18 +43,19 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
     curves: list[tuple[Any, tuple[str, ...]]] = []
     meant = _picked()
     for source, names in meant.items():
-        edges = tuple(filter(is_edge, names))
+        edges = list(filter(is_edge, names))
         if is_sketch(linked(source)):
-            curves.append((source, ()))
+            curves += _drawn(source, edges)
         elif edges:
             curves += [(source, chain) for chain in _chains(source, edges)]
         elif source.TypeId == BODY and not any(obj in source.Group for obj in meant):
-            curves.append((_sketch_in(source), ()))
+            curves += _drawn(_sketch_in(source))
         elif hasattr(source, "Shape") and source.Shape.Edges and _is_open(source.Shape):
             chains = _chains(source, [f"Edge{i + 1}" for i in range(len(source.Shape.Edges))])
             curves += [(source, chain) for chain in chains] if len(chains) > 1 else [(source, ())]
     if not curves:
-        curves = [(sketch, ()) for sketch in (edited_sketch() or _only_sketch(),) if sketch is not None]
+        sketch = edited_sketch() or _only_sketch()
+        curves = [] if sketch is None else _drawn(sketch)
     if not curves:
         raise InputError(
             translate("Elastica", "Select a sketch with a spline, or an edge of an object, first.")
@@ -81,6 +82,13 @@ def _picked() -> dict[Any, list[str]]:
             source, name = picked(choice.Object, path)
             names.setdefault(source, []).append(name)
     return names
+
+
+def _drawn(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[Any, tuple[str, ...]]]:
+    """Return the curves in a sketch, or those of which edges are picked."""
+    if edited_sketch() is sketch:
+        picked = edges_drawn(sketch, picked)
+    return [(sketch, chain) for chain in curves_in(sketch, picked) or [()]]
 
 
 def _sketch_in(body: Any) -> Any:
@@ -121,17 +129,7 @@ def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
     """
     if feature_kind(source) == "Section":
         return [(name,) for name in names]
-    chains: list[tuple[list[str], list[Any]]] = []
-    for name in names:
-        places = [vertex.Point for vertex in edge_called(source, name).Vertexes]
-        chain: tuple[list[str], list[Any]] = ([name], places)
-        for other in [
-            joined for joined in chains if any(p.isEqual(q, JOIN_MM) for p in places for q in joined[1])
-        ]:
-            chains.remove(other)
-            chain = (other[0] + chain[0], other[1] + chain[1])
-        chains.append(chain)
-    return [tuple(chain) for chain, _ in chains]
+    return chains_of(source, names)
 
 
 def _is_open(shape: Any) -> bool:
@@ -174,9 +172,9 @@ def chosen_sketch() -> Any:
     InputError
         No sketch is selected.
     """
-    (source, edges), *_ = chosen_curves()
+    (source, _), *_ = chosen_curves()
     sketch = linked(source)
-    if edges or not is_sketch(sketch):
+    if not is_sketch(sketch):
         raise InputError(translate("Elastica", "Select a sketch with a spline first."))
     return sketch
 

@@ -109,15 +109,15 @@ def is_bounded(box: App.BoundBox) -> bool:
     return bool(box.isValid()) and bool(box.DiagonalLength < ENDLESS_MM)
 
 
-def plane_curve(drawn: Iterable[Any]) -> tuple[PlaneCurve, Frame]:
-    """Return the single curve that edges or Part geometry form, and its plane.
+def plane_curve(drawn: Iterable[Any], plane: Frame | None = None) -> tuple[PlaneCurve, Frame]:
+    """Return the single curve that edges or Part geometry form, and its plane. `plane` is the plane if it is known.
 
     Raises
     ------
     InputError
         The edges form no curve or several curves, or have corners, or edges that are not plane.
     """
-    return placed_curve(_drawn_edges(drawn))
+    return placed_curve(_drawn_edges(drawn), plane=plane)
 
 
 def report_on_edges(drawn: Iterable[Any]) -> ReadReport | None:

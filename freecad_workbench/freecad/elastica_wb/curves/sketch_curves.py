@@ -51,8 +51,9 @@ def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
     if source is None:
         raise InputError("the curve is missing: choose a sketch or an edge in the property Curve")
     edges = [name for name in names if name]
-    if is_sketch(source) and not edges:
-        curve, place = sketch_curve(source), source.Placement
+    if is_sketch(source):
+        place = source.Placement
+        curve = plane_curve(_edges(source, edges), frame_of(place))[0] if edges else sketch_curve(source)
     else:
         curve, frame = plane_curve(_edges(source, edges))
         place = placement_of(frame)
@@ -62,7 +63,7 @@ def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
 
 def sketch_curve(sketch: Any, geometry: list[Any] | None = None) -> PlaneCurve:
     """Return the only curve of a sketch, in sketch coordinates. `geometry` replaces the geometry of the sketch."""
-    curve, frame = plane_curve(_drawn_in(sketch, geometry))
+    curve, frame = plane_curve(drawn_in(sketch, geometry))
     if abs(frame.z_axis[2] - 1) > 1e-12:
         raise InputError("{sketch} is not plane", sketch=sketch.Label)
     return curve
@@ -72,11 +73,11 @@ def read_line(link: Any, geometry: list[Any] | None = None) -> str:
     """Return a line on the geometry of a link (object, names of edges). `geometry` as in `sketch_curve`."""
     source, edges = link
     whole = is_sketch(source) and not edges
-    drawn = _drawn_in(source, geometry) if whole else _edges(source, edges)
+    drawn = drawn_in(source, geometry) if whole else _edges(source, edges)
     return note("Read: {report}.", report=str(report_on_edges(drawn)))
 
 
-def _drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
+def drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
     """Return the curves of a sketch, or of `geometry`, without construction geometry."""
     everything = list(sketch.Geometry) if geometry is None else geometry
     drawn = [
@@ -122,8 +123,8 @@ def picked(root: Any, path: str) -> tuple[Any, str]:
 
 
 def is_edge(name: str) -> bool:
-    """Return True if this is the name of an edge, with or without a path."""
-    return name.rpartition(".")[2].startswith("Edge")
+    """Return True if this is the name of an edge: a path, `Edge1`, or `edge1` as in FreeCAD 1.1's open sketches."""
+    return name.rpartition(".")[2].lower().startswith("edge")
 
 
 def edge_called(source: Any, name: str) -> Any:

@@ -192,9 +192,14 @@ def largest_move(rest: Rod, rod: Rod) -> float:
 
 def draw_into(obj: Any) -> None:
     """Replace the curve in a sketch by its nearest curve, and delete the feature."""
-    sketch, curve = obj.Curve[0], _curve_to_drag(obj)
+    (sketch, edges), curve = obj.Curve, _curve_to_drag(obj)
     if not is_sketch(sketch):
         raise InputError("{object} is not a sketch, so no curve can be drawn in it", object=sketch.Label)
+    if any(edges):
+        raise InputError(
+            "{object} has other curves, which would be replaced too. Press Make a sketch to edit.",
+            object=sketch.Label,
+        )
     obj.Document.removeObject(obj.Name)
     curve_into(sketch, curve)
 

@@ -10,9 +10,11 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
+from freecad.elastica_wb.curves.edge_chains import curve_count
 from freecad.elastica_wb.curves.sketch_curves import (
     curve_into,
     drawn_curve,
+    drawn_in,
     is_blank,
     read_line,
     sketch_curve,
@@ -178,6 +180,13 @@ class Session:
             answer = refusal_answer(explained(error))
             if is_blank(self.sketch):
                 answer = Answer(Verdict.NOTHING, translate("Elastica", "no curve yet"), answer.sentence)
+            elif (count := curve_count(drawn_in(self.sketch, geometry))) > 1:
+                words = note(
+                    "The sketch has {count} curves, and this picture shows only one. Press Strip from sketch to "
+                    "make a strip for each curve.",
+                    count=count,
+                )
+                answer = Answer(Verdict.NOTHING, note("{count} curves", count=count), words)
             self._show_answer(answer)
             return
         self.overlay.show(picture)

@@ -3,11 +3,13 @@
 
 """The panel of a check: the full verdict in words, and the overlay on the curve."""
 
+from collections.abc import Sequence
 from typing import Any
 
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve, read_line
 from freecad.elastica_wb.host.objects import is_sketch
 from freecad.elastica_wb.host.refusal import FAILURES, explained
+from freecad.elastica_wb.host.words import together, worded
 from freecad.elastica_wb.live import session as live
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.solving.strip_cache import default_spec, solve_strip
@@ -24,24 +26,31 @@ class CheckPanel(Panel):
     icon_name = "Elastica_Check"
     only_tells = True
 
-    def __init__(self, source: Any, edges: tuple[str, ...]) -> None:
+    def __init__(self, curves: Sequence[tuple[Any, tuple[str, ...]]]) -> None:
         super().__init__()
-        self.check = None
-        try:
-            curve, read = drawn_curve((source, edges)).curve, read_line((source, edges))
-            spec = default_spec(curve)
-            self.check = spec.rod_spec.check
-        except FAILURES as error:
-            self.show_message(str(explained(error)))
-            return
-        words = [str(self.check), *filter(None, [spec.tabs_message]), *spec.rod_spec.smoothing.notes]
-        if self.check.realizable:
-            try:
-                answer = strip_answer(solve_strip(spec))
-                # the curve is in equilibrium, but the sheet would break
-                words = [answer.sentence] if answer.verdict is Verdict.BREAKS else [*words, answer.sentence]
-            except ElasticaError as error:
-                words.append(str(error))
-        self.show_message(sentences([read, *words], "\n\n"))
-        if is_sketch(source) and not edges:
+        names = [" ".join([source.Label, *edges]) for source, edges in curves]
+        verdicts = [worded(_verdict(curve)) for curve in curves]
+        single = len(curves) == 1
+        self.show_message(verdicts[0] if single else "\n\n".join(together(zip(names, verdicts, strict=True))))
+        source, edges = curves[0]
+        if single and is_sketch(source) and not edges:
             live.start(source)
+
+
+def _verdict(link: tuple[Any, tuple[str, ...]]) -> str:
+    """Return the verdict on a curve, in paragraphs."""
+    try:
+        curve, read = drawn_curve(link).curve, read_line(link)
+        spec = default_spec(curve)
+        check = spec.rod_spec.check
+    except FAILURES as error:
+        return str(explained(error))
+    words = [str(check), *filter(None, [spec.tabs_message]), *spec.rod_spec.smoothing.notes]
+    if check.realizable:
+        try:
+            answer = strip_answer(solve_strip(spec))
+            # the curve is in equilibrium, but the sheet would break
+            words = [answer.sentence] if answer.verdict is Verdict.BREAKS else [*words, answer.sentence]
+        except ElasticaError as error:
+            words.append(str(error))
+    return sentences([read, *words], "\n\n")

@@ -10,6 +10,7 @@ from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
+from freecad.elastica_wb.curves.edge_chains import curves_in
 from freecad.elastica_wb.curves.sketch_curves import is_edge, linked, picked
 from freecad.elastica_wb.features.strip import could_follow_another
 from freecad.elastica_wb.host.fields import (
@@ -212,7 +213,9 @@ class PropertyPanel(Panel):
         source, element = picked(source, element)
         if source is self.object or not hasattr(source, "Shape"):
             return
-        edges = [element] if is_edge(element) and not is_sketch(linked(source)) else []
+        edges = [element] if is_edge(element) else []
+        if edges and is_sketch(linked(source)):
+            edges, *_ = map(list, curves_in(source, edges))
         setattr(self.object, self.layout.source, (source, edges))
         self._changed[self.layout.source] = None
         self._stop_picking()

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Edges of an object in chains, one for each curve that a strip can follow."""
+
+from collections.abc import Iterable, Sequence
+from math import pi, radians
+from typing import Any
+
+import FreeCAD as App
+import Part
+from freecad.elastica_wb.curves.sketch_curves import edge_called
+
+MEET_MM = 1e-4  # as for the edges of a strip
+MEANT_MM = 0.5  # ends of curves in a sketch that are closer are meant to meet
+SMOOTH_RAD = radians(5.0)  # smallest turn of a corner between a picked edge and the next edge
+DRAWN_MM = 1e-5  # distance of an edge from the geometry that it was made from
+
+Edges = Sequence[tuple[str, Any]]
+End = tuple[App.Vector, App.Vector]
+
+
+def chains_of(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
+    """Return the names of edges in connected chains."""
+    return _chained([(name, edge_called(source, name)) for name in names], MEET_MM)
+
+
+def curves_in(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[str, ...]]:
+    """Return the names of the edges of each curve in a sketch, or of each picked curve.
+
+    A single picked edge of a chain stands for itself and all edges that continue it without a corner. Several
+    picked edges of a chain are taken as they are. An empty tuple stands for the only curve of the sketch.
+    """
+    edges = [(f"Edge{i + 1}", edge) for i, edge in enumerate(Part.getShape(sketch).Edges)]
+    whole = _chained(edges, MEANT_MM)
+    chains = []
+    for chain in whole if picked else ():
+        named = [name for name in chain if name in picked]
+        if len(named) == 1:
+            smooth = _chained([(name, edge) for name, edge in edges if name in chain], MEANT_MM, SMOOTH_RAD)
+            chains += [names for names in smooth if named[0] in names]
+        else:
+            chains += _chained([(name, edge) for name, edge in edges if name in named], MEANT_MM)
+    chains = chains or whole
+    return [()] if len(whole) < 2 and chains == whole else chains
+
+
+def curve_count(geometry: Iterable[Any]) -> int:
+    """Return the number of curves that Part geometry forms."""
+    return len(_chained([("", item.toShape()) for item in geometry], MEANT_MM))
+
+
+def edges_drawn(sketch: Any, names: Iterable[str]) -> list[str]:
+    """Return the edges of a sketch's shape for edges that are picked while the sketch is open.
+
+    The names in an open sketch count the geometry, including construction geometry, which makes no edge.
+    """
+    edges, drawn = Part.getShape(sketch).Edges, []
+    for number in (int(name[len("Edge") :]) - 1 for name in names):
+        item = sketch.Geometry[number]
+        middle = sketch.Placement.multVec(item.value((item.FirstParameter + item.LastParameter) / 2))
+        near = [edge.distToShape(Part.Vertex(middle))[0] < DRAWN_MM for edge in edges]
+        if any(near) and not sketch.getConstruction(number):
+            drawn.append(f"Edge{near.index(True) + 1}")
+    return drawn
+
+
+def _chained(edges: Edges, apart: float, turn: float = pi) -> list[tuple[str, ...]]:
+    """Return the names of edges in chains. Their ends are at most `apart` mm from each other, and turn at most by
+    `turn`, rad."""
+    chains: list[tuple[list[str], list[End]]] = []
+    for name, edge in edges:
+        first, last = edge.ParameterRange
+        out = ((edge.valueAt(first), edge.tangentAt(first) * -1), (edge.valueAt(last), edge.tangentAt(last)))
+        names, ends = [name], list(out)
+        for other in [
+            chain
+            for chain in chains
+            if any(
+                p.distanceToPoint(q) <= apart and along.getAngle(onward * -1) <= turn
+                for p, along in out
+                for q, onward in chain[1]
+            )
+        ]:
+            chains.remove(other)
+            names, ends = other[0] + names, other[1] + ends
+        chains.append((names, ends))
+    return [tuple(names) for names, _ in chains]
