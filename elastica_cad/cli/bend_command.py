@@ -1,6 +1,7 @@
 """`elastica bend`: the shape of a strip with moved ends."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -8,10 +9,12 @@ from typing import Any
 import click
 import numpy as np
 
+from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, elements_of
 from elastica_cad.cli.options import (
     IDLE_DOWN,
     LENGTH,
     POINT,
+    Length,
     given_of,
     output_options,
     requested_sheet,
@@ -40,14 +43,18 @@ from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.kit.kit import can_draw
-from elastica_cad.mechanics.bending import bend_path
+from elastica_cad.mechanics.bending import bend_path, part_of_change
+from elastica_cad.mechanics.elements import NOUNS, ElementForce, Tie
 from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import ENGLISH
+from elastica_cad.refusals import Length as MmLength
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.summary import between_rows
 from elastica_cad.strip.travel import Travel, bend_strip
 
 OF_A_CURVE = {
@@ -95,6 +102,11 @@ OF_A_CURVE = {
               help="Support of the end  [default: clamped, or as in the report].")  # fmt: skip
 @click.option("--steps", type=click.IntRange(1, 200), default=1, show_default=True,
               help="Number of shapes between the first and the last position, evenly spaced.")  # fmt: skip
+@element_options()
+@click.option(
+    "--shorten", type=Length(positive=True), metavar="MM", help="Shorten every cord by this length."
+)
+@click.option("--release", is_flag=True, help="Remove the rails, pins and ties of the strip.")
 @click.option("--side", type=click.Choice(["left", "right"]), help="Side to which a straight strip bulges.")
 @output_options
 def bend_command(curve: Path | None, **chosen: Any) -> None:
@@ -105,13 +117,18 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
       elastica bend out/arch.json --to 350 0                   the same from the report of `elastica strip`
       elastica bend --straight 300 --to 200 0 --hold-end pinned --hold-start pinned
 
+      elastica bend out/slat.json --point-mass 200 8000        a finished slat under 8 kg: sag, strain, stability
+      elastica bend out/arch.json --shorten 50 --steps 10      the same with a cord 50 mm shorter
+
       elastica bend --straight 120 --sheet spring-steel-0.5 --max-width 10 --to 60 0 --steps 20   a spring's force
 
     Writes NAME-bent.csv (points, angle, curvature and stiffness along the strip), NAME-bent.json (the curves, for
     `elastica`) and NAME-bent.png. With --sheet and --max-width it also writes NAME-travel.csv and NAME-travel.png:
     forces and moments at the ends, energy, strain, stress and safety at every step, and all shapes. The strip is
     then that of `elastica strip`; --set sets its other keys, such as --set style.kind=perforated. A report sets
-    sheet, law, widths and supports, and options replace them.
+    sheet, law, widths and supports, and options replace them. --rail, --pin and --tie replace all rails, pins and
+    ties of the strip, and --point-force and --point-mass its loads. A rail or pin at a point beside the strip moves
+    the strip there.
     """
     if (curve is None) == (chosen["straight"] is None):
         raise InputError(
@@ -132,7 +149,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     if chosen["gravity"] and not named:
         raise InputError("--gravity needs a material. Add --sheet NAME.")
     heavy = finished is not None and finished.spec.gravity
-    if chosen["down"] is not None and not (chosen["gravity"] or heavy):
+    if chosen["down"] is not None and not (chosen["gravity"] or heavy or chosen["point_mass"]):
         raise InputError(IDLE_DOWN)
     if chosen["thickness"] is not None and not named:
         raise InputError("--thickness needs a material. Add --sheet NAME.")
@@ -157,16 +174,18 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     name = f"{curve.stem if curve is not None else 'straight'}-bent"
     moved = None
     verdicts: Sequence[Stability]
+    change = _change(rod if strip is None else strip.rod_to_bend, strip, chosen)
     if strip is None:
-        shapes = bend_path(rod, _steps(rod, chosen, held), side=side)
+        shapes = bend_path(rod, _steps(rod, chosen, held, change), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
         # at travel 0 the force on a straight strip may have any value up to the buckling load
-        listed = curve is not None and chosen["steps"] > 1
-        moved = bend_strip(strip, _steps(rod, chosen, held, listed=listed), side=side)
+        listed = curve is not None and chosen["steps"] > 1 and not change
+        moved = bend_strip(strip, _steps(strip.rod_to_bend, chosen, held, change, listed=listed), side=side)
         shapes, verdicts = moved.rods, moved.verdicts
     _print_shapes(rod, shapes, verdicts, moved)
-    reports = [_shape_report(*pair) for pair in zip(shapes, verdicts, strict=True)]
+    B = 1.0 if strip is None else strip.bending_stiffness
+    reports = [_shape_report(*pair, B) for pair in zip(shapes, verdicts, strict=True)]
     answered = {"length": rod.length, "ratio": rod.ratio, "shapes": reports, "travel": None}
     if moved is not None:
         answered |= {"travel": moved.table(), "snaps_at": moved.snaps_at, "strained_at": moved.strained_at,
@@ -260,8 +279,43 @@ def _solved(spec: RodSpec) -> Rod | NearestRod:
     return result
 
 
+def _change(rod: Rod, strip: Strip | None, chosen: dict[str, Any]) -> dict[str, Any]:
+    """Return the keywords `between`, `loads` and `gravity` of `bend` for the whole change."""
+    change: dict[str, Any] = {}
+    elements = elements_of(chosen, ELEMENTS)
+    if elements or chosen["release"]:
+        change["between"] = elements
+    if chosen["shorten"] is not None:
+        actions = mounted(rod, change.get("between"))
+        if not any(isinstance(action.element, Tie) for action in actions):
+            raise InputError("--shorten needs a cord. Add --tie START END.")
+        change["between"] = tuple(_shortened(action, chosen["shorten"]) for action in actions)
+    loads = elements_of(chosen, LOADS)
+    if loads and strip is None:
+        raise InputError("Loads in newtons or grams need a strip with its size. Add --sheet and --max-width.")
+    if loads:
+        change["loads"] = loads
+    if chosen["point_mass"] and rod.gravity is None and strip is not None:
+        change["gravity"] = strip.sheet.gravity(chosen["down"] or (0.0, -1.0))
+    return change
+
+
+def _shortened(action: ElementForce, by: float) -> Any:
+    """Return an element, and a cord shortened by a length (mm)."""
+    if not isinstance(action.element, Tie):
+        return action.element
+    start, end = action.s.tolist()
+    length = action.mounting.length - by
+    if length <= 0:
+        raise InputError(
+            "The cord from {start} to {end} is {length} long, so it cannot be shortened by {by}. Shorten it less.",
+            start=MmLength(start), end=MmLength(end), length=MmLength(round(length + by, 1)), by=MmLength(by),
+        )  # fmt: skip
+    return replace(action.element, start=start, end=end, length=length)
+
+
 def _steps(
-    rod: Rod, chosen: dict[str, Any], supports: Supports, *, listed: bool = False
+    rod: Rod, chosen: dict[str, Any], supports: Supports, change: dict[str, Any], *, listed: bool = False
 ) -> list[dict[str, Any]]:
     """Return the keywords of `bend` for every shape on the path; forces are `listed` from travel 0."""
     here = rod.position[[0, -1]]
@@ -284,17 +338,23 @@ def _steps(
                 None if then is None else a + part * (then - a) for a, then in zip(now, turned, strict=True)
             ),
             "supports": supports,
+            **part_of_change(rod, change, part),
+            **({"gravity": change["gravity"]} if "gravity" in change else {}),
         }
         for part in parts
     ]
 
 
-def _shape_report(shape: Rod, verdict: Stability) -> dict[str, Any]:
-    """Return the data of a shape for programs."""
+def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> dict[str, Any]:
+    """Return the data of a shape for programs; forces are in N if the stiffness (N mm2) is that of a strip."""
     return {
         "start": shape.position[0], "end": shape.position[-1], "angles": shape.angle[[0, -1]],
         "size": np.ptp(shape.position, axis=0), "largest_curvature": np.abs(shape.curvature).max(),
         "stable": verdict.stable, "margin": verdict.margin,
+        "between": [
+            {"kind": NOUNS[type(action.element)], "at": action.s, "force": bending_stiffness * action.force}
+            for action in shape.acting
+        ],
     }  # fmt: skip
 
 
@@ -317,6 +377,13 @@ def _print_shapes(
     say_row(Row("Shape", f"last shape {width:.1f} x {height:.1f} mm, least radius {radius} mm"))
     (x0, y0), (x1, y1) = np.round(shapes[-1].position[[0, -1]], 2) + 0.0
     say_row(Row("Ends", f"from ({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}) mm in the drawing"))
+    if moved is not None and shapes[-1].acting:
+        say_row(Row("Moved", f"the strip moves by at most {moved.displacement[-1]:.1f} mm from its design"))
+        for row in between_rows(shapes[-1], moved.strip.bending_stiffness):
+            say_row(row)
+        worst = int(np.argmin(moved.safety))
+        limit = f"safety {_plain(moved.safety[worst])}"
+        say_row(Row("Strain", f"at most {_plain(100 * moved.strain[worst])} %, {limit}"))
     say_row(_worst(states, moved))
     for warning in dict.fromkeys(text for shape in shapes for text in shape.warnings):
         say_row(warning_row(warning))
@@ -353,7 +420,9 @@ def _forces(moved: Travel) -> dict[str, list[str]]:
     size = np.hypot(*moved.end_force.T)[:, None]
     force = np.where(np.abs(moved.end_force) <= 1e-9 * size, 0.0, moved.end_force)
     return {
-        f"{'turn' if moved.is_turn else 'travel'} {moved.unit}": [f"{x:.4g}" for x in moved.path_length],
+        f"{ {'deg': 'turn', 'mm': 'travel', '%': 'change'}[moved.unit] } {moved.unit}": [
+            f"{x:.4g}" for x in moved.path_length
+        ],
         "force x N": [_plain(x) for x in force[:, 0]],
         "force y N": [_plain(x) for x in force[:, 1]],
         "start N mm": [_plain(x) for x in moved.start_moment],

@@ -6,6 +6,7 @@ from typing import Any
 
 import click
 
+from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, element_table
 from elastica_cad.cli.options import IDLE_DOWN, POINT, join_options, option_name, option_of, output_options
 from elastica_cad.cli.requested_curves import (
     END_NAMES,
@@ -86,7 +87,7 @@ def _ways(path: str) -> list[str]:
 _OWN_OPTIONS = {
     "style": "style", "limits": "nearest", "limits.strain": "keep_strain", "keep": "keep_ends",
     "keep.ends": "keep_ends", "keep.tangents": "keep_tangents", "supports": "start", "ends": "tab",
-    "gravity": "gravity",
+    "gravity": "gravity", "between": "rail",
     "natural_curvature": "natural_curvature",
 }  # fmt: skip
 OPTIONS = _common()
@@ -115,10 +116,13 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
                      help="Curvature of the strip before bending; variable as 'stations = [0, 300], "
                           "curvatures = [0, 0.01]', or a drawing of the pre-bent strip  [default: 0]"),
     ),
-    "ends": tuple(
-        click.option(f"--{end}", type=click.Choice(END_NAMES),
-                     help=f"Support of the {end} of the curve  [default: clamped]")
-        for end in ("start", "end")
+    "ends": (
+        *(
+            click.option(f"--{end}", type=click.Choice(END_NAMES),
+                         help=f"Support of the {end} of the curve  [default: clamped]")
+            for end in ("start", "end")
+        ),
+        element_options(ELEMENTS),
     ),
     "limits": (
         click.option("--nearest", is_flag=True, help="Change the curve as little as possible."),
@@ -132,6 +136,7 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
         click.option("--gravity", is_flag=True, help="Include the weight of the strip."),
         click.option("--down", type=POINT, metavar="X Y",
                      help="Direction of gravity in the drawing  [default: 0 -1]"),
+        element_options(LOADS),
     ),
     "files": (
         click.option("--step/--no-step", default=True,
@@ -200,6 +205,7 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
         table["supports"] = [chosen["start"] or "clamped", chosen["end"] or "clamped"]
     if chosen["natural_curvature"] is not None:
         table["natural_curvature"] = chosen["natural_curvature"]
+    table |= element_table(chosen)
     table = with_settings(table, parsed_settings(chosen["settings"], CommandKeys))
     if "keep" in table and "limits" not in table:
         raise InputError(

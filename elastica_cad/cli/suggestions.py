@@ -6,15 +6,15 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import islice
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import click
 import numpy as np
 
 from elastica_cad._text import quote_words
+from elastica_cad.declared import REQUIRED, declared
 from elastica_cad.errors import Change, ElasticaError
 from elastica_cad.forming.rod_solution import solve_rod
-from elastica_cad.mechanics.elements import Pin, Rail, Tie
 from elastica_cad.mechanics.support_search import suggest_support
 
 if TYPE_CHECKING:
@@ -112,16 +112,13 @@ def supported(spec: "StripSpec", typed: Callable[..., str]) -> "Iterator[Candida
     support = None
     with suppress(ElasticaError):
         support = suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature)
-    match support:
-        case Rail(at):
-            words = f"at={at:g}"
-        case Pin(at):
-            words = f'kind="pin", at={at:g}'
-        case Tie(start, end):
-            words = f'kind="tie", start={start:g}, end={end:g}'
-        case _:
-            return
-    yield f"`{typed('--set', f'between=[{{{words}}}]')}`", lambda: [spec.changed(between=support)]
+    if support is None:
+        return
+    # the option has the name of the record, and its values are the places
+    record: Any = type(support)
+    places = [getattr(support, field.name) for field in declared(record) if field.default is REQUIRED]
+    words = f"--{record.__name__.lower()}", *map(typed_length, places)
+    yield f"`{typed(*words)}`", lambda: [spec.changed(between=support)]
 
 
 def first_that_holds(candidates: Iterable[Candidate], nearest: Iterable[Candidate] = ()) -> str:

@@ -9,16 +9,20 @@ from typing import Any, Literal
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import as_floats, is_one_of, pair, require_flag, require_record
+from elastica_cad._values import as_floats, is_one_of, pair, require_flag, require_record, several
 from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.mechanics.elements import (
     Element,
     ElementForce,
+    Pin,
     PlacedElement,
     PointForce,
+    Rail,
+    Tie,
     lumped,
     require_elements,
     weight_with_loads,
+    with_placed_masses,
 )
 from elastica_cad.mechanics.loads import (
     Gravity,
@@ -213,9 +217,55 @@ def _loaded(rod: Rod, loads: object) -> Rod:
     if (masses or forces) and B is None:
         raise InputError("Loads are in newtons. Use a rod with its least bending stiffness (N mm2).")
     curve = rod.curve
+    weight = None if weight is None else with_placed_masses(weight, curve)
     placed = tuple(PlacedElement.on(load, curve, curve) for load in forces)
     acting = tuple(ElementForce(load.element, load.s, load.units[0] / (B or 1.0)) for load in placed)
     return replace(rod, weight=weight if masses or rod.weight is not None else None, point_forces=acting)
+
+
+def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, Any]:
+    """Return the keywords `loads` and `between` of `bend` after a part of the change by a step.
+
+    Loads of the rod fade as those of the step grow. Rails, pins and cords move and shorten in proportion. An
+    element of another kind than that with the same index replaces it at once.
+    """
+    entry: dict[str, Any] = {}
+    if "loads" in step:
+        wanted = several("loads", step["loads"], PointMass | PointForce, "PointMass or PointForce")
+        masses = () if rod.weight is None else rod.weight.masses
+        present = (*masses, *(action.on_curve for action in rod.point_forces))
+        entry["loads"] = (*_scaled(present, 1 - part), *_scaled(wanted, part))
+    if "between" in step:
+        goal, present = (mounted(rod, require_elements(step["between"])), mounted(rod, None))
+        partners = [*present, *goal[len(present) :]]
+        entry["between"] = tuple(
+            _on_the_way(before, after, part) for before, after in zip(partners, goal, strict=False)
+        )
+    return entry
+
+
+def _scaled(loads: Sequence[PointMass | PointForce], factor: float) -> tuple[PointMass | PointForce, ...]:
+    if factor == 0:
+        return ()
+    return tuple(
+        PointMass(load.at, factor * load.mass)
+        if isinstance(load, PointMass)
+        else PointForce(load.at, (factor * load.force[0], factor * load.force[1]))
+        for load in loads
+    )
+
+
+def _on_the_way(before: ElementForce, after: ElementForce, part: float) -> Element:
+    """Return the element after a part of its change."""
+    element, first, last = after.element, before.mounting, after.mounting
+    assert isinstance(element, Rail | Pin | Tie)
+    if type(before.element) is not type(element) or first == last:
+        return element
+    if isinstance(element, Tie):
+        start, end = after.s.tolist()
+        return replace(element, start=start, end=end, length=(1 - part) * first.length + part * last.length)
+    x, y = ((1 - part) * a + part * b for a, b in zip(first.point, last.point, strict=True))
+    return replace(element, at=(x, y))
 
 
 ROUNDS = 12
@@ -420,6 +470,11 @@ class Movement:
     def is_turn(self) -> bool:
         """Return True if the ends turn without travel."""
         return bool(self.travel[-1] == 0 and self.turn[-1] > TURNED_RAD)
+
+    @property
+    def is_still(self) -> bool:
+        """Return True if the ends neither travel nor turn."""
+        return bool(self.travel[-1] == 0 and self.turn[-1] <= TURNED_RAD)
 
     @property
     def progress(self) -> FloatArray:

@@ -11,21 +11,18 @@ ends" of the manual has the derivation in short.
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_number, pair, require_flag, require_positive, several
+from elastica_cad._values import pair, require_flag, require_positive, several
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError, quoted
+from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.plane_points import left_of
-from elastica_cad.mechanics.loads import Gravity, PointMass, Supports, Weight
+from elastica_cad.mechanics.loads import Gravity, Place, PointMass, Supports, Weight, require_place
 from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
-
-Place: TypeAlias = float | tuple[float, float]
-"""Arc length along the drawn curve, mm, or a point (x, y) near the curve, mm."""
 
 _AT = Option("Place along the curve, or a point (x, y) near it.", "mm")
 _HOLE = Option("Diameter of the hole in the strip for a cord or screw; 0 for none.", "mm", least=0)
@@ -59,7 +56,7 @@ class Rail(Element):
     one_sided: Annotated[bool, Option("A bar on one side, in place of a slot.")] = True
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "at", _require_place(self.at, "a rail"))
+        object.__setattr__(self, "at", require_place(self.at, "a rail"))
         require_flag(self.one_sided, "one_sided of a rail")
 
 
@@ -86,7 +83,7 @@ class Pin(Element):
     notch: Annotated[float, _NOTCH] = 0.0
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "at", _require_place(self.at, "a pin"))
+        object.__setattr__(self, "at", require_place(self.at, "a pin"))
         _require_cut(self)
 
 
@@ -119,7 +116,7 @@ class Tie(Element):
 
     def __post_init__(self) -> None:
         for name in ("start", "end"):
-            object.__setattr__(self, name, _require_place(getattr(self, name), f"the {name} of a tie"))
+            object.__setattr__(self, name, require_place(getattr(self, name), f"the {name} of a tie"))
         if self.length is not None:
             require_positive(self.length, "the length of a tie")
         _require_cut(self)
@@ -146,21 +143,8 @@ class PointForce:
     force: Annotated[tuple[float, float], Option("Force in the plane of the curve.", "N")]
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "at", _require_place(self.at, "a point force"))
+        object.__setattr__(self, "at", require_place(self.at, "a point force"))
         object.__setattr__(self, "force", tuple(pair(self.force, "the force of a point force").tolist()))
-
-
-def _require_place(at: object, owner: str) -> Place:
-    """Return a place in plain numbers; refuse other values."""
-    if is_number(at):
-        return float(at)
-    try:
-        x, y = pair(at, "place").tolist()
-    except InputError:
-        raise InputError(
-            f"The place of {owner} is {quoted(at)}. Give the arc length in mm, or a point (x, y) on the curve."
-        ) from None
-    return x, y
 
 
 def _require_cut(element: "Pin | Tie") -> None:
@@ -173,11 +157,11 @@ def _require_cut(element: "Pin | Tie") -> None:
         )  # fmt: skip
 
 
-NOUNS = {Rail: "rail", Pin: "pin", Tie: "tie", PointForce: "point force"}
+NOUNS = {Rail: "rail", Pin: "pin", Tie: "tie", PointForce: "point force", PointMass: "point mass"}
 """Names of the records in messages."""
 
 
-def noun_of(element: Element | PointForce) -> Refusal:
+def noun_of(element: Element | PointForce | PointMass) -> Refusal:
     """Return the name of the kind of element in a message."""
     return note(NOUNS[type(element)])
 
@@ -293,7 +277,16 @@ def place_elements(
     return placed
 
 
-def _station(at: Place, curve: PlaneCurve, element: Element | PointForce) -> float:
+def with_placed_masses(weight: Weight, curve: PlaneCurve) -> Weight:
+    """Return the weight with its masses at arc lengths along the curve."""
+    masses = tuple(
+        replace(mass, at=_station(mass.at, curve, mass)) if isinstance(mass.at, tuple) else mass
+        for mass in weight.masses
+    )
+    return replace(weight, masses=masses)
+
+
+def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | PointMass) -> float:
     """Return the arc length, mm, of a place along the drawn curve."""
     if isinstance(at, tuple):
         s = _foot(curve, np.array(at))

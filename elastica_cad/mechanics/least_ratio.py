@@ -407,7 +407,7 @@ def _require_load_at_free_end(request: RodRequest) -> None:
     ... ...
     """
     check = request.check
-    acting = [mass.at for mass in request.masses if mass.mass > 0]
+    acting = [mass.s for mass in request.masses if mass.mass > 0]
     acting += [s for element in (*request.elements, *request.forces) for s in element.s.tolist()]
     for name, support, s in zip(("start", "end"), request.supports.ends, (0.0, check.length), strict=True):
         hung = any(abs(at - s) <= AT_END_SHARE * check.length for at in acting)

@@ -13,6 +13,7 @@ from elastica_cad._values import (
     is_number,
     is_whole,
     numbers,
+    pair,
     require_number,
     require_positive,
     several,
@@ -22,7 +23,7 @@ from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.plane_curve import CurvatureZero, PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import finite
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, Point
 
 
 @dataclass(frozen=True)
@@ -103,19 +104,44 @@ class Gravity:
 
 STANDARD_GRAVITY_M_S2 = 9.80665  # m/s2
 
+Place: TypeAlias = float | tuple[float, float]
+"""Arc length along the drawn curve, mm, or a point (x, y) near the curve, mm."""
+
+
+def require_place(at: object, owner: str) -> Place:
+    """Return a place in plain numbers; refuse other values."""
+    if is_number(at):
+        return float(at)
+    try:
+        x, y = pair(at, "place").tolist()
+    except InputError:
+        raise InputError(
+            f"The place of {owner} is {quoted(at)}. Give the arc length in mm, or a point (x, y) on the curve."
+        ) from None
+    return x, y
+
 
 @dataclass(frozen=True)
 class PointMass:
-    """Point mass on the rod: `mass` in g at arc length `at` in mm."""
+    """Point mass on the rod: `mass` in g at arc length `at` in mm, or at the point (x, y) near the curve."""
 
-    at: Annotated[float, Option("Place along the strip.", "mm")]
+    at: Annotated[Place, Option("Place along the curve, or a point (x, y) near it.", "mm")]
     mass: Annotated[float, Option("Mass hung at this place.", "g", least=0)]
 
     def __post_init__(self) -> None:
-        if not is_number(self.at):
-            raise InputError(f"a point mass hangs at {self.at!r}: give a finite number of mm along the strip")
+        object.__setattr__(self, "at", require_place(self.at, "a point mass"))
         if not (is_number(self.mass) and self.mass >= 0):
             raise InputError("a point mass is {mass!r}: give 0 or more, in g", mass=self.mass)
+
+    @property
+    def s(self) -> float:
+        """Arc length of the place, mm; a point (x, y) has none before it is moved to a curve."""
+        if isinstance(self.at, tuple):
+            raise InputError(
+                "The point mass at {point} has no arc length. Give its place in mm along the rod.",
+                point=Point(self.at),
+            )
+        return self.at
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,6 +172,11 @@ class Weight:
     masses: Annotated[tuple[PointMass, ...], Option("Masses hung on the strip.")] = ()
     own: Annotated[bool, Option("Add the strip's own weight.")] = False
 
+    @property
+    def has_points(self) -> bool:
+        """True if a mass is placed by a point (x, y)."""
+        return any(isinstance(mass.at, tuple) for mass in self.masses)
+
     def __post_init__(self) -> None:
         object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))
         for name in ("alpha", "beta"):
@@ -175,17 +206,17 @@ class Weight:
         alpha, beta = self.along(s)
         weight = node_lengths * (alpha + beta * stiffness)
         for point in self.masses:
-            if not 0 <= point.at <= s[-1]:
+            if not 0 <= point.s <= s[-1]:
                 raise InputError(
                     (
                         "the point mass at {at:.6g} is beyond the ends of the rod, which is {s:.6g} long: give a "
                         "place along the rod"
                     ),
-                    at=Length(point.at),
+                    at=Length(point.s),
                     s=Length(s[-1]),
                 )
-            i = min(int(np.searchsorted(s, point.at, side="right")) - 1, s.size - 2)
-            share = (point.at - s[i]) / (s[i + 1] - s[i])
+            i = min(int(np.searchsorted(s, point.s, side="right")) - 1, s.size - 2)
+            share = (point.s - s[i]) / (s[i + 1] - s[i])
             newtons = point.mass * 1e-3 * STANDARD_GRAVITY_M_S2
             weight[i] += (1 - share) * newtons
             weight[i + 1] += share * newtons

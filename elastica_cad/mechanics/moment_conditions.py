@@ -42,6 +42,7 @@ from elastica_cad.mechanics.elements import (
     Tie,
     forces_of,
     place_elements,
+    with_placed_masses,
 )
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.loads import Gravity, NaturalCurvature, PointMass, Supports, Weight
@@ -555,6 +556,8 @@ class RodRequest(EqualByValue):
 
     def __post_init__(self) -> None:
         self.supports.require_held(between=bool(self.between))
+        if self.weight is not None and self.weight.has_points:
+            object.__setattr__(self, "weight", with_placed_masses(self.weight, self.drawn or self.curve))
 
     @property
     def curve_to_bend(self) -> PlaneCurve:

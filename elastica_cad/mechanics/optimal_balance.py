@@ -140,7 +140,7 @@ class WeightedPanels:
         """Known forces (N + 1, 2), N, at the panel ends; a force at an end that is held in place has no effect."""
         points = np.zeros((self.panels.count + 1, 2))
         unit = 1e-3 * STANDARD_GRAVITY_M_S2 * self.down
-        acting = [(mass.at, mass.mass * unit) for mass in self.request.masses]
+        acting = [(mass.s, mass.mass * unit) for mass in self.request.masses]
         acting += [(float(force.s[0]), force.units[0, 0]) for force in self.request.forces]
         for s, newtons in acting:
             points[int(np.abs(self.panels.edge_s - s).argmin())] += newtons

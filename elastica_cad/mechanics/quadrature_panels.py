@@ -438,14 +438,14 @@ def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]
         return []
     kinks: list[tuple[float, int]] = []
     for mass in weight.masses:
-        if not (np.isfinite(mass.mass) and 0 <= mass.at <= length):
+        if not (np.isfinite(mass.mass) and 0 <= mass.s <= length):
             raise InputError(
                 "the point mass of {mass:.6g} g at {at:g} is not on the curve: give a place from 0 to {length}",
                 mass=mass.mass,
-                at=Length(mass.at),
+                at=Length(mass.s),
                 length=Length(length),
             )
-        kinks.append((mass.at, 0))
+        kinks.append((mass.s, 0))
     for part in (weight.alpha, weight.beta):
         if isinstance(part, Profile):
             if not np.isclose(part.length, length, rtol=1e-6):

@@ -20,7 +20,7 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import fit_spline, spline_through
 from elastica_cad.mechanics.bracing import bracing_of, slack_elements
 from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces, edge_positions, tangents
-from elastica_cad.mechanics.elements import ElementForce, lumped
+from elastica_cad.mechanics.elements import AT_END_SHARE, ElementForce, lumped
 from elastica_cad.mechanics.loads import (
     Gravity,
     NaturalCurvature,
@@ -579,6 +579,15 @@ class Rod:
     def acting(self) -> tuple[ElementForce, ...]:
         """Elements and point forces between the ends."""
         return (*self.between, *self.point_forces)
+
+    @property
+    def support_forces(self) -> FloatArray:
+        """Forces (2, 2) of the supports on the start and the end, 1/mm2, without those of elements at the ends."""
+        forces = np.array([self.force[0], -self.force[-1]])
+        for action in self.acting:
+            for s, force in zip(action.s, action.force, strict=True):
+                forces -= np.outer(np.abs(s - self.s[[0, -1]]) <= AT_END_SHARE * self.length, force)
+        return forces
 
     @property
     def between_forces(self) -> FloatArray:

@@ -741,7 +741,8 @@ class Strip:
 
         rod = rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
         # loads are in newtons
-        return replace(rod, bending_stiffness=self.bending_stiffness) if self.rod.between else rod
+        own = rod.bending_stiffness is None
+        return replace(rod, bending_stiffness=self.bending_stiffness) if own else rod
 
     @cached_property
     def as_made(self) -> "StripAsMade":
@@ -792,8 +793,9 @@ class Strip:
 
         The internal force is -lambda B (Eq. 2), so the start is pushed by lambda(0) B and the end by -lambda(L) B.
         """
-        B, force, moment = self.bending_stiffness, self.rod.force, self.rod.moment
-        return Reactions(B * force[0], float(-B * moment[0]), -B * force[-1], float(B * moment[-1]))
+        B, moment = self.bending_stiffness, self.rod.moment
+        start, end = B * self.rod.support_forces
+        return Reactions(start, float(-B * moment[0]), end, float(B * moment[-1]))
 
     def drawing(self) -> Drawing:
         """Return the cut pattern (for a laminate, of its base) on layers: text, marks, inner cuts, outer cut."""

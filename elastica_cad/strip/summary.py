@@ -8,9 +8,10 @@ import numpy as np
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.mechanics.elements import ElementForce, Rail, Tie
+from elastica_cad.mechanics.elements import ElementForce, Rail, Tie, noun_of
+from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import Stability, stability
-from elastica_cad.refusals import Length, Refusal, is_reported, note, sentences
+from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, sentences
 from elastica_cad.report_rows import Row, in_order, warning_row
 from elastica_cad.strip.held_shape import HeldShape, about
 from elastica_cad.strip.holding_template import distance_between, distance_of_tips, held_ends
@@ -52,11 +53,19 @@ def strip_rows(
     """
     rows = [size_row(strip), *_nearest(strip, near), *strain_rows(strip)]
     if quick:
-        rows += [Row(note("Stability"), LATER), hold_row(strip), *_between_rows(strip)]
+        rows += [
+            Row(note("Stability"), LATER),
+            hold_row(strip),
+            *between_rows(strip.rod, strip.bending_stiffness),
+        ]
         rows += [Row(note("Accuracy"), LATER)]
     else:
         verdict = stability(strip.rod) if verdict is None else verdict
-        rows += [stability_row(strip, verdict), hold_row(strip), *_between_rows(strip)]
+        rows += [
+            stability_row(strip, verdict),
+            hold_row(strip),
+            *between_rows(strip.rod, strip.bending_stiffness),
+        ]
         with suppress(NotConvergedError):
             rows.append(_not_computed() if strip.rod.acting else accuracy_row(strip.held()))
         with suppress(NotConvergedError):
@@ -169,11 +178,11 @@ def hold_row(strip: Strip) -> Row:
     return Row(note("Hold"), load, (details,))
 
 
-def _between_rows(strip: Strip) -> Iterator[Row]:
-    """Yield the row on the forces of rails, pins and ties, if there are any."""
-    if not strip.rod.between:
+def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
+    """Yield the row on the forces of rails, pins and ties, if there are any; the stiffness is in N mm2."""
+    if not rod.between:
         return
-    texts = [_element_text(action, strip) for action in strip.rod.between]
+    texts = [_element_text(action, rod, bending_stiffness * action.size) for action in rod.between]
     details = note(
         "Left and right are seen along the strip from its start; a bar that pushes to the left is on the right. "
         "Angles are from the x axis of the drawing."
@@ -181,18 +190,20 @@ def _between_rows(strip: Strip) -> Iterator[Row]:
     yield Row(note("Between"), sentences(texts, "; "), (details,))
 
 
-def _element_text(action: ElementForce, strip: Strip) -> Refusal:
+def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
     """Return the place and the force (N) of an element in words."""
-    force = strip.bending_stiffness * action.size
+    if action.is_one_sided and force == 0:
+        places = Listed(map(Length, np.round(action.s, 1).tolist()))
+        return note("{element} at {places} is slack", element=noun_of(action.element), places=places)
     if isinstance(action.element, Tie):
         return note(
             "tie from {start:.0f} to {end:.0f}, {length:.1f} long, pulls {force:.2g} N",
             start=Length(action.s[0]), end=Length(action.s[1]), force=force,
-            length=Length(action.distance_on(strip.rod.curve)),
+            length=Length(action.distance_on(rod.curve)),
         )  # fmt: skip
     x, y = action.force[0]
     if isinstance(action.element, Rail):
-        angle = strip.rod.curve.at(action.s).angle[0]
+        angle = rod.curve.at(action.s).angle[0]
         left = y * np.cos(angle) > x * np.sin(angle)
         text = (
             "rail at {at:.0f} pushes {force:.2g} N to the left"

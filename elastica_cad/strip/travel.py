@@ -10,7 +10,15 @@ import numpy as np
 from elastica_cad._types import ArrayLike, BoolArray, FloatArray
 from elastica_cad._values import require_number, require_record
 from elastica_cad.errors import InputError
-from elastica_cad.mechanics.bending import Movement, as_steps, bend, bend_path, has_snapped
+from elastica_cad.mechanics.bending import (
+    Movement,
+    as_steps,
+    bend,
+    bend_path,
+    has_snapped,
+    part_of_change,
+)
+from elastica_cad.mechanics.elements import require_elements
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability, stability
@@ -25,8 +33,12 @@ RESOLUTION_SHARE = 1e-4
 FALL_SHARE = 1e-4
 """Largest decrease of a force in a step, as a fraction of the largest force, that counts as constant."""
 
-TITLES = "travel mm   force N  strain %    margin"
-TURN_TITLES = " turn deg   force N  strain %    margin"
+TITLES = {
+    "mm": "travel mm   force N  strain %    margin",
+    "deg": " turn deg   force N  strain %    margin",
+    "%": " change %   force N  strain %    margin",
+}
+"""Titles of the printed table by the unit of the movement."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -100,23 +112,39 @@ class Travel:
                 self.path_length, self.force_along, self.strain, self.margin, strict=True
             )
         ]
-        titles = TURN_TITLES if self.is_turn else TITLES
-        return "\n".join([titles, *rows, *self.warnings])
+        return "\n".join([TITLES[self.unit], *rows, *self.warnings])
+
+    @cached_property
+    def _movement(self) -> Movement:
+        return Movement(np.append(0.0, self.travel), np.append(0.0, self.turn))
 
     @property
     def is_turn(self) -> bool:
         """True if the ends turn without travel."""
-        return Movement(np.append(0.0, self.travel), np.append(0.0, self.turn)).is_turn
+        return self._movement.is_turn
+
+    @property
+    def is_still(self) -> bool:
+        """True if the ends stay, and only loads or elements between the ends change."""
+        return self._movement.is_still
 
     @property
     def unit(self) -> str:
-        """Unit of `path_length`: "mm" of travel, or "deg" of turn if the ends only turn."""
-        return "deg" if self.is_turn else "mm"
+        """Unit of `path_length`: "mm" of travel, "deg" of turn if the ends only turn, or "%" if they stay."""
+        return "deg" if self.is_turn else "%" if self.is_still else "mm"
 
     @property
     def path_length(self) -> FloatArray:
-        """Travel (k,), mm, or turn, degrees, if the ends only turn."""
+        """Travel (k,), mm; turn, degrees, if the ends only turn; or percent of the steps, if the ends stay."""
+        if self.is_still:
+            return 100 * self._movement.progress[1:]
         return np.degrees(self.turn) if self.is_turn else self.travel
+
+    @property
+    def displacement(self) -> FloatArray:
+        """Largest displacement (k,) of a place of the strip from its design, mm."""
+        moves = [rod.position - self.strip.rod.position for rod in self.rods]
+        return np.array([np.hypot(*move.T).max() for move in moves])
 
     @property
     def turning_moment(self) -> FloatArray:
@@ -127,7 +155,9 @@ class Travel:
 
     def place_message(self, at: float) -> Refusal:
         """Return the words for a place on the movement, mm of travel or degrees of turn."""
-        at = require_number(at, "the place", "degrees" if self.is_turn else "mm")
+        at = require_number(at, "the place", self.unit)
+        if self.is_still:
+            return note("{percent:.3g} % of the change", percent=at)
         if self.is_turn:
             return note("{degrees:.4g} degrees of turn", degrees=at)
         return note("{at:.4g} of travel", at=Length(round(at, 2)))
@@ -190,7 +220,7 @@ class Travel:
 
         None if it increases in every step, or until the strip snaps, or if the ends only turn.
         """
-        if self.is_turn:
+        if self.is_turn or self.is_still:
             return None
         steps, gains = np.diff(self.end, axis=0), np.diff(self.end_force, axis=0)
         even = FALL_SHARE * np.linalg.norm(self.end_force, axis=1).max() * np.linalg.norm(steps, axis=1)
@@ -211,17 +241,21 @@ class Travel:
         if not k:
             return None if k is None else 0.0
         step, good = dict(self.path[k - 1]), rods[k - 1]
-        held = {"supports": step.pop("supports", good.supports)}
+        start, held = good, {"supports": step.pop("supports", good.supports)}
+        changed: dict[str, Any] = {name: step.pop(name) for name in ("loads", "between") if name in step}
         course = Course.of(replace(good, **held), [step])
-        low, high = 0.0, 1.0
+        before, after = np.append(0.0, self.path_length)[k - 1 : k + 1]
+        # elements that are removed or added act at once
+        at_once = "between" in changed and len(require_elements(changed["between"])) != len(start.between)
+        low, high = 0.0, 0.0 if at_once else 1.0
         while high - low > RESOLUTION_SHARE:
             middle = (low + high) / 2
-            rod = bend(good, **course.entry(middle), **held, side=self.side if k == 1 else None)
+            entry = course.entry(middle) | part_of_change(start, changed, middle)
+            rod = bend(good, **entry, **held, side=self.side if k == 1 else None)
             if fails(rod):
                 high = middle
             else:
                 low, good = middle, rod
-        before, after = np.append(0.0, self.path_length)[k - 1 : k + 1]
         return float(before + high * (after - before))
 
     def table(self) -> dict[str, FloatArray | BoolArray]:
@@ -238,6 +272,7 @@ class Travel:
             "start_force_x_N": self.start_force[:, 0],
             "start_force_y_N": self.start_force[:, 1],
             "start_moment_Nmm": self.start_moment,
+            "displacement_mm": self.displacement,
             "energy_Nmm": self.energy,
             "strain": self.strain,
             "stress_MPa": self.stress,
@@ -297,14 +332,13 @@ def bend_strip(
     end = np.array([rod.position[-1] - rod.position[0] for rod in rods])
     designed = strip.rod.position[-1] - strip.rod.position[0]
     movement = Movement.of([strip.rod, *rods])
-    force = np.array([rod.force for rod in rods])
+    start_force, end_force = B * np.stack([rod.support_forces for rod in rods], axis=1)
     moment = np.array([rod.moment for rod in rods])
     skins = [_most_strained(strip, rod) for rod in rods]
-    end_force = -B * force[:, -1]
     return Travel(
         strip=strip, path=tuple(as_steps(path)), side=side, rods=rods, end=end,
         travel=movement.travel[1:], turn=movement.turn[1:],
-        start_force=B * force[:, 0], end_force=end_force,
+        start_force=start_force, end_force=end_force,
         start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
         force_along=np.sum(end_force * _directions(end, designed), axis=1),
         energy=np.array([B * rod.bending_energy for rod in rods]),

@@ -146,4 +146,4 @@ def test_places_of_a_turn_are_in_degrees(tmp_path):
     assert not any("of travel" in one or "force falls" in one for one in told["notes"])
     step = bend_strip(make_strip(read_curves(tmp_path / "low.csv")[0], "pom-0.5", max_width=10.0), [{}])
     assert not step.is_turn
-    assert step.unit == "mm"
+    assert step.unit == "%"

@@ -1,0 +1,94 @@
+"""Options for rails, pins, ties and loads between the ends of a strip, made from their records."""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+import click
+
+from elastica_cad.cli.options import Length, join_options, option_name
+from elastica_cad.declared import REQUIRED, Field, declared
+from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
+from elastica_cad.mechanics.loads import PointMass
+
+RECORDS: dict[str, tuple[type, str]] = {
+    "rail": (Rail, "Rail across the strip, which slides over it."),
+    "pin": (Pin, "Pin or ring that holds a place of the strip; the strip turns in it."),
+    "tie": (Tie, "Taut cord between two places."),
+    "point_force": (PointForce, "Force in newtons, along x and y."),
+    "point_mass": (PointMass, "Mass in g that hangs at a place."),
+}
+"""Record and help of each option."""
+
+ELEMENTS, LOADS = ("rail", "pin", "tie"), ("point_force", "point_mass")
+
+
+class Place(Length):
+    """Place of a strip: a length along its curve, or a point X,Y near it."""
+
+    name = "place"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return mm along the curve, or a pair of mm."""
+        if not isinstance(value, str) or value.count(",") != 1:
+            return super().convert(value, param, ctx)
+        return tuple(super(Place, self).convert(part, param, ctx) for part in value.split(","))
+
+
+def _fields(name: str) -> list[Field]:
+    return [field for field in declared(RECORDS[name][0]) if field.default is REQUIRED]
+
+
+def _types(field: Field) -> Iterator[tuple[Any, str]]:
+    """Yield the types of the values of a field, and their words in help."""
+    if field.option.unit == "mm":
+        yield Place(), field.name.upper()
+    elif field.kind.name == "list":
+        yield from ((float, axis) for axis in "XY")
+    else:
+        yield float, field.name.upper()
+
+
+def element_options(names: Iterable[str] = tuple(RECORDS)) -> Callable[[Any], Any]:
+    """Return a decorator that adds repeatable options for elements and loads."""
+
+    def option(name: str) -> Callable[[Any], Any]:
+        types, words = zip(*(pair for field in _fields(name) for pair in _types(field)), strict=True)
+        return click.option(
+            option_name(name), name, type=types if len(types) > 1 else types[0], multiple=True,
+            metavar=" ".join(words),
+            help=f"{RECORDS[name][1]} A place is in mm along the curve, or X,Y near it. Repeatable.",
+        )  # fmt: skip
+
+    return join_options(*map(option, names))
+
+
+def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the keys `between` and `loads` of a design file for the options that were given."""
+    table: dict[str, Any] = {}
+    for key, names in (("between", ELEMENTS), ("loads", LOADS)):
+        rows = [
+            ({"kind": name} if key == "between" else {}) | _row(name, values)
+            for name in names
+            for values in chosen.get(name) or ()
+        ]
+        table |= {key: rows} if rows else {}
+    return table
+
+
+def elements_of(chosen: Mapping[str, Any], names: Iterable[str]) -> tuple[Any, ...]:
+    """Return the records of the options that were given."""
+    return tuple(
+        RECORDS[name][0](**_row(name, values)) for name in names for values in chosen.get(name) or ()
+    )
+
+
+def _row(name: str, values: Any) -> dict[str, Any]:
+    """Return the values of one option by the fields of its record."""
+    fields = _fields(name)
+    left = [values] if len(fields) == 1 else list(values)
+    row: dict[str, Any] = {}
+    for field in fields:
+        count = len(list(_types(field)))
+        row[field.name] = left[0] if count == 1 else left[:count]
+        left = left[count:]
+    return {key: list(value) if isinstance(value, tuple) else value for key, value in row.items()}

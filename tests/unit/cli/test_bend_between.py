@@ -1,0 +1,110 @@
+"""`elastica bend` of finished strips on rails, pins and ties: other loads, shorter cords, rails that are moved."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from tests.command_line import run
+
+WAVE = ec.PlaneCurve.spline(
+    [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
+)
+SHEET = "birch-plywood-0.8"
+
+
+@pytest.fixture(scope="module")
+def desk(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("desk")
+    ec.write_curves([WAVE], folder / "wave.dxf")
+    line = f"strip wave.dxf --sheet {SHEET} --max-width 40 --rail 200 --tie 40 310 --no-step --no-pictures -o out"
+    run(line, cwd=folder)
+    return folder
+
+
+@pytest.fixture(autouse=True)
+def without_pictures(monkeypatch):
+    """As without matplotlib, for speed."""
+    monkeypatch.setattr("elastica_cad.cli.bend_command.can_draw", lambda: False)
+
+
+@pytest.fixture(scope="module")
+def strip():
+    return ec.make_strip(WAVE, SHEET, max_width=40, between=(ec.Rail(200), ec.Tie(40, 310)))
+
+
+def bent(options, folder):
+    made = run(f"bend out/wave.json {options} --json --force", cwd=folder)
+    return json.loads(made.stdout)
+
+
+def test_options_name_the_same_elements_as_set(desk):
+    report = json.loads((desk / "out/wave.json").read_text())
+    assert [element["kind"] for element in report["between"]] == ["rail", "tie"]
+    assert [element["at"] for element in report["between"]] == [[200.0], [40.0, 310.0]]
+
+
+def test_a_mass_that_the_design_did_not_know(desk, strip):
+    shape = bent("--point-mass 250 200 --side left", desk)["shapes"][0]
+    gravity = ec.Sheet.named(SHEET).gravity((0.0, -1.0))
+    own = ec.bend(strip.rod_to_bend, gravity=gravity, loads=ec.PointMass(250, 200))
+    assert [element["kind"] for element in shape["between"]] == ["rail", "tie"]
+    assert shape["between"][0]["force"][0] == pytest.approx(
+        strip.bending_stiffness * own.between_forces[0], rel=0.02, abs=0.01
+    )
+    assert shape["size"] == pytest.approx(np.ptp(own.position, axis=0), abs=0.05)
+
+
+def test_a_cord_is_shortened_in_steps(desk, strip):
+    report = bent("--shorten 4 --steps 2", desk)
+    start, end = strip.rod.between[1].s
+    length = np.hypot(*np.diff(strip.rod.curve.at([start, end]).position, axis=0)[0])
+    assert report["unit"] == "%"
+    assert len(report["shapes"]) == 2
+    for part, shape in zip((2, 4), report["shapes"], strict=True):
+        rail = ec.Rail(200)
+        own = ec.bend(strip.rod_to_bend, between=(rail, ec.Tie(start, end, length=length - part)))
+        pull = strip.bending_stiffness * np.hypot(*own.between_forces[1])
+        assert np.hypot(*shape["between"][1]["force"][0]) == pytest.approx(pull, rel=0.02)
+
+
+def test_the_rows_on_a_rail_that_is_moved(desk, strip):
+    x, y = strip.rod.curve.at([200.0]).position[0]
+    printed = run(f"bend out/wave.json --rail {x:.4f},{y + 2:.4f} --tie 40 310 --force", cwd=desk).stdout
+    own = ec.bend(strip.rod_to_bend, between=(ec.Rail((x, y + 2)), ec.Tie(40, 310)))
+    far = np.hypot(*(own.position - strip.rod.position).T).max()
+    moved = re.search(r"Moved +the strip moves by at most ([\d.]+) mm", printed)
+    assert float(moved[1]) == pytest.approx(far, abs=0.06)
+    assert re.search(r"Between +rail at 20\d mm pushes", printed)
+    assert re.search(r"Strain +at most [\d.]+ %, safety [\d.]+", printed)
+
+
+def test_a_strip_without_its_elements_snaps(desk):
+    report = bent("--release", desk)
+    assert report["shapes"][0]["between"] == []
+    assert report["snaps_at"] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (
+            "--shorten 500",
+            "The cord from 40 mm to 310 mm is 254 mm long, so it cannot be shortened by 500 mm.",
+        ),
+        ("--release --shorten 5", "--shorten needs a cord. Add --tie START END."),
+        ("--rail 900", "The rail at 900 mm is not on the curve. Give a place from 0 to 394.424 mm."),
+        ("--rail 10,10,10", "'10,10,10' is not a length"),
+    ],
+)
+def test_refusals(desk, options, message):
+    made = run(f"bend out/wave.json {options} --force", cwd=desk, code=2)
+    assert message in " ".join(made.stderr.split())
+
+
+def test_loads_need_the_size_of_a_strip(desk):
+    ec.write_curves([ec.PlaneCurve.spline([(0, 0), (50, 60), (100, 0)], degree=2)], desk / "arch.dxf")
+    made = run("bend arch.dxf --point-force 50 0 -1", cwd=desk, code=2)
+    assert "Add --sheet and --max-width" in made.stderr
