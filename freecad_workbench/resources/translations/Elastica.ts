@@ -1964,7 +1964,7 @@
 <context>
     <name>Elastica_Between</name>
     <message>
-        <source>Draw the curve that a strip of given length takes between two clamps into the open sketch; pull its ends</source>
+        <source>Add to the open sketch the curve that a strip of given length takes between two clamps</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2034,7 +2034,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Put the selected strips together to a model and cut slots where they cross</source>
+        <source>Combine the selected strips into a model, and cut slots where they cross</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2078,7 +2078,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nest all cut parts of the selected strips, models and base plates on sheets</source>
+        <source>Arrange all cut parts of the selected strips, models and base plates on sheets</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2100,7 +2100,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one</source>
+        <source>Pull the selected sketch's curve by four handles; if a strip can take the curve before, it can take it afterwards</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -1960,8 +1960,8 @@
 <context>
     <name>Elastica_Between</name>
     <message>
-        <source>Draw the curve that a strip of given length takes between two clamps into the open sketch; pull its ends</source>
-        <translation>In die offene Skizze die Kurve zeichnen, die ein Streifen gegebener Länge zwischen zwei Klemmen annimmt, und an ihren Enden ziehen</translation>
+        <source>Add to the open sketch the curve that a strip of given length takes between two clamps</source>
+        <translation>In die offene Skizze die Kurve zeichnen, die ein Streifen gegebener Länge zwischen zwei Klemmen annimmt</translation>
     </message>
     <message>
         <source>Curve of given length</source>
@@ -2030,7 +2030,7 @@
         <translation>Gewählte Streifen verzahnen</translation>
     </message>
     <message>
-        <source>Put the selected strips together to a model and cut slots where they cross</source>
+        <source>Combine the selected strips into a model, and cut slots where they cross</source>
         <translation>Die gewählten Streifen zu einem Modell verbinden und Schlitze schneiden, wo sie sich kreuzen</translation>
     </message>
 </context>
@@ -2074,7 +2074,7 @@
         <translation>Auf Platten schachteln</translation>
     </message>
     <message>
-        <source>Nest all cut parts of the selected strips, models and base plates on sheets</source>
+        <source>Arrange all cut parts of the selected strips, models and base plates on sheets</source>
         <translation>Alle Schnittteile der gewählten Streifen, Modelle und Grundplatten auf Platten schachteln</translation>
     </message>
 </context>
@@ -2096,8 +2096,8 @@
         <translation>Projektiv bearbeiten</translation>
     </message>
     <message>
-        <source>Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one</source>
-        <translation>Zieht die Kurve der gewählten Skizze an vier Griffen: Geraden bleiben gerade, eine biegbare Kurve bleibt biegbar</translation>
+        <source>Pull the selected sketch's curve by four handles; if a strip can take the curve before, it can take it afterwards</source>
+        <translation>Zieht die Kurve der gewählten Skizze an vier Griffen; kann ein Streifen die Kurve vorher annehmen, so kann er es auch nachher</translation>
     </message>
 </context>
 <context>

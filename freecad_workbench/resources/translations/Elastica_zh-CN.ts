@@ -1960,8 +1960,8 @@
 <context>
     <name>Elastica_Between</name>
     <message>
-        <source>Draw the curve that a strip of given length takes between two clamps into the open sketch; pull its ends</source>
-        <translation>在打开的草图中绘制给定长度的条带在两个夹具之间呈现的曲线，并拖动其端点</translation>
+        <source>Add to the open sketch the curve that a strip of given length takes between two clamps</source>
+        <translation>在打开的草图中绘制给定长度的条带在两个夹具之间形成的曲线</translation>
     </message>
     <message>
         <source>Curve of given length</source>
@@ -2030,7 +2030,7 @@
         <translation>互锁所选条带</translation>
     </message>
     <message>
-        <source>Put the selected strips together to a model and cut slots where they cross</source>
+        <source>Combine the selected strips into a model, and cut slots where they cross</source>
         <translation>将所选条带组成模型，并在相交处开槽</translation>
     </message>
 </context>
@@ -2074,7 +2074,7 @@
         <translation>在板材上排样</translation>
     </message>
     <message>
-        <source>Nest all cut parts of the selected strips, models and base plates on sheets</source>
+        <source>Arrange all cut parts of the selected strips, models and base plates on sheets</source>
         <translation>将所选条带、模型和底板的全部切割件排到板材上</translation>
     </message>
 </context>
@@ -2096,8 +2096,8 @@
         <translation>射影编辑</translation>
     </message>
     <message>
-        <source>Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one</source>
-        <translation>用四个手柄拉动所选草图的曲线：直线保持为直线，可弯曲的曲线仍可弯曲</translation>
+        <source>Pull the selected sketch's curve by four handles; if a strip can take the curve before, it can take it afterwards</source>
+        <translation>用四个控制柄拉动所选草图的曲线；若条带之前能弯成该曲线，之后也能</translation>
     </message>
 </context>
 <context>

@@ -35,7 +35,7 @@ DRAW = (
         text=QT_TRANSLATE_NOOP("Elastica_Between", "Curve of given length"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Between",
-            "Draw the curve that a strip of given length takes between two clamps into the open sketch; pull its ends",  # noqa: E501
+            "Add to the open sketch the curve that a strip of given length takes between two clamps",
         ),
         run=between_clamps.switch,
         has_subject=is_sketch_open,
@@ -70,7 +70,7 @@ DRAW = (
         text=QT_TRANSLATE_NOOP("Elastica_Projective", "Projective edit"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Projective",
-            "Pull the selected sketch's curve by four handles: lines stay lines, a curve that can be bent stays one",  # noqa: E501
+            "Pull the selected sketch's curve by four handles; if a strip can take the curve before, it can take it afterwards",  # noqa: E501
         ),
         run=partial(open_on, ProjectivePanel, chosen_sketch),
         has_subject=actions.has_curve,
@@ -162,7 +162,7 @@ MODELS = (
         name="Elastica_Interlock",
         text=QT_TRANSLATE_NOOP("Elastica_Interlock", "Interlock selected strips"),
         tip=QT_TRANSLATE_NOOP(
-            "Elastica_Interlock", "Put the selected strips together to a model and cut slots where they cross"
+            "Elastica_Interlock", "Combine the selected strips into a model, and cut slots where they cross"
         ),
         run=actions.make_model,
         has_subject=partial(answers, chosen_strips, least=2),
@@ -183,7 +183,7 @@ MODELS = (
         text=QT_TRANSLATE_NOOP("Elastica_Nest", "Nest on sheets"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Nest",
-            "Nest all cut parts of the selected strips, models and base plates on sheets",
+            "Arrange all cut parts of the selected strips, models and base plates on sheets",
         ),
         run=actions.make_nest,
         has_subject=HAS_PARTS,
