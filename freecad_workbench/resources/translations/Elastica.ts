@@ -124,10 +124,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Masses hung on the strip: at = 90, mass = 3 (mm, g)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>All weight in newtons: alpha = 0.001, own = true</source>
         <translation type="unfinished"></translation>
     </message>
@@ -429,6 +425,10 @@
     </message>
     <message>
         <source>Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Masses and forces on the strip: at = 90, mass = 3, or at = 90, force = [0, -1] (mm, g, N)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1252,6 +1252,50 @@
     </message>
     <message>
         <source>Gap (0 = one ring)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rail (bar on one side)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slot (two bars)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pin (the strip turns)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tie (cord)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hung mass</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click the other end of the cord.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click the place on the sketch or on the strip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>thrust line</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cord</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rail, pin, tie or load</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2167,6 +2211,108 @@
     </message>
     <message>
         <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Rails</name>
+    <message>
+        <source>Rails, ties and loads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the selected strip between its ends by rails, pins and cords, and load it with forces and masses</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaRails</name>
+    <message>
+        <source>Rails, ties and loads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kind of the element or load to add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place it on the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Then click the sketch or the strip in the view; for a tie, click both places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elements and loads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose an element or load to change or remove it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place along the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance along the curve from its start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Other place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance of the other end of the tie from the start of the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force along x (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force along y (N)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force in newtons along the x axis of the sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Force in newtons along the y axis of the sketch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mass (g)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hung mass in grams; it needs the own weight of the strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep this point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the point in space when the curve changes, instead of the distance along the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Removes the chosen element or load</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

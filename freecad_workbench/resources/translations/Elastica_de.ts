@@ -120,10 +120,6 @@
         <translation>Elasto-Gravitationslänge; 0 für den Wert der Platte</translation>
     </message>
     <message>
-        <source>Masses hung on the strip: at = 90, mass = 3 (mm, g)</source>
-        <translation>Angehängte Massen: at = 90, mass = 3 (mm, g)</translation>
-    </message>
-    <message>
         <source>All weight in newtons: alpha = 0.001, own = true</source>
         <translation>Alles Gewicht in Newton: alpha = 0.001, own = true</translation>
     </message>
@@ -426,6 +422,10 @@
     <message>
         <source>Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end</source>
         <translation>Abstand zweier Ringe, die schräge Laschen in ihrem Winkel halten; 0 für einen Ring an jedem Ende</translation>
+    </message>
+    <message>
+        <source>Masses and forces on the strip: at = 90, mass = 3, or at = 90, force = [0, -1] (mm, g, N)</source>
+        <translation>Massen und Kräfte am Streifen: at = 90, mass = 3, oder at = 90, force = [0, -1] (mm, g, N)</translation>
     </message>
 </context>
 <context>
@@ -1249,6 +1249,50 @@
     <message>
         <source>Gap (0 = one ring)</source>
         <translation>Abstand (0 = ein Ring)</translation>
+    </message>
+    <message>
+        <source>Rail (bar on one side)</source>
+        <translation>Schiene (Stange auf einer Seite)</translation>
+    </message>
+    <message>
+        <source>Slot (two bars)</source>
+        <translation>Schlitz (zwei Stangen)</translation>
+    </message>
+    <message>
+        <source>Pin (the strip turns)</source>
+        <translation>Stift (der Streifen dreht sich)</translation>
+    </message>
+    <message>
+        <source>Tie (cord)</source>
+        <translation>Schnur</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Hung mass</source>
+        <translation>Angehängte Masse</translation>
+    </message>
+    <message>
+        <source>Click the other end of the cord.</source>
+        <translation>Auf das andere Ende der Schnur klicken.</translation>
+    </message>
+    <message>
+        <source>Click the place on the sketch or on the strip.</source>
+        <translation>Auf die Stelle an der Skizze oder am Streifen klicken.</translation>
+    </message>
+    <message>
+        <source>thrust line</source>
+        <translation>Stützlinie</translation>
+    </message>
+    <message>
+        <source>cord</source>
+        <translation>Schnur</translation>
+    </message>
+    <message>
+        <source>rail, pin, tie or load</source>
+        <translation>Schiene, Stift, Schnur oder Last</translation>
     </message>
 </context>
 <context>
@@ -2164,6 +2208,108 @@
     <message>
         <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
         <translation>Einen gezeichneten Bogen mit Streifen und flachem Teil öffnen; Pole ziehen, die Platte ändern</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Rails</name>
+    <message>
+        <source>Rails, ties and loads</source>
+        <translation>Schienen, Schnüre und Lasten</translation>
+    </message>
+    <message>
+        <source>Hold the selected strip between its ends by rails, pins and cords, and load it with forces and masses</source>
+        <translation>Den gewählten Streifen zwischen seinen Enden mit Schienen, Stiften und Schnüren halten und mit Kräften und Massen belasten</translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaRails</name>
+    <message>
+        <source>Rails, ties and loads</source>
+        <translation>Schienen, Schnüre und Lasten</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Kind of the element or load to add</source>
+        <translation>Art des Elements oder der Last, die hinzugefügt wird</translation>
+    </message>
+    <message>
+        <source>Place it on the curve</source>
+        <translation>Auf die Kurve setzen</translation>
+    </message>
+    <message>
+        <source>Then click the sketch or the strip in the view; for a tie, click both places</source>
+        <translation>Dann in der Ansicht auf die Skizze oder den Streifen klicken; für eine Schnur auf beide Stellen</translation>
+    </message>
+    <message>
+        <source>Elements and loads</source>
+        <translation>Elemente und Lasten</translation>
+    </message>
+    <message>
+        <source>Choose an element or load to change or remove it</source>
+        <translation>Ein Element oder eine Last wählen, um sie zu ändern oder zu entfernen</translation>
+    </message>
+    <message>
+        <source>Place along the curve</source>
+        <translation>Stelle entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>Distance along the curve from its start</source>
+        <translation>Abstand vom Anfang, entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>Other place</source>
+        <translation>Andere Stelle</translation>
+    </message>
+    <message>
+        <source>Distance of the other end of the tie from the start of the curve</source>
+        <translation>Abstand des anderen Endes der Schnur vom Anfang der Kurve</translation>
+    </message>
+    <message>
+        <source>Force along x (N)</source>
+        <translation>Kraft entlang x (N)</translation>
+    </message>
+    <message>
+        <source>Force along y (N)</source>
+        <translation>Kraft entlang y (N)</translation>
+    </message>
+    <message>
+        <source>Force in newtons along the x axis of the sketch</source>
+        <translation>Kraft in Newton entlang der x-Achse der Skizze</translation>
+    </message>
+    <message>
+        <source>Force in newtons along the y axis of the sketch</source>
+        <translation>Kraft in Newton entlang der y-Achse der Skizze</translation>
+    </message>
+    <message>
+        <source>Mass (g)</source>
+        <translation>Masse (g)</translation>
+    </message>
+    <message>
+        <source>Hung mass in grams; it needs the own weight of the strip</source>
+        <translation>Angehängte Masse in Gramm; sie braucht das Eigengewicht des Streifens</translation>
+    </message>
+    <message>
+        <source>Keep this point</source>
+        <translation>Diesen Punkt behalten</translation>
+    </message>
+    <message>
+        <source>Keep the point in space when the curve changes, instead of the distance along the curve</source>
+        <translation>Den Punkt im Raum behalten, wenn sich die Kurve ändert, statt des Abstands entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Removes the chosen element or load</source>
+        <translation>Entfernt das gewählte Element oder die Last</translation>
     </message>
 </context>
 </TS>

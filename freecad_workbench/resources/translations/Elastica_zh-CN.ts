@@ -120,10 +120,6 @@
         <translation>弹性重力长度；0 表示采用板材的值</translation>
     </message>
     <message>
-        <source>Masses hung on the strip: at = 90, mass = 3 (mm, g)</source>
-        <translation>挂在条带上的质量：at = 90, mass = 3 (mm, g)</translation>
-    </message>
-    <message>
         <source>All weight in newtons: alpha = 0.001, own = true</source>
         <translation>全部重量（牛顿）：alpha = 0.001, own = true</translation>
     </message>
@@ -426,6 +422,10 @@
     <message>
         <source>Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end</source>
         <translation>两个圆环之间的距离，使倾斜的耳片保持角度；0 表示每端一个圆环</translation>
+    </message>
+    <message>
+        <source>Masses and forces on the strip: at = 90, mass = 3, or at = 90, force = [0, -1] (mm, g, N)</source>
+        <translation>条带上的质量和力：at = 90, mass = 3，或 at = 90, force = [0, -1]（mm、g、N）</translation>
     </message>
 </context>
 <context>
@@ -1249,6 +1249,50 @@
     <message>
         <source>Gap (0 = one ring)</source>
         <translation>间距（0 = 一个圆环）</translation>
+    </message>
+    <message>
+        <source>Rail (bar on one side)</source>
+        <translation>支承杆（单侧）</translation>
+    </message>
+    <message>
+        <source>Slot (two bars)</source>
+        <translation>槽（双侧杆）</translation>
+    </message>
+    <message>
+        <source>Pin (the strip turns)</source>
+        <translation>销（条带可转动）</translation>
+    </message>
+    <message>
+        <source>Tie (cord)</source>
+        <translation>拉索</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>Hung mass</source>
+        <translation>悬挂质量</translation>
+    </message>
+    <message>
+        <source>Click the other end of the cord.</source>
+        <translation>单击拉索的另一端。</translation>
+    </message>
+    <message>
+        <source>Click the place on the sketch or on the strip.</source>
+        <translation>单击草图或条带上的位置。</translation>
+    </message>
+    <message>
+        <source>thrust line</source>
+        <translation>推力线</translation>
+    </message>
+    <message>
+        <source>cord</source>
+        <translation>拉索</translation>
+    </message>
+    <message>
+        <source>rail, pin, tie or load</source>
+        <translation>支承杆、销、拉索或载荷</translation>
     </message>
 </context>
 <context>
@@ -2164,6 +2208,108 @@
     <message>
         <source>Open a drawn arch with its strip and its flat part; drag its poles, change its sheet</source>
         <translation>打开一个已绘制的拱形及其条带和平面件；可拖动控制点、更换板材</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Rails</name>
+    <message>
+        <source>Rails, ties and loads</source>
+        <translation>支承杆、拉索与载荷</translation>
+    </message>
+    <message>
+        <source>Hold the selected strip between its ends by rails, pins and cords, and load it with forces and masses</source>
+        <translation>用支承杆、销和拉索在两端之间固定所选条带，并施加力和质量</translation>
+    </message>
+</context>
+<context>
+    <name>ElasticaRails</name>
+    <message>
+        <source>Rails, ties and loads</source>
+        <translation>支承杆、拉索与载荷</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>种类</translation>
+    </message>
+    <message>
+        <source>Kind of the element or load to add</source>
+        <translation>要添加的构件或载荷的种类</translation>
+    </message>
+    <message>
+        <source>Place it on the curve</source>
+        <translation>放到曲线上</translation>
+    </message>
+    <message>
+        <source>Then click the sketch or the strip in the view; for a tie, click both places</source>
+        <translation>然后在视图中单击草图或条带；拉索需单击两处</translation>
+    </message>
+    <message>
+        <source>Elements and loads</source>
+        <translation>构件与载荷</translation>
+    </message>
+    <message>
+        <source>Choose an element or load to change or remove it</source>
+        <translation>选择要更改或移除的构件或载荷</translation>
+    </message>
+    <message>
+        <source>Place along the curve</source>
+        <translation>沿曲线的位置</translation>
+    </message>
+    <message>
+        <source>Distance along the curve from its start</source>
+        <translation>沿曲线距起点的距离</translation>
+    </message>
+    <message>
+        <source>Other place</source>
+        <translation>另一处</translation>
+    </message>
+    <message>
+        <source>Distance of the other end of the tie from the start of the curve</source>
+        <translation>拉索另一端距曲线起点的距离</translation>
+    </message>
+    <message>
+        <source>Force along x (N)</source>
+        <translation>沿 x 的力（N）</translation>
+    </message>
+    <message>
+        <source>Force along y (N)</source>
+        <translation>沿 y 的力（N）</translation>
+    </message>
+    <message>
+        <source>Force in newtons along the x axis of the sketch</source>
+        <translation>沿草图 x 轴的力，单位牛顿</translation>
+    </message>
+    <message>
+        <source>Force in newtons along the y axis of the sketch</source>
+        <translation>沿草图 y 轴的力，单位牛顿</translation>
+    </message>
+    <message>
+        <source>Mass (g)</source>
+        <translation>质量（g）</translation>
+    </message>
+    <message>
+        <source>Hung mass in grams; it needs the own weight of the strip</source>
+        <translation>悬挂质量，单位克；需要计入条带自重</translation>
+    </message>
+    <message>
+        <source>Keep this point</source>
+        <translation>保持此点</translation>
+    </message>
+    <message>
+        <source>Keep the point in space when the curve changes, instead of the distance along the curve</source>
+        <translation>曲线改变时保持空间中的点，而不是沿曲线的距离</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Removes the chosen element or load</source>
+        <translation>移除所选构件或载荷</translation>
     </message>
 </context>
 </TS>

@@ -54,7 +54,7 @@ def told(drawn):
 
 def opened():
     """The tool by its button."""
-    from freecad.elastica_wb.panels import between_clamps
+    from freecad.elastica_wb.live import between_clamps
 
     press("Elastica_Between")
     until(lambda: between_clamps.running() is not None)
@@ -90,8 +90,7 @@ def work():
     document.UndoMode = 1
     Gui.activateWorkbench("ElasticaWorkbench")
     window()
-    from freecad.elastica_wb.live import observers
-    from freecad.elastica_wb.panels import between_clamps
+    from freecad.elastica_wb.live import between_clamps, observers
 
     drawn = document.addObject("Sketcher::SketchObject", "Drawn")
     observers.remember(drawn, True)

@@ -45,6 +45,8 @@ HILL = scaled([(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)])
 CROSSING = scaled([(5, -40), (12, 0), (15, 50), (12, 100), (5, 140)])
 GENTLE = [(1.3 * x, 1.3 * y) for x, y in WAVE]
 BAD = scaled([(0, 0), (35, 80), (70, -70), (110, 60), (150, 70), (180, -30)])
+LONG_WAVE = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
+"""No strip takes it without a rail."""
 
 
 def drawn(points=ARCH, name="Sketch", upright=True, poles=False):
@@ -203,6 +205,10 @@ def work():
     by_panel("Elastica_Edit", *crossing(), StartTab=15.0)
     by_panel("Elastica_Perforate", strip_of(), OuterWidth=40.0)
     by_panel("Elastica_Laminate", strip_of(), OuterWidth=40.0)
+    held = strip_of(LONG_WAVE, upright=False)
+    held.Between = ["at = [180, -9]"]
+    held.Document.recompute()
+    by_panel("Elastica_Rails", held, top=True)
     by_panel("Elastica_Bend", strip_of(upright=False), top=True, EndX=-40.0)
     fill(opened("Elastica_Tolerance", strip_of()), samples=12)
     panel().run()

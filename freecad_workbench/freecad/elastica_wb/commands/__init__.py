@@ -13,13 +13,14 @@ from freecad.elastica_wb.commands.actions import answers, open_on, show_panel
 from freecad.elastica_wb.commands.selection import chosen_sketch, chosen_sources, chosen_strip, chosen_strips
 from freecad.elastica_wb.example import open_example
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
+from freecad.elastica_wb.live import between_clamps
 from freecad.elastica_wb.live.sketches import is_sketch_open
-from freecad.elastica_wb.panels import between_clamps
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.coupon import CouponPanel
 from freecad.elastica_wb.panels.export import ExportPanel
 from freecad.elastica_wb.panels.fixtures import FixturesPanel
 from freecad.elastica_wb.panels.projective import ProjectivePanel
+from freecad.elastica_wb.panels.rails import RailsPanel
 from freecad.elastica_wb.panels.sheets import SheetsPanel
 from freecad.elastica_wb.panels.tolerance import TolerancePanel
 
@@ -131,6 +132,18 @@ STRIPS = (
         ),
         run=actions.laminate,
         has_subject=HAS_STRIP,
+        in_sketch=True,
+    ),
+    Command(
+        name="Elastica_Rails",
+        text=QT_TRANSLATE_NOOP("Elastica_Rails", "Rails, ties and loads"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Rails",
+            "Hold the selected strip between its ends by rails, pins and cords, and load it with forces and masses",
+        ),
+        run=partial(open_on, RailsPanel, chosen_strip),
+        has_subject=HAS_STRIP,
+        shortcut="Y, R",
         in_sketch=True,
     ),
     Command(

@@ -37,6 +37,7 @@ from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip_spec import StripSpec
 
 BODY = "PartDesign::Body"
 SAME_COLOR = 1e-2  # FreeCAD keeps colours in single precision or in 256 steps
@@ -184,13 +185,13 @@ def strip_of(obj: Any) -> Strip:
     return solve_strip(spec_of(obj, drawn_curve(obj.Curve, obj)))
 
 
-def could_follow_another(obj: Any) -> bool:
-    """Return True if the request is valid, so that the nearest curve may help if this curve is refused."""
+def valid_request(obj: Any) -> StripSpec | None:
+    """Return the request if it is valid, so that another curve or a support may help if the curve is refused."""
     try:
-        spec_of(obj, drawn_curve(obj.Curve, obj))
+        spec = spec_of(obj, drawn_curve(obj.Curve, obj))
     except FAILURES:
-        return False
-    return bool(obj.MaxWidth.Value > 0 or obj.MinWidth.Value > 0)
+        return None
+    return spec if obj.MaxWidth.Value > 0 or obj.MinWidth.Value > 0 else None
 
 
 def shown_strip(obj: Any) -> Strip:
@@ -262,7 +263,7 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         *(fault.sentence for fault in faults),
         *filter(None, [pre_bend_message(strip), strip.backing_side]),
         *strip.warnings,
-        *([] if sideways.word == "ample" else [str(sideways)]),
+        *([] if sideways is None or sideways.word == "ample" else [str(sideways)]),
     ]
     words = [fault.words for fault in faults if not (refused and fault.number == "LargestStrain")]
     fails = note("The strip fails: {faults}.", faults=sentences(words, "; ")) if words else ""
@@ -293,8 +294,8 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         LargestStrain=100 * strip.max_strain,
         StrainUse=strip.strain_verdict.percent,
         Deviation=(rod.moved if changed is None else changed) + smoothed,
-        SidewaysMargin=sideways.margin if sideways.decided else 0.0,
-        Sideways=worded(str(sideways)),
+        SidewaysMargin=sideways.margin if sideways is not None and sideways.decided else 0.0,
+        Sideways="" if sideways is None else worded(str(sideways)),
         Length=rod.length,
         NarrowestWidth=strip.width.extremes[0],
         Mass=strip.mass,

@@ -8,9 +8,9 @@ here.
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeAlias
 
 import FreeCAD as App
 from freecad.elastica_wb.curves.sketch_curves import DrawnCurve
@@ -27,13 +27,15 @@ from freecad.elastica_wb.host.words import name_of
 
 from elastica_cad.declared import Field, declared
 from elastica_cad.defaults import MAX_WIDTH, RATIO, TAB_LENGTH
-from elastica_cad.design.records import BY_KIND, Reader, names_of, parsed_line, paths_of, put
+from elastica_cad.design.records import BY_KIND, Reader, names_of, parsed_line, paths_of, put, word_of
 from elastica_cad.design.strip_table import StripKeys, read_fields, read_request
 from elastica_cad.design.tables import Table, merged
+from elastica_cad.design.toml_text import toml_text
 from elastica_cad.errors import InputError
 from elastica_cad.forming.limits import BOTH_ENDS
 from elastica_cad.forming.rod_spec import RodSpec
-from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.elements import Element, Pin, PointForce, Rail, Tie
+from elastica_cad.mechanics.loads import Gravity, PointMass, Supports
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.strip_spec import StripSpec, pull_in_plane
@@ -50,6 +52,7 @@ DEFAULTS = {"MaxWidth": MAX_WIDTH, "OuterWidth": MAX_WIDTH, "RatioLimit": RATIO}
 """Defaults of a new strip that differ from those of the fields."""
 
 EXAMPLES = {
+    "Between": "kind = 'tie', start = 40, end = 310",
     "Law": 'kind = "thickness", limits = [3, 8], width = 20',
     "Slots": "at = 40, width = 1.2, side = 'lower'",
     "KeepOut": "point = [0, 0], normal = [0, 1]",
@@ -129,7 +132,12 @@ PROPERTIES = (
         App.Vector(0, 0, -1),
     ),
     Property("Length", "GravityLength", "Mechanics", "Elasto-gravity length; 0 for the value of the sheet"),
-    Property("StringList", "Loads", "Mechanics", "Masses hung on the strip: at = 90, mass = 3 (mm, g)"),
+    Property(
+        "StringList",
+        "Loads",
+        "Mechanics",
+        "Masses and forces on the strip: at = 90, mass = 3, or at = 90, force = [0, -1] (mm, g, N)",
+    ),
     Property("String", "WeightLaw", "Mechanics", "All weight in newtons: alpha = 0.001, own = true"),
     Property("Float", "NaturalCurvature", "Mechanics", "Curvature of the strip before bending, 1/mm"),
     Property(
@@ -263,6 +271,56 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
         drawn.curve, gravity, fields.get("supports", Supports()), fields.get("natural_curvature", 0.0),
         limits=fields["limits"], keep=fields["keep"],
     )  # fmt: skip
+
+
+Acting: TypeAlias = Element | PointForce | PointMass
+"""An element or a load."""
+
+
+def is_load(item: Acting) -> bool:
+    """Return True for a load, and False for an element."""
+    return not isinstance(item, Element)
+
+
+def keys_of(item: Acting) -> tuple[str, ...]:
+    """Return the names of the fields with places."""
+    return ("start", "end") if isinstance(item, Tie) else ("at",)
+
+
+def places_of(item: Acting) -> list[Any]:
+    """Return the places of an element or load: mm along the curve, or points (x, y)."""
+    return [getattr(item, key) for key in keys_of(item)]
+
+
+def acting_lines(items: Iterable[Acting]) -> dict[str, list[str]]:
+    """Return the values of the properties Between and Loads, with one line for each element or load."""
+    lines: dict[str, list[str]] = {"Between": [], "Loads": []}
+    for item in items:
+        kind = word_of(type(item))
+        table = {} if kind in (None, "rail") else {"kind": kind}
+        fields = {field.name: field.default for field in declared(type(item))}
+        table |= {name: getattr(item, name) for name, usual in fields.items() if getattr(item, name) != usual}
+        line = ", ".join(toml_text(table).splitlines())
+        lines["Loads" if is_load(item) else "Between"].append(line)
+    return lines
+
+
+def acting_words(item: Acting, places: Sequence[float]) -> str:
+    """Return an element or load in words, at places in mm along the curve."""
+    at = {"at": Length(places[0])}
+    match item:
+        case Rail(one_sided=True):
+            return note("Rail at {at:.4g}", **at)
+        case Rail():
+            return note("Slot at {at:.4g}", **at)
+        case Pin():
+            return note("Pin at {at:.4g}", **at)
+        case Tie():
+            return note("Tie from {at:.4g} to {end:.4g}", **at, end=Length(places[1]))
+        case PointForce(force=(x, y)):
+            return note("Force at {at:.4g}: {x:.3g} N along x, {y:.3g} N along y", **at, x=x, y=y)
+        case _:
+            return note("Mass at {at:.4g}: {mass:.4g} g", **at, mass=item.mass)
 
 
 def _table(

@@ -8,22 +8,29 @@ from dataclasses import dataclass, field
 
 import numpy as np
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.solving.verdicts import Answer, Verdict, quick_answer
+from freecad.elastica_wb.solving.strip_cache import find_rod
+from freecad.elastica_wb.solving.verdicts import Answer, Verdict, quick_answer, refusal_answer
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.mechanics.elements import noun_of
 from elastica_cad.mechanics.loads import nodal_curvature
+from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import STRAIN_SLACK
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
+from elastica_cad.mechanics.thrust_line import thrust_sides
 from elastica_cad.refusals import Length
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 TEETH = 161  # of the comb: smooth on a screen
 COMB_HEIGHT = 0.2  # of the curve's extent
-LINE_MARGIN = 0.15  # of the curve's extent: how far the inflection line extends beyond the curve
+LINE_MARGIN = 0.15  # of the curve's extent: how far inflection line and thrust line extend beyond the curve
 ON_LINE = 1e-4  # of the length: deviation that `check_equilibrium` corrects
+
+
+Point = tuple[float, float]
 
 
 def _nothing() -> FloatArray:
@@ -50,6 +57,12 @@ class Picture:
         Inadmissible crossings of the line and the curve.
     labels : tuple of ((x, y), mm)
         Arc lengths of these marks. The verdict refers to them.
+    thrust : tuple of (2, 2) arrays
+        Sides of the thrust line between its corners, for a curve with elements or point forces and without weight.
+    stations : tuple of ((x, y), str)
+        Places of elements and point forces, with the kind at the first place of each.
+    cords : tuple of (2, 2) arrays
+        Ties.
     """
 
     answer: Answer
@@ -60,7 +73,10 @@ class Picture:
     on_line: FloatArray = field(default_factory=_nothing)
     off_line: FloatArray = field(default_factory=_nothing)
     crossings: FloatArray = field(default_factory=_nothing)
-    labels: tuple[tuple[tuple[float, float], Length], ...] = ()
+    labels: tuple[tuple[Point, Length], ...] = ()
+    thrust: tuple[FloatArray, ...] = ()
+    stations: tuple[tuple[Point, str], ...] = ()
+    cords: tuple[FloatArray, ...] = ()
 
 
 def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None) -> Picture:
@@ -69,6 +85,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     try:
         rod_spec = spec.changed(curve=curve).rod_spec
         smoothing, check = rod_spec.smoothing, rod_spec.check
+        acting = (*rod_spec.elements, *rod_spec.forces)
     except ElasticaError as error:
         cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
         return Picture(cannot, False, *_combs(curve.sample(TEETH), spec, scale))
@@ -82,17 +99,43 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     named = [*good, *bad, *met]
     marks = _at(check.curve, named)
     on_line, off_line, crossings = np.split(marks, [len(good), len(good) + len(bad)])
+    answer, realizable = quick_answer(drawn_curve, samples, spec, check), check.realizable
+    thrust: tuple[FloatArray, ...] = ()
+    if realizable and acting and rod_spec.gravity is None:
+        try:
+            thrust = thrust_lines(find_rod(rod_spec))
+        except ElasticaError as error:
+            answer, realizable = refusal_answer(error), False
+    places_of = [_at(check.curve, element.s) for element in acting]
     return Picture(
-        answer=quick_answer(drawn_curve, samples, spec, check),
-        realizable=None if spec.gravity_in_plane is not None and check.realizable else check.realizable,
+        answer=answer,
+        realizable=None if rod_spec.gravity is not None and realizable else realizable,
         comb=comb,
         strained=strained,
         line=None if check.line is None else _inside(check, samples.position),
         on_line=on_line,
         off_line=off_line,
         crossings=crossings,
-        labels=tuple(((float(x), float(y)), Length(s)) for (x, y), s in zip(marks, named, strict=True)),
+        labels=tuple((_point(mark), Length(s)) for mark, s in zip(marks, named, strict=True)),
+        thrust=thrust,
+        stations=tuple(
+            (_point(place), "" if k else noun_of(element.element))
+            for element, ends in zip(acting, places_of, strict=True)
+            for k, place in enumerate(ends)
+        ),
+        cords=tuple(ends for ends in places_of if len(ends) > 1),
     )
+
+
+def thrust_lines(rod: Rod) -> tuple[FloatArray, ...]:
+    """Return the sides of a rod's thrust line near the rod."""
+    low, high = rod.position.min(axis=0), rod.position.max(axis=0)
+    margin = LINE_MARGIN * float(np.max(high - low))
+    return tuple(thrust_sides(rod, low - margin, high + margin))
+
+
+def _point(place: FloatArray) -> Point:
+    return float(place[0]), float(place[1])
 
 
 def comb_scale(curve: PlaneCurve) -> float:
@@ -128,7 +171,7 @@ def _combs(
     return tuple(combs[0]), tuple(combs[1])
 
 
-def _at(curve: PlaneCurve, places: Sequence[float]) -> FloatArray:
+def _at(curve: PlaneCurve, places: Sequence[float] | FloatArray) -> FloatArray:
     if not len(places):
         return _nothing()
     return np.asarray(curve.at(np.array(places)).position)

@@ -16,11 +16,13 @@ from freecad.elastica_wb.solving.verdicts import Verdict
 from pivy import coin
 
 from elastica_cad._types import FloatArray
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import note
 
 LIFT_MM = 0.02  # above the sketch's lines
-FULL, DASHED = 0xFFFF, 0xF0F0
-DOT, DIAMOND = coin.SoMarkerSet.CIRCLE_FILLED_9_9, coin.SoMarkerSet.DIAMOND_FILLED_9_9
+FULL, DASHED, DOTTED = 0xFFFF, 0xF0F0, 0xCCCC
+DOT, DIAMOND, SQUARE = (
+    coin.SoMarkerSet.CIRCLE_FILLED_9_9, coin.SoMarkerSet.DIAMOND_FILLED_9_9, coin.SoMarkerSet.SQUARE_FILLED_9_9,
+)  # fmt: skip
 Color = tuple[float, float, float]
 COLORS: dict[Verdict, Color] = {
     Verdict.CAN: (0.08, 0.53, 0.24),
@@ -29,6 +31,7 @@ COLORS: dict[Verdict, Color] = {
     Verdict.NOTHING: (0.42, 0.42, 0.45),
 }
 """Red, green, blue. The medium lightness contrasts with light and dark backgrounds."""
+HELD: Color = (0.10, 0.33, 0.66)
 LABEL, LABEL_GROUND, LABEL_SIZE = (1.0, 1.0, 1.0), (0.13, 0.13, 0.15), 10
 
 
@@ -51,6 +54,9 @@ PARTS = {
     ),
     "width": Part((0.66, 0.44, 0.20), "▬", QT_TRANSLATE_NOOP("Elastica", "the strip laid flat"), 2.0),
     "line": Part(COLORS[Verdict.CAN], "▬", QT_TRANSLATE_NOOP("Elastica", "inflection line"), 2.0),
+    "thrust": Part(COLORS[Verdict.CAN], "▬", QT_TRANSLATE_NOOP("Elastica", "thrust line"), 2.0),
+    "cords": Part(HELD, "┈", QT_TRANSLATE_NOOP("Elastica", "cord"), 1.5, DOTTED),
+    "stations": Part(HELD, "■", QT_TRANSLATE_NOOP("Elastica", "rail, pin, tie or load"), marker=SQUARE),
     "nearest": Part((0.62, 0.35, 0.85), "╍", QT_TRANSLATE_NOOP("Elastica", "nearest curve"), 3.0, DASHED),
     "on line": Part(COLORS[Verdict.CAN], "●", QT_TRANSLATE_NOOP("Elastica", "inflection on the line")),
     "off line": Part(COLORS[Verdict.CANNOT], "●", QT_TRANSLATE_NOOP("Elastica", "inflection off it")),
@@ -84,8 +90,12 @@ class Overlay:
             line=() if picture.line is None else (picture.line,),
             **{"on line": (picture.on_line,), "off line": (picture.off_line,)},
             crossings=(picture.crossings,),
+            thrust=picture.thrust,
+            cords=picture.cords,
+            stations=(np.array([place for place, _ in picture.stations]).reshape(-1, 2),),
         )
-        self._write(picture.labels)
+        lengths = [(place, note("{far}", far=far)) for place, far in picture.labels]
+        self._write([*lengths, *((place, noun) for place, noun in picture.stations if noun)])
 
     def clear(self) -> None:
         """Hide everything."""
@@ -112,12 +122,12 @@ class Overlay:
         for name, lines in pieces.items():
             self._parts[name].set(lines)
 
-    def _write(self, labels: Iterable[tuple[tuple[float, float], Length]]) -> None:
+    def _write(self, labels: Iterable[tuple[tuple[float, float], str]]) -> None:
         self._labels.removeAllChildren()
-        for (x, y), far in labels:
+        for (x, y), words in labels:
             place, label = coin.SoTranslation(), _label()
             place.translation = (x, y, LIFT_MM)
-            label.string.setValue(worded(note("{far}", far=far)))
+            label.string.setValue(worded(words))
             add_group(self._labels, place, label)
 
 

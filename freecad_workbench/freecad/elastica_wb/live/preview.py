@@ -157,8 +157,8 @@ class Handles:
         self._scene.removeChild(self.root)
 
     def _pressed(self, pixel: FloatArray) -> bool:
-        away = np.hypot(*(np.array(self.on_screen()) - pixel).T)
-        self._held = int(np.argmin(away)) if away.min() <= REACH_PX else None
+        away = np.hypot(*(np.array(self.on_screen()).reshape(-1, 2) - pixel).T)
+        self._held = int(np.argmin(away)) if away.size and away.min() <= REACH_PX else None
         self._color.rgb = REST if self._held is None else HELD
         return self._held is not None
 

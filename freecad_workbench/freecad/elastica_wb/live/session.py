@@ -218,7 +218,12 @@ class Session:
             self._request()
 
     def _request(self) -> None:
-        """Start the search for the nearest curve in another thread. Results for older curves are ignored."""
+        """Start the search for the nearest curve in another thread. Results for older curves are ignored.
+
+        The search does not take elements and point forces into account, so it is not started with them.
+        """
+        if self._asks.between or self._asks.rod_spec.point_forces:
+            return
         if self._asked is None or self._asked.done():
             self._asked_for = self._curve
             self._asked = begun(find_nearest_now, replace(self._allows, curve=self._curve))

@@ -4,6 +4,7 @@
 """Contents of the panels of all features."""
 
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -31,13 +32,22 @@ from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel
 from freecad.elastica_wb.solving.strip_cache import held_shape, judged
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
+from elastica_cad.errors import InputError
 from elastica_cad.refusals import Length, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.summary import LATER, accuracy_row, hold_row, size_row, stability_row, strain_rows
+from elastica_cad.strip.summary import (
+    LATER,
+    accuracy_row,
+    between_rows,
+    hold_row,
+    size_row,
+    stability_row,
+    strain_rows,
+)
 
 
-def _strip_rows(obj: Any) -> Sequence[Row]:
+def strip_rows(obj: Any) -> Sequence[Row]:
     """Return the rows on the strip that the shape shows; none if its curve was lost since."""
     try:
         strip = shown_strip(obj)
@@ -50,7 +60,9 @@ def _strip_rows(obj: Any) -> Sequence[Row]:
         *_judged_rows(obj, strain_rows(strip), "LargestStrain"),
         *_judged_rows(obj, steady, "Margin", "SidewaysMargin"),
     ]
-    return in_order([*numbers, hold_row(strip), _accuracy(obj, strip)])
+    return in_order(
+        [*numbers, hold_row(strip), *between_rows(strip.rod, strip.bending_stiffness), _accuracy(obj, strip)]
+    )
 
 
 def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
@@ -61,7 +73,9 @@ def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
 
 def _accuracy(obj: Any, strip: Strip) -> Row:
     """Return the row on accuracy: "…" if it is not known yet, or "-" if the footnote explains its absence."""
-    held = held_shape(strip) if obj.Held else None
+    held = None
+    with suppress(InputError):  # not computed for this strip, as the footnote says
+        held = held_shape(strip) if obj.Held else None
     return Row(note("Accuracy"), "-" if obj.Held else LATER) if held is None else accuracy_row(held)
 
 
@@ -127,7 +141,7 @@ STRIP = Layout(
         ),
     },
     "Curve",
-    _strip_rows,
+    strip_rows,
     footnote=lambda obj: obj.Held,
 )
 

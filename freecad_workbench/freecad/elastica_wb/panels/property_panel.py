@@ -5,6 +5,7 @@
 
 import gc
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -12,7 +13,8 @@ import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.curves.edge_chains import curves_in
 from freecad.elastica_wb.curves.sketch_curves import is_edge, linked, picked
-from freecad.elastica_wb.features.strip import could_follow_another
+from freecad.elastica_wb.features.strip import valid_request
+from freecad.elastica_wb.features.strip_properties import acting_lines, acting_words, places_of
 from freecad.elastica_wb.host.fields import (
     field_for,
     on_change,
@@ -22,6 +24,7 @@ from freecad.elastica_wb.host.fields import (
     value_of,
 )
 from freecad.elastica_wb.host.objects import is_sketch, lives
+from freecad.elastica_wb.host.progress import begun
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
@@ -31,11 +34,14 @@ from freecad.elastica_wb.live.overlay import COLORS
 from freecad.elastica_wb.live.verdict_card import hex_of
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.recording import record_value, recorded
-from freecad.elastica_wb.solving.verdicts import Verdict
+from freecad.elastica_wb.solving.verdicts import Verdict, find_support
 
 from elastica_cad._text import html_text
+from elastica_cad.mechanics.elements import Element
+from elastica_cad.refusals import note
 from elastica_cad.report_rows import Row
 
+PEEK_MS = 60  # between checks whether a support was found
 STYLES = {
     severity: f' style="color: {hex_of(COLORS[verdict])};"'
     for severity, verdict in (("error", Verdict.CANNOT), ("warning", Verdict.BREAKS))
@@ -101,6 +107,8 @@ class PropertyPanel(Panel):
         for name, widget in self.fields.items():
             on_change(widget, lambda *_, name=name: self._touch(name))
         self._refresh = later(self._show, parent=self.form)
+        self._search: Future[Element | None] | None = None
+        self._look = later(self._offer_support, PEEK_MS, self.form)
         App.addDocumentObserver(self)
         self._show()
 
@@ -119,6 +127,11 @@ class PropertyPanel(Panel):
         form.useNearest.clicked.connect(self._use_nearest)
         form.useNearest.hide()
         outer.addWidget(form.useNearest)
+        form.addSupport = QtWidgets.QPushButton()
+        form.addSupport.setObjectName("addSupport")
+        form.addSupport.clicked.connect(self._add_support)
+        form.addSupport.hide()
+        outer.addWidget(form.addSupport)
         outer.addWidget(form.numbers)
         if self.layout.source:
             outer.addLayout(self._source_row(form))
@@ -185,6 +198,7 @@ class PropertyPanel(Panel):
         App.removeDocumentObserver(self)
         self._stop_picking()
         self._refresh.stop()
+        self._look.stop()
         for name in list(self.fields):
             delattr(self.form, name)
             put_away(self.fields.pop(name))
@@ -246,16 +260,12 @@ class PropertyPanel(Panel):
         self.form.numbers.setToolTip(
             "\n".join(f"{worded(row.label)}: {self._explained(row)}" for row in rows if row.details)
         )
-        table = "".join(
-            f"<tr><td>{worded(row.label)}&nbsp;&nbsp;</td><td{STYLES.get(row.severity, '')}>"
-            f"{html_text(worded(row.text))}</td></tr>"
-            for row in rows
-        )
-        self.form.numbers.setText(f"<table>{table}</table>" if rows else "")
+        self.form.numbers.setText(table_of(rows))
         self.form.numbers.setVisible(bool(rows))
-        self.form.useNearest.setVisible(
-            failed and getattr(obj, "Follow", "") == "Exactly" and could_follow_another(obj)
-        )
+        spec = valid_request(obj) if failed and getattr(obj, "Follow", "") == "Exactly" else None
+        self.form.useNearest.setVisible(spec is not None)
+        self._search = begun(find_support, spec) if spec is not None and len(self.objects) == 1 else None
+        self._offer_support()
         self.form.footnote.setText("" if failed else layout.footnote(obj))
         self.show_message(self._words())
         if layout.source:
@@ -290,6 +300,24 @@ class PropertyPanel(Panel):
         for obj in self.objects:
             obj.Follow = "Nearest"
         self._changed["Follow"] = None
+        self._recompute()
+
+    def _offer_support(self) -> None:
+        """Show the button for a support when the search has found one."""
+        if self.form is None:
+            return
+        waits = self._search is not None and not self._search.done()
+        if waits:
+            self._look.start()
+        support = None if waits or self._search is None else self._search.result()
+        self.form.addSupport.setVisible(support is not None)
+        if support is not None:
+            words = acting_words(support, places_of(support))
+            self.form.addSupport.setText(worded(note("Add this support: {element}", element=words)))
+
+    def _add_support(self, *_: Any) -> None:
+        self.object.Between = acting_lines([self._search.result()])["Between"]
+        self._changed["Between"] = None
         self._recompute()
 
     def _replace(self, work: Callable[[Any], None]) -> None:
@@ -340,6 +368,16 @@ class PropertyPanel(Panel):
         Gui.Selection.removeObserver(self)
         if self.form is not None and self.layout.source:
             set_value(self.form.pick, False)
+
+
+def table_of(rows: Sequence[Row]) -> str:
+    """Return rows as the text of a label; empty for none."""
+    table = "".join(
+        f"<tr><td>{worded(row.label)}&nbsp;&nbsp;</td><td{STYLES.get(row.severity, '')}>"
+        f"{html_text(worded(row.text))}</td></tr>"
+        for row in rows
+    )
+    return f"<table>{table}</table>" if rows else ""
 
 
 def _plain(value: Any) -> Any:

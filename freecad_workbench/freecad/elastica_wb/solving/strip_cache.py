@@ -118,7 +118,7 @@ def _first_equal(spec: StripSpec) -> StripSpec:
 
 def find_nearest(spec: RodSpec) -> NearestRod:
     """Return the rod nearest to a curve that may change."""
-    return in_background(SEARCHING, _found, spec)
+    return in_background(SEARCHING, find_rod, spec)
 
 
 def find_nearest_to_draw(spec: RodSpec) -> NearestRod:
@@ -136,17 +136,17 @@ def find_nearest_now(spec: RodSpec) -> NearestRod:
     limits = spec.limits
     most = None if limits is None else limits.largest_curvature
     if limits is None or most is None:
-        return _found(spec)
+        return find_rod(spec)
     share = HEADROOM
     for _ in range(STRICTER):
-        near = _found(replace(spec, limits=limits.tightened(curvature=share, strain=share)))
+        near = find_rod(replace(spec, limits=limits.tightened(curvature=share, strain=share)))
         if near.found is None or not near.met:
             break
         used = sharpest_bend(near.curve, spec.natural_curvature)[0] / most
         if used <= 1 + STRAIN_SLACK:
             return near
         share *= 1 + BEYOND * (used - 1)
-    return _found(spec)
+    return find_rod(spec)
 
 
 ROOMS = (1.1, 1.25, 1.5)  # times stricter limits, tried in turn: a curve with few poles differs from its rod
@@ -170,7 +170,7 @@ def _nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
     farthest = max(FARTHER * nearest.deviation, NEAR_SHARE * spec.curve.length)
     for room in ROOMS:
         limits = spec.limits.tightened(curvature=room, strain=room)
-        near = _found(
+        near = find_rod(
             replace(spec, limits=replace(limits, ratio=limits.ratio and max(1.0, limits.ratio / room)))
         )
         for spans in SPANS if near.met and near.deviation <= farthest else ():
@@ -195,9 +195,9 @@ def _keeps_limits(spec: RodSpec) -> bool:
     if most is not None and sharpest_bend(spec.curve, spec.natural_curvature)[0] > most * (1 + STRAIN_SLACK):
         return False
     try:
-        if ratio is not None and _found(replace(spec, limits=None, keep=None)).ratio > ratio:
+        if ratio is not None and find_rod(replace(spec, limits=None, keep=None)).ratio > ratio:
             return False
-        again = _found(spec)  # the slow search comes last
+        again = find_rod(spec)  # the slow search comes last
     except ElasticaError:
         return False
     return bool(again.met and again.deviation <= AS_DRAWN_MM)
@@ -254,14 +254,14 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
 
 
 @remembered
-def _found(spec: RodSpec) -> Any:
+def find_rod(spec: RodSpec) -> Any:
     """Return the rod, or the nearest rod if the curve may change."""
     return solve_rod(spec)
 
 
 @remembered
 def _strip(spec: StripSpec) -> Strip:
-    return spec.make(_found(spec.rod_spec))
+    return spec.make(find_rod(spec.rod_spec))
 
 
 _stability = remembered(stability)

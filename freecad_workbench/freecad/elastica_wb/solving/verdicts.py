@@ -4,19 +4,22 @@
 """Verdicts on curves and strips: can, cannot or breaks, with the reasons in words."""
 
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import together, worded
-from freecad.elastica_wb.solving.strip_cache import judged, sharpest_bend
+from freecad.elastica_wb.solving.strip_cache import judged, remembered, sharpest_bend, solve_strip
 
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.forming.fairing_request import outline_steps
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
+from elastica_cad.mechanics.elements import Element
 from elastica_cad.mechanics.section_limits import StrainVerdict, judge_strain
+from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 from elastica_cad.refusals import Length, Refusal, Span, note, sentences
 from elastica_cad.strip.strip import Strip
@@ -63,7 +66,7 @@ def strip_faults(strip: Strip) -> Iterator[Fault]:
             margin=stability.margin, s=Length(stability.conjugate_point or 0.0),
         )  # fmt: skip
         yield Fault(note("snaps into another shape"), sentence, "Margin")
-    if strip.sideways.word == "unstable":
+    if strip.sideways is not None and strip.sideways.word == "unstable":
         yield Fault(note("tips over sideways"), str(strip.sideways), "SidewaysMargin", curve_helps=False)
     for warning in strip.rod.warnings if outline_steps(strip.rod, strip.width.extremes[1]) else ():
         if isinstance(warning, Refusal) and warning.kind == "kinks":
@@ -131,6 +134,18 @@ def quick_answer(
     return (
         _failing([fault]) if fault else Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(check))
     )
+
+
+@remembered
+def find_support(spec: StripSpec) -> Element | None:
+    """Return the rail, pin or tie with which a refused strip has no faults, or None."""
+    if spec.may_change or spec.between or spec.loads or spec.gravity is not None:
+        return None
+    with suppress(ElasticaError):
+        support = suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature)
+        if support is not None and not any(strip_faults(solve_strip(spec.changed(between=support)))):
+            return support
+    return None
 
 
 def strip_answer(strip: Strip) -> Answer:
