@@ -3,6 +3,7 @@
 Readers and writers are imported on first use, because a command usually reads a single file.
 """
 
+from collections.abc import Callable
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,6 +23,7 @@ from elastica_cad.geometry.fairing import FIT_TOLERANCE
 
 if TYPE_CHECKING:
     from elastica_cad.forming.section_spec import Surface
+    from elastica_cad.pairs.flexure import Flexure
     from elastica_cad.strip.drawing import Drawing
     from elastica_cad.strip.strip import Strip
 
@@ -193,12 +195,12 @@ def _no_kernel(path: Path, doing: str = "reading") -> MissingDependencyError:
     return missing_library(f"{doing} {path.name} needs a CAD kernel", "build123d")
 
 
-def save(made: "Drawing | Strip", path: str | Path, **options: Any) -> Path:
-    """Write a drawing for cutting, or a strip, in the format of the suffix of `path`.
+def save(made: "Drawing | Strip | Flexure", path: str | Path, **options: Any) -> Path:
+    """Write a drawing for cutting, a strip, or a part with two states, in the format of the suffix of `path`.
 
-    Drawings and strips are written as .dxf or .svg; strips also as .step, with the flat and the bent strip as
-    bodies. Options are as for `formats.write_drawing`: kerf, curves, tolerance, version, layers, force; for STEP
-    only force.
+    All are written as .dxf or .svg. A strip is also written as .step, with the flat and the bent strip as bodies.
+    A part with two states is written as .step unloaded, or in its `state` "first" or "second". Options are as for
+    `formats.write_drawing`: kerf, curves, tolerance, version, layers, force; for STEP only force.
 
     Raises
     ------
@@ -219,21 +221,30 @@ def save(made: "Drawing | Strip", path: str | Path, **options: Any) -> Path:
     'card.svg'
     """
     from elastica_cad.formats.drawing_files import write_drawing
+    from elastica_cad.strip.drawing import Drawing
     from elastica_cad.strip.strip import Strip
 
-    if isinstance(made, Strip):
+    drawing: Any = made
+    if isinstance(made, Strip) or (not isinstance(made, Drawing) and _is_flexure(made)):
         if Path(path).suffix.lower() in (".step", ".stp"):
             return _save_step(made, Path(path), options)
-        made = made.drawing()
+        drawing = made.drawing()
     refuse_options_unlike(options, write_drawing, "a drawing's file")
-    return write_drawing(made, path, **options)
+    return write_drawing(drawing, path, **options)
 
 
-def _save_step(strip: "Strip", path: Path, options: dict[str, Any]) -> Path:
+def _is_flexure(made: object) -> bool:
+    from elastica_cad.pairs.flexure import Flexure
+
+    return isinstance(made, Flexure)
+
+
+def _save_step(made: "Strip | Flexure", path: Path, options: dict[str, Any]) -> Path:
     try:
-        from elastica_cad.kernel.step_files import write_strip_step
+        from elastica_cad.kernel.step_files import write_flexure_step, write_strip_step
     except ImportError as error:
         raise _no_kernel(path, "writing") from error
-    refuse_options_unlike(options, write_strip_step, "a STEP file")
-    write_strip_step(strip, path, **options)
+    write: Callable[..., None] = write_flexure_step if _is_flexure(made) else write_strip_step
+    refuse_options_unlike(options, write, "a STEP file")
+    write(made, path, **options)
     return path

@@ -13,6 +13,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.flexure_body import FlexureBody, MadeFlexure
 from elastica_cad.kernel.option_help import lists
 from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_on_path import (
@@ -29,6 +30,7 @@ from elastica_cad.strip.strip import Strip
 
 if TYPE_CHECKING:
     from elastica_cad.kernel.end_travel import Travel
+    from elastica_cad.pairs.flexure import Flexure, State
 
 
 def make_solids(records: Sequence[BodyRecord | PrismSolid]) -> list[bd.Solid]:
@@ -75,7 +77,23 @@ class Layer(_Pickled, bd.Solid):
     """A sheet of a bent strip."""
 
 
-class _Made(_Pickled, StripBody):
+class _Jointed(_Pickled):
+    """Shape whose joints are moved, turned and mirrored with it."""
+
+    def _apply_transform(self, transformation: Any) -> Any:
+        """Return the moved or mirrored shape with its joints."""
+        body: Any = self
+        image = bd.Shape._apply_transform(body, transformation)
+        occt.lock(image.wrapped)
+        image.joints = {}
+        for name, joint in getattr(self, "joints", {}).items():
+            if isinstance(joint, bd.RigidJoint):
+                place = occt.moved_frame(_read_frame(joint.location), transformation)
+                bd.RigidJoint(name, image, bd.Location(occt.make_location(place)))
+        return image
+
+
+class _Made(_Jointed, StripBody):
     """Strip of a shape, shared by copies of the shape. Its properties return the other bodies."""
 
     def _start(self) -> Frame | None:
@@ -181,16 +199,9 @@ class _Made(_Pickled, StripBody):
 
     def _apply_transform(self, transformation: Any) -> Any:
         """Return the moved or mirrored shape with its joints; the strip of a mirror image is turned over."""
-        body: Any = self
-        image = bd.Shape._apply_transform(body, transformation)
-        occt.lock(image.wrapped)
+        image = super()._apply_transform(transformation)
         if transformation.IsNegative():
             image._made = self._made.mirrored()
-        image.joints = {}
-        for name, joint in getattr(self, "joints", {}).items():
-            if isinstance(joint, bd.RigidJoint):
-                place = occt.moved_frame(_read_frame(joint.location), transformation)
-                bd.RigidJoint(name, image, bd.Location(occt.make_location(place)))
         return image
 
     def scale(self, *args: Any, **options: Any) -> bd.Part | bd.Sketch:
@@ -483,6 +494,66 @@ class EndFixture(_Made, bd.BasePartObject):
         super().__init__(solid, rotation, align, mode)
         _dress(self, made)
         self.label = block.label
+
+
+class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
+    """Part object: a part with two states, unloaded or in one of them.
+
+    The unloaded part begins at the origin along x; in a state it is on the drawn curve. Rigid joints "start" and
+    "end" are on the inner edges of the pads, with x outward; "hole1" to "hole4" are the holes from start to end.
+
+    Parameters
+    ----------
+    flexure : Flexure
+        The part, as `ec.Flexure` or `FlexureSpec(...).make()`.
+    state : "first" or "second", optional
+        None for the unloaded part, as it is cut.
+    color : Color, name or numbers, optional
+        Colour on screen, by default that of the sheet.
+    rotation : (float, float, float)
+        Rotation about the axes, degrees.
+    align, mode
+        As in every part object of build123d.
+
+    Raises
+    ------
+    InputError
+        The state is unknown, or the object is not a Flexure.
+
+    Examples
+    --------
+    >>> import elastica_cad as ec
+    >>> arch = ec.PlaneCurve.spline([(0, 0), (30, 10), (90, 10), (120, 0)], degree=3)
+    >>> pair = ec.two_state_rod(arch, arch.transformed([[1, 0, 0], [0, -1, 0], [0, 0, 1]]))
+    >>> up = FlexurePart(ec.Flexure(pair, "pom-2"), "first")
+    >>> round(up.in_state("second").volume / up.volume, 4)
+    1.0
+    """
+
+    def __init__(
+        self,
+        flexure: "Flexure",
+        state: "State | None" = None,
+        *,
+        color: Any = None,
+        rotation: bd.RotationLike = (0, 0, 0),
+        align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
+        mode: bd.Mode = bd.Mode.ADD,
+    ) -> None:
+        self._made = made = MadeFlexure.of(flexure, state, color)
+        record = made.solid
+        solid = bd.Solid(occt.make_solid(record))
+        add_joints(solid, record)
+        super().__init__(solid, rotation, align, mode)
+        occt.lock(self.wrapped)
+        self.label, self.color = made.name, bd.Color(*made.color)
+
+    def in_state(self, state: "State | None") -> "FlexurePart":
+        """Return the part in another state, with its first pad at the first pad of this body."""
+        part = FlexurePart(self.flexure, state, color=self.color, mode=bd.Mode.PRIVATE)
+        part.label = self.label
+        part.locate(self.joints["start"].location * part.joints["start"].relative_location.inverse())
+        return part
 
 
 class PlacedStrip(_Made, bd.Part):

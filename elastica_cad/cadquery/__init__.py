@@ -20,6 +20,7 @@ from elastica_cad.cadquery.strip_operations import (
 )
 from elastica_cad.cadquery.strip_shapes import (
     FixtureSolid,
+    FlexureSolid,
     Slider,
     StripCompound,
     StripFace,
@@ -27,12 +28,14 @@ from elastica_cad.cadquery.strip_shapes import (
     bent_strip,
     end_fixture,
     flat_strip,
+    flexure_solid,
     strip_outline,
 )
 from elastica_cad.kernel.strip_body import StripWarning
 
 __all__ = [
     "FixtureSolid",
+    "FlexureSolid",
     "Slider",
     "StripCompound",
     "StripFace",
@@ -43,6 +46,7 @@ __all__ = [
     "elastica",
     "end_fixture",
     "flat_strip",
+    "flexure_solid",
     "model_assembly",
     "register",
     "section_strips",

@@ -13,6 +13,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel import occt
+from elastica_cad.kernel.flexure_body import FlexureBody, MadeFlexure
 from elastica_cad.kernel.option_help import lists
 from elastica_cad.kernel.strip_body import BendOptions, MadeStrip, Point, StripBody
 from elastica_cad.kernel.strip_on_path import (
@@ -26,6 +27,9 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, PrismSolid
 from elastica_cad.strip.strip import Strip
+
+if TYPE_CHECKING:
+    from elastica_cad.pairs.flexure import Flexure, State
 
 
 def _read_frame(location: cq.Location) -> Frame:
@@ -80,10 +84,48 @@ class _Layer(_Pickled, cq.Solid):
     """A sheet of a bent strip."""
 
 
-class _Made(StripBody, _Pickled):
-    """Shape with a strip, which copies and moved shapes keep. Its properties return the other bodies."""
+class _Moved(_Pickled):
+    """Shape with a record and joints, which copies and moved shapes keep."""
 
     _joints: Mapping[str, cq.Location] = MappingProxyType({})
+
+    def moved(self, *args: Any, **options: Any) -> Any:
+        """As `Shape.moved`; a single copy has the same record."""
+        return self._with_record(super().moved(*args, **options))
+
+    def located(self, loc: cq.Location) -> Self:
+        """As `Shape.located`; the copy has the same record."""
+        made: Self = self._with_record(super().located(loc))
+        return made
+
+    def copy(self, mesh: bool = False) -> Self:
+        """As `Shape.copy`; the copy has the same record."""
+        made: Self = self._with_record(super().copy(mesh))
+        return made
+
+    def clean(self) -> Self:
+        """As `Shape.clean`; the result has the same record."""
+        made: Self = self._with_record(super().clean())
+        return made
+
+    def _apply_transform(self, Tr: Any) -> Any:
+        made = self._with_record(super()._apply_transform(Tr))
+        if isinstance(made, type(self)) and "_made" in self.__dict__:
+            here, back = self.location(), made.location().inverse
+            made._joints = {
+                name: back * make_location(occt.moved_frame(_read_frame(here * at), Tr))
+                for name, at in self._joints.items()
+            }
+        return made
+
+    def _with_record(self, copy: Any) -> Any:
+        if isinstance(copy, type(self)):
+            copy.__dict__.update({k: v for k, v in self.__dict__.items() if k in KEPT})
+        return copy
+
+
+class _Made(StripBody, _Moved):
+    """Shape with a strip. Its properties return the other bodies."""
 
     def _start(self) -> Frame | None:
         return _read_frame(self.location() * self._joints["start"]) if "start" in self._joints else None
@@ -141,25 +183,6 @@ class _Made(StripBody, _Pickled):
         """Return the block that holds an end of the bent strip, in place."""
         return end_fixture(self, end=end, **sizes)
 
-    def moved(self, *args: Any, **options: Any) -> Any:
-        """As `Shape.moved`; a single copy has the same strip."""
-        return self._knowing_its_strip(super().moved(*args, **options))
-
-    def located(self, loc: cq.Location) -> Self:
-        """As `Shape.located`; the copy has the same strip."""
-        made: Self = self._knowing_its_strip(super().located(loc))
-        return made
-
-    def copy(self, mesh: bool = False) -> Self:
-        """As `Shape.copy`; the copy has the same strip."""
-        made: Self = self._knowing_its_strip(super().copy(mesh))
-        return made
-
-    def clean(self) -> Self:
-        """As `Shape.clean`; the result has the same strip."""
-        made: Self = self._knowing_its_strip(super().clean())
-        return made
-
     def scale(self, factor: float) -> cq.Shape:
         """As `Shape.scale`; the result is a plain body, because a strip of another size has other properties."""
         plain = cq.Shape.cast(super().scale(factor).wrapped)
@@ -177,21 +200,10 @@ class _Made(StripBody, _Pickled):
             )
 
     def _apply_transform(self, Tr: Any) -> Any:
-        made = self._knowing_its_strip(super()._apply_transform(Tr))
-        if isinstance(made, type(self)) and "_made" in self.__dict__:
-            here, back = self.location(), made.location().inverse
-            if Tr.IsNegative():
-                made._made = self._made.mirrored()
-            made._joints = {
-                name: back * make_location(occt.moved_frame(_read_frame(here * at), Tr))
-                for name, at in self._joints.items()
-            }
+        made = super()._apply_transform(Tr)
+        if isinstance(made, type(self)) and "_made" in self.__dict__ and Tr.IsNegative():
+            made._made = self._made.mirrored()
         return made
-
-    def _knowing_its_strip(self, copy: Any) -> Any:
-        if isinstance(copy, type(self)):
-            copy.__dict__.update({k: v for k, v in self.__dict__.items() if k in KEPT})
-        return copy
 
 
 class Slider:
@@ -327,6 +339,60 @@ class FixtureSolid(_Jointed, cq.Solid):
     """Block that holds one end of a strip, with properties `strip`, `rod`, `check` and `warnings` of the strip."""
 
     _is_strip = False
+
+
+class FlexureSolid(FlexureBody, _Moved, cq.Solid):
+    """Part with two states, unloaded or in one of them, with properties `flexure` and `state`."""
+
+    @property
+    def joints(self) -> Mapping[str, cq.Location]:
+        """Locations "start" and "end" of the pads' inner edges, with x outward, and "hole1" to "hole4"."""
+        here = self.location()
+        return MappingProxyType({name: here * place for name, place in self._joints.items()})
+
+    def in_state(self, state: "State | None") -> "FlexureSolid":
+        """Return the part in another state, with its first pad at the first pad of this body."""
+        part = flexure_solid(self.flexure, state, color=self.color)
+        part.label = self.label
+        moved: FlexureSolid = part.moved(self.joints["start"] * part.joints["start"].inverse)
+        return moved
+
+
+def flexure_solid(flexure: "Flexure", state: "State | None" = None, *, color: Any = None) -> FlexureSolid:
+    """Return a part with two states, unloaded or in one of them.
+
+    The unloaded part begins at the origin along x; in a state it is on the drawn curve.
+
+    Parameters
+    ----------
+    flexure : Flexure
+        The part, as `ec.Flexure` or `FlexureSpec(...).make()`.
+    state : "first" or "second", optional
+        None for the unloaded part, as it is cut.
+    color : Color, name or numbers, optional
+        Colour on screen, by default that of the sheet.
+
+    Raises
+    ------
+    InputError
+        The state is unknown, or the object is not a Flexure.
+
+    Examples
+    --------
+    >>> import elastica_cad as ec
+    >>> arch = ec.PlaneCurve.spline([(0, 0), (30, 10), (90, 10), (120, 0)], degree=3)
+    >>> pair = ec.two_state_rod(arch, arch.transformed([[1, 0, 0], [0, -1, 0], [0, 0, 1]]))
+    >>> up = flexure_solid(ec.Flexure(pair, "pom-2"), "first")
+    >>> round(up.in_state("second").Volume() / up.Volume(), 4)
+    1.0
+    """
+    made = MadeFlexure.of(flexure, state, color)
+    record = made.solid
+    part = FlexureSolid(occt.lock(occt.make_solid(record)))
+    part._made = made
+    part._joints = {name: make_location(frame) for name, frame in record.joints.items()}
+    part.label, part.color = made.name, cq.Color(*made.color)
+    return part
 
 
 S = TypeVar("S", bound=_Made)

@@ -13,7 +13,7 @@ from io import BytesIO
 from os import PathLike
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -34,6 +34,9 @@ from elastica_cad.model.assembly import Holder, assembly_parts, bent_names, shap
 from elastica_cad.model.model import Model
 from elastica_cad.strip.solids import BentSolid, FlatSolid, bent_sheets, frame_beside
 from elastica_cad.strip.strip import Strip
+
+if TYPE_CHECKING:
+    from elastica_cad.pairs.flexure import Flexure, State
 
 LEAST_S, S_PER_MB = 5, 5
 """CPU time limit of a trial, s and s per MB: ten times the time for valid files."""
@@ -333,6 +336,20 @@ def write_strip_step(
         for called, shape, sheet in zip(names[: len(solids)], solids, sheets[: len(solids)], strict=True)
     ]
     write_step(parts, path, name=name, force=force)
+
+
+def write_flexure_step(
+    part: "Flexure",
+    path: str | PathLike[str],
+    *,
+    state: "State | None" = None,
+    name: str | None = None,
+    force: bool = False,
+) -> None:
+    """Write the body of a part with two states to a STEP file: unloaded, or in a drawn state."""
+    name = name or part.label or "flexure"
+    shape = NamedShape(name, make_solid(part.solid_in(state)), sheet_color(part.sheet))
+    write_step([shape], path, name=name, force=force)
 
 
 def read_step_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:

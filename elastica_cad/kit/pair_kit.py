@@ -93,10 +93,9 @@ class MadePair:
         )  # fmt: skip
 
     def _write_step(self, path: Path) -> None:
-        from elastica_cad.kernel.occt import make_solid
-        from elastica_cad.kernel.step_files import NamedShape, write_step
+        from elastica_cad.kernel.step_files import write_flexure_step
 
-        write_step([NamedShape(self.name, make_solid(self.part.solid))], path, name=self.name)
+        write_flexure_step(self.part, path, name=self.name)
 
     def _picture(self) -> Callable[[Path], object]:
         """Return the function that draws the picture; it can be pickled."""

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import pairwise
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal, TypeAlias, get_args
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from elastica_cad._values import (
 )
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, NotConvergedError, StrainError, rounded_up
+from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.segments import Arc, Line, Spline
@@ -34,7 +35,8 @@ from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.corner_rounding import round_corners
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, fit_label
-from elastica_cad.strip.solids import FlatSolid
+from elastica_cad.strip.outline import ENDS
+from elastica_cad.strip.solids import FlatSolid, turned
 
 LEAST_CUT_MM, LEAST_PRINTED_MM = 0.8, 0.9
 """Least thickness in the plane, mm, of a part cut by laser, and of a part printed in two lines of a 0.4 mm
@@ -52,7 +54,8 @@ APART = 3.0
 CONTACT_POINTS = 241
 TRAVEL_STEPS = 48
 SHAPES = 8  # checked shapes of a travel, in which the part must not touch itself
-STATES = ("first", "second")
+State: TypeAlias = Literal["first", "second"]
+STATES = get_args(State)
 FAR_SHARE = 0.05
 """Least displacement of the pushed point, as a fraction of the largest displacement between the states."""
 
@@ -512,7 +515,34 @@ class Flexure:
     @property
     def solid(self) -> FlatSolid:
         """Body of the unloaded part, from z = 0 to the depth."""
-        return FlatSolid(self.outline, self.holes, self.sheet.thickness)
+        return self.solid_in(None)
+
+    def solid_in(self, state: State | None) -> FlatSolid:
+        """Return the body in a drawn state, "first" or "second", or unloaded, from z = 0 to the depth.
+
+        Its joints "start" and "end" are on the inner edges of the pads, with x outward. The joints "hole1" to
+        "hole4" are the holes from the start to the end, with x along the part. All are at half the depth.
+        """
+        if state not in (None, *STATES):
+            raise InputError(f"The state is {state!r}. Use first, second, or None for the unloaded part.")
+        line = self.centre if state is None else self.states[STATES.index(state)]
+        corners = self.outline_along(line)
+        middle, ends = Frame((0.0, 0.0, self.sheet.thickness / 2)), (0.0, self.pair.length)
+        joints, holes, places = {}, [], self.hole_places(line)
+        for name, s, sign, near in zip(ENDS, ends, (-1, 1), places, strict=True):
+            position, outward, _ = self._root(line, s + sign * self.overhang(s), sign)
+            place = Frame(middle.point(position), (*outward, 0.0), (-outward[1], outward[0], 0.0))
+            joints[str(name)] = place
+            holes += [
+                turned(Frame(middle.point(at), place.x_axis, place.y_axis), sign) for at in near[::sign]
+            ]
+        joints |= {f"hole{number}": hole for number, hole in enumerate(holes, start=1)}
+        return FlatSolid(
+            round_corners(corners, self.fillet) if self.fillet else corners,
+            tuple(Path.circle(place, self.pad.hole / 2) for place in places.reshape(-1, 2)),
+            self.sheet.thickness,
+            joints=joints,
+        )
 
     # --- paths between the states
 

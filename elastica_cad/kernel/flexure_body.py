@@ -1,0 +1,58 @@
+"""Properties of the bodies of parts with two states in every CAD library."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from elastica_cad._values import require_record
+from elastica_cad.kernel.strip_body import color_numbers
+from elastica_cad.mechanics.sheets import sheet_color
+from elastica_cad.strip.solids import FlatSolid
+
+if TYPE_CHECKING:
+    from elastica_cad.pairs.flexure import Flexure, State
+
+
+@dataclass(frozen=True, eq=False)
+class MadeFlexure:
+    """Part with two states and the state of a body, shared by the copies of the body."""
+
+    flexure: "Flexure"
+    state: "State | None"
+    color: tuple[float, ...]
+
+    @classmethod
+    def of(cls, flexure: "Flexure", state: "State | None", color: Any) -> "MadeFlexure":
+        """Return the record with a colour of a library, its name or numbers, or None for that of the sheet."""
+        from elastica_cad.pairs.flexure import Flexure
+
+        require_record(flexure, Flexure, "the part", "a Flexure")
+        return cls(flexure, state, color_numbers(color) if color else sheet_color(flexure.sheet))
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> "MadeFlexure":
+        return self
+
+    @property
+    def name(self) -> str:
+        """Name of the body."""
+        return self.flexure.label or "flexure"
+
+    @property
+    def solid(self) -> FlatSolid:
+        """Body in its state."""
+        return self.flexure.solid_in(self.state)
+
+
+class FlexureBody:
+    """The properties that a body of a part with two states has in every CAD library."""
+
+    _made: MadeFlexure
+
+    @property
+    def flexure(self) -> "Flexure":
+        """The part: thickness, strain, forces and the path between its states."""
+        return self._made.flexure
+
+    @property
+    def state(self) -> "State | None":
+        """State of the body: "first", "second", or None for the unloaded part."""
+        return self._made.state
