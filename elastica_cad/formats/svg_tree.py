@@ -403,7 +403,7 @@ def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | No
 
 
 def _size(text: str | None, whole: float, default: float | None = None) -> float:
-    """Return a length in user units; if there is none, `default` or else `whole`, the full side."""
+    """Return a length in user units; without a length `default`, or without a default the full side `whole`."""
     length = read_length(text)
     if length is None:
         return whole if default is None else default

@@ -291,7 +291,10 @@ class SearchPoint:
     off: float
 
     def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
-        """Return the unknowns of the same rod in the units of another target, or None if the unknowns differ."""
+        """Return the unknowns of the same rod in the units of another target.
+
+        None means that the search for the other target has other kinds of unknowns.
+        """
         u = self.unknowns
         if unknowns != u:
             return None

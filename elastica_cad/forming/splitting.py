@@ -308,7 +308,10 @@ def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, fl
 
 
 def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
-    """Return a place in each stage for the least sum of squared ratios of the pieces; empty if infinite."""
+    """Return one place of each stage, such that the sum of the squared ratios of the pieces is least.
+
+    The list is empty if every choice has a piece that cannot be bent.
+    """
     low, high = cut.curve.domain
     chain = [np.array([low]), *stages, np.array([high])]
     total, comes_from = np.zeros(1), []

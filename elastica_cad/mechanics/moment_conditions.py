@@ -153,7 +153,7 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     edge_moment = np.zeros((count + 1, size))
     edge_moment[:, 0] = 1.0
     edge_moment[:, 1:3] = panels.edge_position - panels.edge_position[-1]
-    b = np.zeros((count + 2, 2, size))  # entries: before the start, in each panel, after the end
+    b = np.zeros((count + 2, 2, size))  # b before the start, in each panel, and after the end
     b[:] = np.eye(2, size, 1)
     for k in np.flatnonzero(units.any(axis=(1, 2))):
         step = left_of(units[k].T).T  # step of b at the force, from its end side to its start side

@@ -47,7 +47,7 @@ class Determinant:
     def sign_changes(self) -> FloatArray:
         """Places (k,), mm, where Z changes sign; none before the first zero of zeta, where rounding noise rules."""
         beyond = np.flatnonzero(self.fields[1:, 0] <= 0)
-        # while zeta keeps its sign no interval can be unstable (the unconstrained Jacobi test)
+        # before the first zero of zeta the rod is stable even if its end is free to move (Jacobi's test)
         first = max(int(beyond[0]) - 1, 0) if beyond.size else self.s.size
         at, z = self.s[first:], self.value[first:]
         k = np.flatnonzero(z[:-1] * z[1:] < 0)

@@ -146,7 +146,10 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         room = max(seat.room for _, _, seat in held)
         if room < NO_PLAY_MM and turn < NO_PLAY_DEGREES:
             messages.append(
-                note("{name} has no clearance for its tabs, which bend a little between its edges", name=name)
+                note(
+                    "{name} holds its tabs without clearance; the tabs bend a little between its edges",
+                    name=name,
+                )
             )
         else:
             across = 0.0 if room < NO_PLAY_MM else room
@@ -157,7 +160,7 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
     for holder in holders:
         lies_on_ring = isinstance(holder, Ring) and bool(holder.seats)
         if isinstance(holder, BasePlate) and (holder.glued or lies_on_ring):
-            text = "{name} has no clearance for its tabs, which are glued at their angle"
+            text = "{name} holds its tabs without clearance, because they are glued at their angle"
             messages.append(note(text, name=holder.name))
     return tuple(messages)
 

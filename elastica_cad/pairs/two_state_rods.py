@@ -381,7 +381,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
         offset = at ** (2 / 3) / 3
         return np.concatenate([with_least(M - slope), with_least(-M - slope)]), np.tile(offset, 2)
 
-    # |M_1 - M_2| = K d <= 2 K^(2/3): K <= (2 / d)^3
+    # |M_1 - M_2| = K d <= 2 K^(2/3), with the difference d of the curvatures; so K <= (2 / d)^3
     most = (2 / max(float(np.abs(size * panels.curvature).max()), 1e-12)) ** 3
     rows = [np.concatenate(fixed)]
     right = [np.zeros(len(rows[0]))]

@@ -204,7 +204,9 @@ _RATIO_PART, _MARGIN_PART = 0.9, 6.0  # targets of a step: factor on the ratio, 
 # radius of the trust region, in lengths of the curve
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
 _SETTLED = 1e-3  # predicted gain of a step, as a fraction of the distance, below which the search ends
-_RESOLUTION = 1e-12  # gain in half the mean square distance, in lengths, below which it is rounding
+_RESOLUTION = (
+    1e-12  # least gain of a step (half the mean square distance, in lengths); less is rounding error
+)
 _INSIDE = 1e-5  # relative distance from the bounds, so that they hold between the samples too
 _ENFORCED = 1e-11  # largest error of a constraint that holds, in lengths and radians
 _ROUNDS = 12  # number of times that places are added where a step would break the bounds

@@ -144,9 +144,16 @@ def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment])
 
 @dataclass(frozen=True, eq=False)
 class _Corners:
-    """Sides (k,) before and after corners, parameters at which the arcs leave and enter them, and the arcs.
+    """Corners of a loop with the arcs that round them.
 
-    If no arc fits, the parameter is beyond the end or before the start of the side that is too short.
+    Attributes
+    ----------
+    before, after : (k,) array
+        Numbers of the sides before and after each corner.
+    leaving, entering : (k,) array
+        Parameters of these sides where the arc begins and ends. If no arc fits, the parameter is outside the side
+        that is too short.
+    arcs : list of Arc or None
     """
 
     before: IntArray

@@ -218,7 +218,7 @@ class DiamondPattern:
         return [_Stretch(knots, values) for knots, values in splines]
 
     def _values(self, s: FloatArray) -> FloatArray:
-        """Return width, material, and the width of a full diamond (n, 3), mm."""
+        """Return columns at s, (n, 3), mm: outline width, width without holes, and width of one hole."""
         w, m = self.width(s), self.material(s)
         half, last = self.row_length / 2, 2 * self.rows - 1
         k = np.clip(np.floor(s / half), 0, last)
@@ -559,7 +559,7 @@ class _Fit:
                 now=self.rod.ratio, most=rounded_down(ratio, 3),
             ))  # fmt: skip
         return note(
-            "{too_little}, if holes must also fit at {s}: {ways}",
+            "if holes must also fit at {s}, {too_little}: {ways}",
             too_little=self._too_little(self.highest), s=Mm(self.s[i]), ways=Either(ways),
         )  # fmt: skip
 

@@ -544,7 +544,7 @@ class Lean:
 
     @cached_property
     def _at_rest(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """The tab's slopes (k,) and the ends of its pieces (k + 1,), into the tab and to its left, mm."""
+        """Slopes of the tab's pieces (k,), and ends of the pieces (k + 1,) along the tab and to its left, mm."""
         slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # a stiff tab is a single straight piece
         bent = np.append(0.0, np.cumsum(slopes)) * self.piece
         return slopes, np.asarray(self.piece * np.arange(slopes.size + 1), dtype=float), bent

@@ -56,7 +56,7 @@ def refused(obj: Any, error: ElasticaError) -> RefusalError:
 
 def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]:
     """Return a function that does work and raises the returned error, without a Python function in between."""
-    return partial(reduce, or_, (_Worker(work), _Thrower()))  # (obj | worker) | thrower
+    return partial(reduce, or_, (_Worker(work), _Thrower()))  # called with obj: obj | _Worker | _Thrower
 
 
 class _Worker:

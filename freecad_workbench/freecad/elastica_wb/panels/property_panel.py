@@ -184,7 +184,8 @@ class PropertyPanel(Panel):
 
     def _record(self) -> None:
         """Record the final value of each changed property for macros."""
-        for obj, name in self._unbound(self._changed) if self._changed else ():  # objects may be deleted
+        # without changes, the objects may already be deleted
+        for obj, name in self._unbound(self._changed) if self._changed else ():
             record_value(obj, name, _plain(getattr(obj, name)))
         self._changed.clear()
 
