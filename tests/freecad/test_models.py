@@ -271,7 +271,7 @@ def test_fixtures_hold_every_end(document, standing):
     assert blocks.Shape.distToShape(made.Shape)[0] < 1e-3
     # pockets lean for tabs that bend; the straight tabs of the bodies, of some 600 mm3, run into them a little
     assert blocks.Shape.common(made.Shape).Volume < 60
-    assert ["no clearance" in said for said in blocks.Reports] == [True]
+    assert ["without clearance" in said for said in blocks.Reports] == [True]
     single = new(fixtures.create, document, [standing[0]])
     assert len(single.Shape.childShapes()) == 2
     standing[0].StartTab = standing[0].EndTab = 0

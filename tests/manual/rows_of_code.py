@@ -214,6 +214,16 @@ def commands_by_text():
     return {said["text"]: said.get("shortcut") or "" for said in COMMANDS.values()}
 
 
+@asks("docs/freecad_tools/rails.md", "kind", "meaning")
+def _kinds(row, _):
+    panels = ROOT / "freecad_workbench" / "freecad" / "elastica_wb" / "panels"
+    panel = (panels / "rails.py").read_text(encoding="utf-8")
+    kinds = re.findall(r'QT_TRANSLATE_NOOP\("Elastica", "([^"(]+?)(?: \([^"]*)?"\): Kind\(', panel)
+    (table,) = [table for table in tables() if table.page == "docs/freecad_tools/rails.md"]
+    assert [kind for kind, _ in table.rows] == kinds
+    assert row[0] in kinds
+
+
 @asks(WORKBENCH, "command", "keys", "purpose")
 def _tools(row, _):
     known = commands_by_text()
