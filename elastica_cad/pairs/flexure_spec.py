@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Annotated, Literal
 
+from elastica_cad._values import EqualByValue
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -16,8 +17,8 @@ Match = Literal["ends", "shape", "none"]
 
 
 @dataclass(frozen=True, eq=False)
-class FlexureSpec:
-    """Request for a flexure.
+class FlexureSpec(EqualByValue):
+    """Request for a flexure; equal requests give equal parts.
 
     Attributes
     ----------

@@ -52,6 +52,7 @@ def test_what_files_of_users_name_stays():
         "fixtures": "FixturesFeature create",
         "baseplate": "BasePlateFeature create",
         "nest": "NestFeature create",
+        "flexure": "FlexureFeature create",
         "views": "StripView FlatView ModelView FixturesView BasePlateView NestView",
     }.items():
         tree = ast.parse((CODE / "elastica_wb" / "features" / f"{module}.py").read_text(encoding="utf-8"))

@@ -14,13 +14,16 @@ from pathlib import Path
 from typing import Any
 
 import FreeCAD as App
+from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of
 from freecad.elastica_wb.features.fixtures import block_shape, blocks_for
+from freecad.elastica_wb.features.flexure import flexure_of
+from freecad.elastica_wb.features.flexure import solids_of as flexure_solids
 from freecad.elastica_wb.features.model import model_of, solids_of
 from freecad.elastica_wb.features.pieces import Cut, counted, cuts_of, later_features
 from freecad.elastica_wb.features.strip import strip_of
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.objects import is_model, is_plate
+from freecad.elastica_wb.host.objects import is_flexure, is_model, is_plate
 from freecad.elastica_wb.host.progress import Step, go_on
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import Unit, Words, user_language
@@ -169,6 +172,13 @@ def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
         return [
             (model.name_of(i), solid, solid.Placement, strip.sheet)
             for i, (strip, solid) in enumerate(zip(model.strips, solids, strict=True))
+        ]
+    if is_flexure(obj):
+        part, name = flexure_of(obj), obj.EngravedText or obj.Label
+        world = drawn_curve(obj.Curve, obj).world
+        return [
+            (f"{name} {translate('Elastica', form)}", make_solid(solid), world, part.sheet)
+            for form, solid in flexure_solids(part)
         ]
     strip, name = strip_of(obj), obj.EngravedText or obj.Label
     world = drawn_curve(obj.Curve, obj).world

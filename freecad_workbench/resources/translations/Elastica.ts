@@ -431,6 +431,50 @@
         <source>Masses and forces on the strip: at = 90, mass = 3, or at = 90, force = [0, -1] (mm, g, N)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Sketch or edges with the first state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sketch or edges with the second state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the feature shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Material the part is cut from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict on the part and its curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True if the part snaps between its states in the same clamps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest force between the states, N</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Travel of the pushed point at which the part snaps; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length between the pads along the curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Least thickness in the plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest thickness in the plane</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1296,6 +1340,106 @@
     </message>
     <message>
         <source>rail, pin, tie or load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two-state part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Second state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As cut</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>two states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Searching the part with two states</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radius at the pads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State without forces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Thinnest place (0 = automatic)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Equal lengths: keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest thickness or least ratio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holes in pads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Holes from the ends of pads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of pads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of pads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pushed at (0 = middle)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>second</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2313,6 +2457,17 @@
     </message>
     <message>
         <source>Removes the chosen element or load</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Flexure</name>
+    <message>
+        <source>Two-state part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make a part that rests in both selected curves, such as a clip that snaps, and the plate that holds it</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

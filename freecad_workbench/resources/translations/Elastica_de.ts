@@ -427,6 +427,50 @@
         <source>Masses and forces on the strip: at = 90, mass = 3, or at = 90, force = [0, -1] (mm, g, N)</source>
         <translation>Massen und Kräfte am Streifen: at = 90, mass = 3, oder at = 90, force = [0, -1] (mm, g, N)</translation>
     </message>
+    <message>
+        <source>Sketch or edges with the first state</source>
+        <translation>Skizze oder Kanten mit dem ersten Zustand</translation>
+    </message>
+    <message>
+        <source>Sketch or edges with the second state</source>
+        <translation>Skizze oder Kanten mit dem zweiten Zustand</translation>
+    </message>
+    <message>
+        <source>What the feature shows</source>
+        <translation>Was das Objekt zeigt</translation>
+    </message>
+    <message>
+        <source>Material the part is cut from</source>
+        <translation>Material, aus dem das Teil geschnitten wird</translation>
+    </message>
+    <message>
+        <source>Verdict on the part and its curves</source>
+        <translation>Urteil über das Teil und seine Kurven</translation>
+    </message>
+    <message>
+        <source>True if the part snaps between its states in the same clamps</source>
+        <translation>Wahr, wenn das Teil in denselben Einspannungen zwischen seinen Zuständen umschnappt</translation>
+    </message>
+    <message>
+        <source>Largest force between the states, N</source>
+        <translation>Größte Kraft zwischen den Zuständen, N</translation>
+    </message>
+    <message>
+        <source>Travel of the pushed point at which the part snaps; 0 for none</source>
+        <translation>Weg der gedrückten Stelle, bei dem das Teil umschnappt; 0 für keinen</translation>
+    </message>
+    <message>
+        <source>Length between the pads along the curve</source>
+        <translation>Länge zwischen den Endstücken, entlang der Kurve</translation>
+    </message>
+    <message>
+        <source>Least thickness in the plane</source>
+        <translation>Kleinste Dicke in der Ebene</translation>
+    </message>
+    <message>
+        <source>Largest thickness in the plane</source>
+        <translation>Größte Dicke in der Ebene</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1293,6 +1337,106 @@
     <message>
         <source>rail, pin, tie or load</source>
         <translation>Schiene, Stift, Schnur oder Last</translation>
+    </message>
+    <message>
+        <source>Two-state part</source>
+        <translation>Teil mit zwei Zuständen</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>First state</source>
+        <translation>Erster Zustand</translation>
+    </message>
+    <message>
+        <source>Second state</source>
+        <translation>Zweiter Zustand</translation>
+    </message>
+    <message>
+        <source>As cut</source>
+        <translation>Wie geschnitten</translation>
+    </message>
+    <message>
+        <source>Holder</source>
+        <translation>Halter</translation>
+    </message>
+    <message>
+        <source>holder</source>
+        <translation>Halter</translation>
+    </message>
+    <message>
+        <source>two states</source>
+        <translation>zwei Zustände</translation>
+    </message>
+    <message>
+        <source>Searching the part with two states</source>
+        <translation>Das Teil mit zwei Zuständen wird gesucht</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Radius at the pads</source>
+        <translation>Radius an den Endstücken</translation>
+    </message>
+    <message>
+        <source>State without forces</source>
+        <translation>Zustand ohne Kräfte</translation>
+    </message>
+    <message>
+        <source>Thinnest place (0 = automatic)</source>
+        <translation>Dünnste Stelle (0 = automatisch)</translation>
+    </message>
+    <message>
+        <source>Equal lengths: keep</source>
+        <translation>Gleiche Länge: behalten</translation>
+    </message>
+    <message>
+        <source>Largest thickness or least ratio</source>
+        <translation>Größte Dicke oder kleinstes Verhältnis</translation>
+    </message>
+    <message>
+        <source>Holes in pads</source>
+        <translation>Löcher in den Endstücken</translation>
+    </message>
+    <message>
+        <source>Holes from the ends of pads</source>
+        <translation>Löcher vom Ende der Endstücke</translation>
+    </message>
+    <message>
+        <source>Length of pads</source>
+        <translation>Länge der Endstücke</translation>
+    </message>
+    <message>
+        <source>Width of pads</source>
+        <translation>Breite der Endstücke</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>Gedruckt</translation>
+    </message>
+    <message>
+        <source>Pushed at (0 = middle)</source>
+        <translation>Gedrückt bei (0 = Mitte)</translation>
+    </message>
+    <message>
+        <source>ends</source>
+        <translation>Enden</translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>erster</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>zweiter</translation>
     </message>
 </context>
 <context>
@@ -2310,6 +2454,17 @@
     <message>
         <source>Removes the chosen element or load</source>
         <translation>Entfernt das gewählte Element oder die Last</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Flexure</name>
+    <message>
+        <source>Two-state part</source>
+        <translation>Teil mit zwei Zuständen</translation>
+    </message>
+    <message>
+        <source>Make a part that rests in both selected curves, such as a clip that snaps, and the plate that holds it</source>
+        <translation>Ein Teil machen, das in beiden gewählten Kurven ruht, etwa eine Klammer, die umschnappt, und die Platte, die es hält</translation>
     </message>
 </context>
 </TS>

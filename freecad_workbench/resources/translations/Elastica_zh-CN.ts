@@ -427,6 +427,50 @@
         <source>Masses and forces on the strip: at = 90, mass = 3, or at = 90, force = [0, -1] (mm, g, N)</source>
         <translation>条带上的质量和力：at = 90, mass = 3，或 at = 90, force = [0, -1]（mm、g、N）</translation>
     </message>
+    <message>
+        <source>Sketch or edges with the first state</source>
+        <translation>第一状态的草图或边</translation>
+    </message>
+    <message>
+        <source>Sketch or edges with the second state</source>
+        <translation>第二状态的草图或边</translation>
+    </message>
+    <message>
+        <source>What the feature shows</source>
+        <translation>对象显示的内容</translation>
+    </message>
+    <message>
+        <source>Material the part is cut from</source>
+        <translation>切割零件所用的材料</translation>
+    </message>
+    <message>
+        <source>Verdict on the part and its curves</source>
+        <translation>对零件及其曲线的判定</translation>
+    </message>
+    <message>
+        <source>True if the part snaps between its states in the same clamps</source>
+        <translation>若零件在相同夹持下于两状态间突跳则为真</translation>
+    </message>
+    <message>
+        <source>Largest force between the states, N</source>
+        <translation>两状态之间的最大力，N</translation>
+    </message>
+    <message>
+        <source>Travel of the pushed point at which the part snaps; 0 for none</source>
+        <translation>零件突跳时受推点的行程；0 表示无</translation>
+    </message>
+    <message>
+        <source>Length between the pads along the curve</source>
+        <translation>两端块之间沿曲线的长度</translation>
+    </message>
+    <message>
+        <source>Least thickness in the plane</source>
+        <translation>平面内的最小厚度</translation>
+    </message>
+    <message>
+        <source>Largest thickness in the plane</source>
+        <translation>平面内的最大厚度</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -1293,6 +1337,106 @@
     <message>
         <source>rail, pin, tie or load</source>
         <translation>支承杆、销、拉索或载荷</translation>
+    </message>
+    <message>
+        <source>Two-state part</source>
+        <translation>双状态零件</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>First state</source>
+        <translation>第一状态</translation>
+    </message>
+    <message>
+        <source>Second state</source>
+        <translation>第二状态</translation>
+    </message>
+    <message>
+        <source>As cut</source>
+        <translation>切割形状</translation>
+    </message>
+    <message>
+        <source>Holder</source>
+        <translation>支座</translation>
+    </message>
+    <message>
+        <source>holder</source>
+        <translation>支座</translation>
+    </message>
+    <message>
+        <source>two states</source>
+        <translation>两状态</translation>
+    </message>
+    <message>
+        <source>Searching the part with two states</source>
+        <translation>正在搜索双状态零件</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>零件</translation>
+    </message>
+    <message>
+        <source>Radius at the pads</source>
+        <translation>端块处半径</translation>
+    </message>
+    <message>
+        <source>State without forces</source>
+        <translation>无力状态</translation>
+    </message>
+    <message>
+        <source>Thinnest place (0 = automatic)</source>
+        <translation>最薄处（0 = 自动）</translation>
+    </message>
+    <message>
+        <source>Equal lengths: keep</source>
+        <translation>等长：保持</translation>
+    </message>
+    <message>
+        <source>Largest thickness or least ratio</source>
+        <translation>最大厚度或最小比值</translation>
+    </message>
+    <message>
+        <source>Holes in pads</source>
+        <translation>端块上的孔</translation>
+    </message>
+    <message>
+        <source>Holes from the ends of pads</source>
+        <translation>孔距端块末端</translation>
+    </message>
+    <message>
+        <source>Length of pads</source>
+        <translation>端块长度</translation>
+    </message>
+    <message>
+        <source>Width of pads</source>
+        <translation>端块宽度</translation>
+    </message>
+    <message>
+        <source>Printed</source>
+        <translation>打印</translation>
+    </message>
+    <message>
+        <source>Pushed at (0 = middle)</source>
+        <translation>受推位置（0 = 中点）</translation>
+    </message>
+    <message>
+        <source>ends</source>
+        <translation>端点</translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation>形状</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>第一</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>第二</translation>
     </message>
 </context>
 <context>
@@ -2310,6 +2454,17 @@
     <message>
         <source>Removes the chosen element or load</source>
         <translation>移除所选构件或载荷</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Flexure</name>
+    <message>
+        <source>Two-state part</source>
+        <translation>双状态零件</translation>
+    </message>
+    <message>
+        <source>Make a part that rests in both selected curves, such as a clip that snaps, and the plate that holds it</source>
+        <translation>制作在所选两条曲线中都能静止的零件，例如会突跳的卡扣，以及固定它的板</translation>
     </message>
 </context>
 </TS>

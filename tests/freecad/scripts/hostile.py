@@ -37,6 +37,7 @@ PANELS = {
     "Elastica_Fixtures": "strip",
     "Elastica_Section": "body",
     "Elastica_Bend": "strip",
+    "Elastica_Rails": "strip",
     "Elastica_Tolerance": "strip",
     "Elastica_Coupon": None,
     "Elastica_Export": "strip",

@@ -205,7 +205,7 @@ def type_into(widget, words):
     click(widget)
     until(lambda: has_focus(widget), 10)
     keys("ctrl+a")
-    mouse("type", "--delay", 15, words)
+    mouse("type", "--delay", 15, "--", words)
     keys("Tab")
     until(lambda: not has_focus(widget), 10)
     wait(250)

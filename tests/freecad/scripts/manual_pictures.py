@@ -45,6 +45,9 @@ HILL = scaled([(-75, 0), (-50, 60), (0, 95), (50, 60), (75, 0)])
 CROSSING = scaled([(5, -40), (12, 0), (15, 50), (12, 100), (5, 140)])
 GENTLE = [(1.3 * x, 1.3 * y) for x, y in WAVE]
 BAD = scaled([(0, 0), (35, 80), (70, -70), (110, 60), (150, 70), (180, -30)])
+UP = [(15, 75), (57, 75), (87, 102), (126, 102), (162, 102), (201, 75), (240, 75)]
+DOWN = [(15, 51), (51, 51), (81, 27), (120, 27), (162, 27), (204, 51), (240, 51)]
+"""Both states of a clip; degree 4 as other curves here."""
 LONG_WAVE = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
 """No strip takes it without a rail."""
 
@@ -209,6 +212,8 @@ def work():
     held.Between = ["at = [180, -9]"]
     held.Document.recompute()
     by_panel("Elastica_Rails", held, top=True)
+    clip = [drawn(points, name, upright=False) for points, name in ((UP, "Up"), (DOWN, "Down"))]
+    by_panel("Elastica_Flexure", *clip)
     by_panel("Elastica_Bend", strip_of(upright=False), top=True, EndX=-40.0)
     fill(opened("Elastica_Tolerance", strip_of()), samples=12)
     panel().run()

@@ -8,6 +8,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import FreeCAD as App
 import FreeCADGui as Gui
 from inside import (
+    QtCore,
     answers,
     button,
     choose,
@@ -108,7 +109,7 @@ def work():
     chosen_kind("Force")
     click_view(tuple(place_at(drawn, 0.3)))
     until(lambda: strip.Loads)
-    typed("forceY", " -0.2")  # xdotool would take a word that begins with - for an option
+    typed("forceY", "-0.2")
     until(lambda: "-0.2" in strip.Loads[0])
     answers["force"] = [rows(), lines(strip), strip.Verdict]
     answers["numbers with all"] = one.form.numbers.text()
@@ -117,7 +118,10 @@ def work():
     click_view(tuple(place_at(drawn, 0.6)))
     until(lambda: len(strip.Between) == 3)
     answers["pin"] = [rows(), one.form.fixed.isChecked(), lines(strip)]
-    click(one.form.fixed)
+    scroll_to(one.form.fixed)
+    click(
+        one.form.fixed, at=QtCore.QPoint(12, one.form.fixed.height() // 2)
+    )  # beside the text nothing happens
     until(lambda: "[" not in strip.Between[2])
     answers["along the curve"] = lines(strip)
     scroll_to(one.form.remove)

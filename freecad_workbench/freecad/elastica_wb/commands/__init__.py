@@ -147,6 +147,18 @@ STRIPS = (
         in_sketch=True,
     ),
     Command(
+        name="Elastica_Flexure",
+        text=QT_TRANSLATE_NOOP("Elastica_Flexure", "Two-state part"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Flexure",
+            "Make a part that rests in both selected curves, such as a clip that snaps, and the plate that holds it",  # noqa: E501
+        ),
+        run=actions.make_flexure,
+        has_subject=actions.has_curve,
+        shortcut="Y, T",
+        in_sketch=True,
+    ),
+    Command(
         name="Elastica_Bend",
         text=QT_TRANSLATE_NOOP("Elastica_Bend", "Bend forward"),
         tip=QT_TRANSLATE_NOOP(

@@ -17,7 +17,7 @@ from freecad.elastica_wb.commands.selection import (
     is_curve_chosen,
 )
 from freecad.elastica_wb.curves.plane_sections import chosen_bodies, is_path
-from freecad.elastica_wb.features import curves, flat, model, nest
+from freecad.elastica_wb.features import curves, flat, flexure, model, nest
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.dialogs import show_message
 from freecad.elastica_wb.host.refusal import why_not_made
@@ -34,6 +34,7 @@ from freecad.elastica_wb.recording import (
 )
 
 from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.pairs.flexure import STATES
 
 
 def has_curve() -> bool:
@@ -88,6 +89,20 @@ def make_nearest() -> None:
     if others:
         raise InputError("{count} curves are selected. Select one edge of one curve.", count=1 + len(others))
     _edit_new("Nearest curve to sketch", curves.nearest, source, edges)
+
+
+def make_flexure() -> None:
+    """Make a part with the two selected curves as its states, and open its panel."""
+    drawn = chosen_curves()
+    if len(drawn) != len(STATES):
+        raise InputError(
+            "A part with two states needs two curves, but {count} are selected. Select two sketches.",
+            count=len(drawn),
+        )
+    (first, first_edges), (second, second_edges) = drawn
+    _edit_new("Two-state part", flexure.create, first, first_edges, second, second_edges)
+    for source in (first, second):
+        source.Visibility = True
 
 
 def make_sections() -> None:

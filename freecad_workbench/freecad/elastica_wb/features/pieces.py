@@ -14,10 +14,11 @@ from typing import Any
 
 from freecad.elastica_wb.curves.copies import BASE, COMPOUND, PATTERNS, not_repeated
 from freecad.elastica_wb.features.baseplate import plates_of
+from freecad.elastica_wb.features.flexure import drawings_of, flexure_of
 from freecad.elastica_wb.features.model import model_of
 from freecad.elastica_wb.features.proxy import why_left_out
 from freecad.elastica_wb.features.strip import shown_strips, strip_of
-from freecad.elastica_wb.host.objects import is_flat, is_model, is_plate, is_strip
+from freecad.elastica_wb.host.objects import is_flat, is_flexure, is_model, is_plate, is_strip
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad.errors import InputError
@@ -94,8 +95,8 @@ def cut_for(obj: Any) -> Any:
 
 
 def is_cut(obj: Any) -> bool:
-    """Return True if this object is a strip, a model, a base plate or rings."""
-    return is_strip(obj) or is_model(obj) or is_plate(obj)
+    """Return True if this object is a strip, a model, a base plate, rings, or a part with two states."""
+    return is_strip(obj) or is_model(obj) or is_plate(obj) or is_flexure(obj)
 
 
 def _cuts(obj: Any) -> list[Cut]:
@@ -108,6 +109,13 @@ def _cuts(obj: Any) -> list[Cut]:
         return [Cut(*fields) for fields in zip_longest(model.pieces, strips)]
     if is_plate(obj):
         return [Cut(plate.piece) for plate in plates_of(obj)]
+    if is_flexure(obj):
+        part = flexure_of(obj)
+        drawings = drawings_of(part, obj.EngravedText or obj.Label)
+        return [
+            Cut(Piece(name, replace(drawing, name=name), part.sheet, obj.Quantity))
+            for name, drawing in drawings
+        ]
     strip, name = strip_of(obj), obj.EngravedText or obj.Label
     names = [layer.called(name) for layer in strip.layers]
     return [

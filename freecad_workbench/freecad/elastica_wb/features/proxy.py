@@ -61,7 +61,7 @@ SHOWN_BY_ERROR = result(
 
 REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 
-FOLLOWED = ("Curve", "Sources", "Strips")
+FOLLOWED = ("Curve", "SecondCurve", "Sources", "Strips")
 """Properties with the objects that a feature depends on."""
 
 MESSAGE_PROPERTIES = ("Reasons", "Reports", "Overlaps", "LeftOut")
@@ -366,7 +366,7 @@ def _followed(obj: Any) -> Iterator[Any]:
     """Yield the objects that a feature depends on, recursively."""
     for name in [entry for entry in FOLLOWED if entry in obj.PropertiesList]:
         value = getattr(obj, name)
-        sources = value if name != "Curve" else value[:1] if value else ()
+        sources = value[:1] if name.endswith("Curve") and value else value or ()
         for source in sources:
             yield source
             yield from _followed(source)

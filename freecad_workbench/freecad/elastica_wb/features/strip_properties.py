@@ -252,7 +252,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         A size is far out of range: a typing error, or another unit.
     """
     _refuse_slips(obj, drawn)
-    sheets = {SHEET: _sheet(obj)}
+    sheets = {SHEET: sheet_of(obj)}
     if obj.Style == "Laminated":
         sheets[BACKING] = sheet_called(obj.Backing, obj.BackingData)
     nearest = obj.Follow == "Nearest"
@@ -265,8 +265,8 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
     """Return the request for the nearest rod within the limits, even if the strip follows its curve."""
     limits = {path: field for path, field in FIELDS.items() if path.startswith(("limits.", "keep."))}
     table = _table(obj, drawn, limits, READ_ROD | READ_LIMITS)
-    fields = read_fields(table, Reader({SHEET: _sheet(obj)}))
-    gravity, _ = pull_in_plane(fields.get("gravity"), _sheet(obj), drawn.plane)
+    fields = read_fields(table, Reader({SHEET: sheet_of(obj)}))
+    gravity, _ = pull_in_plane(fields.get("gravity"), sheet_of(obj), drawn.plane)
     return RodSpec(
         drawn.curve, gravity, fields.get("supports", Supports()), fields.get("natural_curvature", 0.0),
         limits=fields["limits"], keep=fields["keep"],
@@ -335,7 +335,7 @@ def _table(
     """
     table: dict[str, Any] = {}
     for path, field in fields.items():
-        value = _value(obj, name_of(path), field)
+        value = value_of_field(obj, name_of(path), field)
         if value is not None:
             put(table, path, value)
     if (gravity := _gravity(obj, drawn)) is not None:
@@ -359,7 +359,7 @@ def _counts(obj: Any, path: str, *, nearest: bool) -> bool:
     return path != "samples" or not nearest
 
 
-def _value(obj: Any, name: str, field: Field) -> Any:
+def value_of_field(obj: Any, name: str, field: Field) -> Any:
     """Return the value of a property as in a design file, or None if it is not set."""
     value = getattr(obj, name)
     value = getattr(value, "Value", value)
@@ -395,7 +395,7 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
         )
 
 
-def _sheet(obj: Any) -> Sheet:
+def sheet_of(obj: Any) -> Sheet:
     """Return the sheet with its measured thickness. The thickness range is left out if the thickness differs."""
     sheet, thickness = sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value
     if sheet.thickness == thickness:

@@ -121,6 +121,17 @@ class BentView(View):
     icon_name = "Elastica_Bend"
 
 
+class FlexureView(View):
+    """View provider of a part with two states, with its sketches below it in the tree."""
+
+    icon_name = "Elastica_Flexure"
+
+    def claimChildren(self) -> list[Any]:
+        """Return the sketches of both curves."""
+        links = (self.Object.Curve, self.Object.SecondCurve)
+        return list(dict.fromkeys(link[0] for link in links if link))
+
+
 class SectionView(View):
     """View provider of the sections of bodies."""
 
@@ -130,6 +141,6 @@ class SectionView(View):
 KINDS = {
     "Strip": StripView, "Flat": FlatView, "Model": ModelView, "Fixtures": FixturesView,
     "BasePlate": BasePlateView, "Rings": RingsView, "Nest": NestView, "Nearest": NearestView,
-    "Bent": BentView, "Section": SectionView,
+    "Bent": BentView, "Section": SectionView, "Flexure": FlexureView,
 }  # fmt: skip
 """View provider of every kind of feature."""

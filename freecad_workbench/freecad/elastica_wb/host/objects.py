@@ -47,6 +47,11 @@ def is_model(obj: Any) -> bool:
     return feature_kind(obj) == "Model"
 
 
+def is_flexure(obj: Any) -> bool:
+    """Return True if an object is a part with two states."""
+    return feature_kind(obj) == "Flexure"
+
+
 def is_flat(obj: Any) -> bool:
     """Return True if an object is the flat part of a strip."""
     return feature_kind(obj) == "Flat"

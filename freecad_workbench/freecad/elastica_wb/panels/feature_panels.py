@@ -19,13 +19,16 @@ from freecad.elastica_wb.features.curves import (
 )
 from freecad.elastica_wb.features.fixtures import FixturesFeature
 from freecad.elastica_wb.features.flat import FlatFeature
+from freecad.elastica_wb.features.flexure import FlexureFeature, flexure_of
 from freecad.elastica_wb.features.model import ModelFeature
 from freecad.elastica_wb.features.nest import NestFeature
 from freecad.elastica_wb.features.strip import shown_strip
 from freecad.elastica_wb.features.strip_properties import PROPERTIES, STYLES
+from freecad.elastica_wb.host.charts import line_chart
 from freecad.elastica_wb.host.objects import feature_kind
 from freecad.elastica_wb.host.refusal import FAILURES
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
+from freecad.elastica_wb.host.words import shown_unit, worded
 from freecad.elastica_wb.panels.bend import BendPanel
 from freecad.elastica_wb.panels.panel import Panel
 from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel
@@ -33,6 +36,8 @@ from freecad.elastica_wb.solving.strip_cache import held_shape, judged
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad.errors import InputError
+from elastica_cad.pairs.flexure import Flexure
+from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.refusals import Length, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.strip import Strip
@@ -269,7 +274,46 @@ SECTION = Layout(
     ((QT_TRANSLATE_NOOP("Elastica", "Make sketches to edit"), section_sketches_of),),
 )
 
+FLEXURE = Layout(
+    QT_TRANSLATE_NOOP("Elastica", "Two-state part"),
+    "Elastica_Flexure",
+    "Two-state part",
+    {
+        QT_TRANSLATE_NOOP("Elastica", "Sheet"): ("Sheet", "Thickness", "Printed", "Form"),
+        QT_TRANSLATE_NOOP("Elastica", "Curves"): ("Match", "Smooth", "Free", "Objective"),
+        QT_TRANSLATE_NOOP("Elastica", "Part"): (
+            "LeastThickness",
+            "PushAt",
+            "Fillet",
+            "PadLength",
+            "PadWidth",
+            "PadHole",
+            "PadInset",
+            "EngravedText",
+            "Quantity",
+        ),
+    },
+    FlexureFeature.properties,
+    results=lambda obj: pair_rows(flexure_of(obj)),
+    picture=lambda obj: _force_chart(flexure_of(obj)),
+)
+
+
+def _force_chart(part: Flexure) -> Any:
+    """Return the force over the travel of the pushed point, or of the end for a part with two settings."""
+    travel = part.travel
+    if part.pair.bistable:
+        unit = shown_unit()
+        x, name = travel.travel / unit.size, note("travel ({unit})", unit=unit.name)
+        snap = None if travel.snap is None else travel.snap / unit.size
+    else:
+        x, name, snap = travel.travel, note("fraction of the travel of the end"), None
+    names = worded(name), worded(note("force (N)"))
+    return line_chart(x.tolist(), travel.force.tolist(), names, snap)
+
+
 LAYOUTS = {
+    "Flexure": FLEXURE,
     "Strip": STRIP,
     "Model": MODEL,
     "Flat": FLAT,

@@ -68,6 +68,8 @@ class Layout:
         Rows below the message. A detail that names a property stands for its help.
     actions : tuple of (label, callable)
         Buttons that replace the feature and close the panel.
+    picture : callable
+        A pixmap below the rows, or None.
     footnote : callable
         Late results, shown below all widgets.
     """
@@ -81,6 +83,7 @@ class Layout:
     source: str = ""
     results: Callable[[Any], Sequence[Row]] = lambda _: ()
     actions: tuple[tuple[str, Callable[[Any], None]], ...] = ()
+    picture: Callable[[Any], Any] = lambda _: None
     footnote: Callable[[Any], str] = lambda _: ""
 
 
@@ -133,6 +136,8 @@ class PropertyPanel(Panel):
         form.addSupport.hide()
         outer.addWidget(form.addSupport)
         outer.addWidget(form.numbers)
+        form.picture = QtWidgets.QLabel()
+        outer.addWidget(form.picture)
         if self.layout.source:
             outer.addLayout(self._source_row(form))
         for words, work in self.layout.actions:
@@ -263,6 +268,10 @@ class PropertyPanel(Panel):
         )
         self.form.numbers.setText(table_of(rows))
         self.form.numbers.setVisible(bool(rows))
+        picture = None if failed else layout.picture(obj)
+        self.form.picture.setVisible(picture is not None)
+        if picture is not None:
+            self.form.picture.setPixmap(picture)
         spec = valid_request(obj) if failed and getattr(obj, "Follow", "") == "Exactly" else None
         self.form.useNearest.setVisible(spec is not None)
         self._search = begun(find_support, spec) if spec is not None and len(self.objects) == 1 else None
@@ -397,6 +406,17 @@ LABELS = {
     "EndSupport": QT_TRANSLATE_NOOP("Elastica", "End is held"),
     "EndTab": QT_TRANSLATE_NOOP("Elastica", "Tab at the end"),
     "Ends": QT_TRANSLATE_NOOP("Elastica", "Ends held"),
+    "Fillet": QT_TRANSLATE_NOOP("Elastica", "Radius at the pads"),
+    "Free": QT_TRANSLATE_NOOP("Elastica", "State without forces"),
+    "LeastThickness": QT_TRANSLATE_NOOP("Elastica", "Thinnest place (0 = automatic)"),
+    "Match": QT_TRANSLATE_NOOP("Elastica", "Equal lengths: keep"),
+    "Objective": QT_TRANSLATE_NOOP("Elastica", "Largest thickness or least ratio"),
+    "PadHole": QT_TRANSLATE_NOOP("Elastica", "Holes in pads"),
+    "PadInset": QT_TRANSLATE_NOOP("Elastica", "Holes from the ends of pads"),
+    "PadLength": QT_TRANSLATE_NOOP("Elastica", "Length of pads"),
+    "PadWidth": QT_TRANSLATE_NOOP("Elastica", "Width of pads"),
+    "Printed": QT_TRANSLATE_NOOP("Elastica", "Printed"),
+    "PushAt": QT_TRANSLATE_NOOP("Elastica", "Pushed at (0 = middle)"),
     "EngravedText": QT_TRANSLATE_NOOP("Elastica", "Engraved text"),
     "Family": QT_TRANSLATE_NOOP("Elastica", "Planes"),
     "Fit": QT_TRANSLATE_NOOP("Elastica", "Width of slots"),

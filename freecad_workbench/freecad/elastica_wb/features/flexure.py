@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Two-state parts: cut flat from a sheet, at rest in two drawn curves, with the plate that holds their ends."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import FreeCAD as App
+import Part
+from freecad.elastica_wb.curves.part_shapes import make_solid
+from freecad.elastica_wb.curves.sketch_curves import drawn_curve
+from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
+from freecad.elastica_wb.features.strip_properties import sheet_of, value_of_field
+from freecad.elastica_wb.host.progress import in_background
+from freecad.elastica_wb.host.property_table import Property, declared_property, put, result
+from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
+from freecad.elastica_wb.host.sheet_store import sheet_list
+from freecad.elastica_wb.host.words import capital, worded
+from freecad.elastica_wb.solving.strip_cache import remembered
+
+from elastica_cad.declared import Field, Record
+from elastica_cad.design.records import Reader, paths_of
+from elastica_cad.design.records import put as put_key
+from elastica_cad.design.tables import Table
+from elastica_cad.errors import ElasticaError
+from elastica_cad.geometry.frame import Frame
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import box_about
+from elastica_cad.mechanics.sheets import sheet_color
+from elastica_cad.mechanics.theorem1 import NotRealizable
+from elastica_cad.pairs.flexure import CentreLine, Flexure
+from elastica_cad.pairs.flexure_spec import FlexureSpec
+from elastica_cad.refusals import note
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, Drawing
+from elastica_cad.strip.solids import FlatSolid
+
+FORMS = ["Everything", "First state", "Second state", "As cut", "Holder"]
+USUAL_SHEET = "pom-2"
+"""Sheet of a new part: thick, and allowing a large strain."""
+
+GAP_MM = 10.0  # between the states and the part as cut
+SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the part with two states")
+
+
+@dataclass(frozen=True)
+class FlexureKeys:
+    """Keys of a part that have properties."""
+
+    BESIDE: ClassVar[Record] = FlexureSpec
+    WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
+
+
+NAMES = {
+    "label": "EngravedText", "ignore_limits": "Anyway", "limits.ratio": "RatioLimit",
+    "limits.natural_curvature": "NaturalCurvatureLimit", "limits.bend": "BendLimit",
+}  # fmt: skip
+"""Properties whose names do not follow from their keys, as of a strip."""
+
+FIELDS: dict[str, tuple[str, Field]] = {
+    NAMES.get(path) or path.title().replace("_", "").replace(".", ""): (path, field)
+    for path, field in paths_of(FlexureKeys).items()
+    if path not in ("pad", "limits")
+}
+"""Keys and declared fields by the names of their properties, such as PadLength."""
+
+
+class FlexureFeature(Feature):
+    """A part with two states. The first curve is in its plane, and both states start in the same clamp."""
+
+    properties = (
+        Property("LinkSubGlobal", "Curve", "Curve", "Sketch or edges with the first state"),
+        Property("LinkSubGlobal", "SecondCurve", "Curve", "Sketch or edges with the second state"),
+        Property("Enumeration", "Form", "Curve", "What the feature shows", FORMS),
+        Property("Enumeration", "Sheet", "Sheet", "Material the part is cut from"),
+        Property("Length", "Thickness", "Sheet", "Thickness of the sheet; measure yours", 1.0),
+        Property(
+            "String",
+            "SheetData",
+            "Sheet",
+            "Data of the sheet, so that the file opens on every computer",
+            hidden=True,
+        ),
+        Property("Integer", "Quantity", "Part", "Number of copies to cut", 1),
+        *(declared_property(field, "Part", name) for name, (_, field) in FIELDS.items()),
+        result("String", "Verdict", "Verdict on the part and its curves"),
+        result("StringList", "Reasons", "Reasons and remarks"),
+        result("Bool", "Bistable", "True if the part snaps between its states in the same clamps"),
+        result("Float", "LargestForce", "Largest force between the states, N"),
+        result("Length", "SnapTravel", "Travel of the pushed point at which the part snaps; 0 for none"),
+        result("Length", "Length", "Length between the pads along the curve"),
+        result("Length", "ThinnestPlace", "Least thickness in the plane"),
+        result("Length", "ThickestPlace", "Largest thickness in the plane"),
+        result("Float", "LargestStrain", "Largest strain of the skin, in percent"),
+        CONTAINERS,
+    )
+    sheets: ClassVar = {"Sheet": "SheetData"}
+
+    def make(self, obj: Any) -> None:
+        """Set the shape and the results."""
+        part = flexure_of(obj)
+        shapes = [make_solid(solid) for _, solid in solids_of(part, obj.Form)]
+        obj.Shape = shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
+        if obj.Form != "As cut":  # the part as cut may be placed anywhere
+            obj.Placement = drawn_curve(obj.Curve, obj).placement
+        travel = part.travel
+        put(
+            obj,
+            Verdict=worded(
+                note("This part rests in both curves and snaps between them.")
+                if part.bistable
+                else note("This part has two settings, between which its end moves.")
+                if not part.pair.bistable
+                else note("This part does not rest in both curves.")
+            ),
+            Reasons=[capital(worded(line)) for line in part.warnings],
+            Bistable=part.bistable,
+            LargestForce=travel.largest_force,
+            SnapTravel=travel.snap or 0.0,
+            Length=part.pair.length,
+            ThinnestPlace=part.thickness_range[0],
+            ThickestPlace=part.thickness_range[1],
+            LargestStrain=100 * max(*part.strain, part.travel_strain),
+        )
+
+    def show_error(self, obj: Any, error: ElasticaError) -> None:
+        """Replace the results by the error."""
+        refused = isinstance(error, NotRealizable)
+        reasons = error.check.reasons if refused else [str(error)]
+        verdict = note("No part rests in both curves.") if refused else note("There is no part.")
+        put(obj, Verdict=worded(verdict), Reasons=[capital(worded(reason)) for reason in reasons])
+
+
+def create(
+    document: Any, first: Any, first_edges: tuple[str, ...], second: Any, second_edges: tuple[str, ...]
+) -> Any:
+    """Make a part with two states from two curves; recompute the document to see it."""
+    curves = {"Curve": (first, list(first_edges)), "SecondCurve": (second, list(second_edges))}
+    label = f"{first.Label} {translate('Elastica', 'two states')}"
+    obj = added(document, "Flexure", FlexureFeature, [first, second], Label=label, **curves)
+    if USUAL_SHEET in sheet_list():
+        obj.Sheet = USUAL_SHEET
+    if App.GuiUp:
+        obj.ViewObject.ShapeColor = sheet_color(sheet_of(obj))
+    return obj
+
+
+def spec_of(obj: Any) -> FlexureSpec:
+    """Return the request that the properties make."""
+    first, second = (drawn_curve(link, obj).curve for link in (obj.Curve, obj.SecondCurve))
+    table: dict[str, Any] = {}
+    for name, (path, field) in FIELDS.items():
+        value = value_of_field(obj, name, field)
+        if value is not None:
+            put_key(table, path, value)
+    return FlexureSpec(first, second, sheet_of(obj), **Reader().given(FlexureKeys, Table(table, "", {})))
+
+
+def flexure_of(obj: Any) -> Flexure:
+    """Return the `Flexure` record of a feature."""
+    return in_background(SEARCHING, _flexure, spec_of(obj))
+
+
+@remembered
+def _flexure(spec: FlexureSpec) -> Flexure:
+    part = spec.make()
+    _ = part.warnings, part.force_text  # slow to compute
+    return part
+
+
+def solids_of(part: Flexure, form: str = FORMS[0]) -> list[tuple[str, FlatSolid]]:
+    """Return the bodies that a form shows, with their names, in the plane of the first curve.
+
+    The holder is below the states, and the part as cut in front of them.
+    """
+    depth = part.sheet.thickness
+    states = [part.line_through(rest.position) for rest in part.rests]
+    low, _ = box_about(part.rods[0].position)
+    top = part.outline.points(depth)[:, 1].max()
+    flat = Frame((float(low[0]), float(low[1] - GAP_MM - part.pad_width - top), 0.0))
+    solids = dict(
+        zip(
+            FORMS[1:],
+            (
+                *(_bent(part, line) for line in states),
+                FlatSolid(part.outline, part.holes, depth, Frame() if form == "As cut" else flat),
+                _plate(part.holder(), depth),
+            ),
+            strict=True,
+        )
+    )
+    return list(solids.items()) if form == FORMS[0] else [(form, solids[form])]
+
+
+def drawings_of(part: Flexure, name: str) -> Iterator[tuple[str, Drawing]]:
+    """Yield the drawings of the part and of its holder, with their names."""
+    yield name, part.drawing()
+    yield f"{name} {translate('Elastica', 'holder')}", part.holder()
+
+
+def _bent(part: Flexure, line: CentreLine) -> FlatSolid:
+    """Return the body of a part that is bent to a centre line."""
+    holes = [Path.circle(place, part.pad.hole / 2) for place in part.hole_places(line).reshape(-1, 2)]
+    return FlatSolid(part.outline_along(line), tuple(holes), part.sheet.thickness)
+
+
+def _plate(drawing: Drawing, thickness: float) -> FlatSolid:
+    """Return the body of a holder below the plane."""
+    paths: dict[str, list[Path]] = {CUT_OUTER: [], CUT_INNER: []}
+    for item in drawing.paths:
+        if item.layer in paths:
+            paths[item.layer].append(item.path)
+    (outline,) = paths[CUT_OUTER]
+    return FlatSolid(outline, tuple(paths[CUT_INNER]), thickness, Frame().shifted(z=-thickness))

@@ -1,0 +1,108 @@
+"""Parts with two states: properties, shapes, results, cutting files, and the command by mouse."""
+
+import numpy as np
+import Part
+import pytest
+from freecad.elastica_wb.cutting_files import write_cutting_files
+from freecad.elastica_wb.features import flexure
+
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.pairs import FlexureSpec
+
+from . import launching
+from .features import change, new
+
+UP = [(15, 75), (57, 75), (87, 102), (126, 102), (162, 102), (201, 75), (240, 75)]
+DOWN = [(15, 51), (51, 51), (81, 27), (120, 27), (162, 27), (204, 51), (240, 51)]
+
+
+@pytest.fixture
+def part(document, drawn):
+    return new(flexure.create, document, drawn(UP, 3), (), drawn(DOWN, 3), ())
+
+
+def test_a_part_of_two_sketches_is_that_of_the_core(part):
+    assert (part.State, part.Sheet, part.Bistable) == (["Up-to-date"], "pom-2", True)
+    first, second = (PlaneCurve.spline(points, degree=3) for points in (UP, DOWN))
+    made = FlexureSpec(first, second, "pom-2").make()
+    assert part.LargestForce == pytest.approx(made.travel.largest_force, rel=1e-3)
+    assert part.ThinnestPlace.Value == pytest.approx(made.thickness_range[0], rel=1e-4)
+    assert len(part.Shape.Solids) == 4
+    volumes = {}
+    for form in flexure.FORMS[1:]:
+        change(part, Form=form)
+        (solid,) = part.Shape.Solids
+        assert solid.isValid()
+        volumes[form] = volume_of(solid)
+    assert volumes["As cut"] == pytest.approx(made.solid.volume, rel=1e-3)
+    for state in ("First state", "Second state"):  # sharp roots in place of fillets
+        assert volumes[state] == pytest.approx(volumes["As cut"], rel=0.01)
+    assert volumes["Holder"] > 5 * volumes["As cut"]
+
+
+def volume_of(solid):
+    """The volume of a fine mesh: OpenCASCADE integrates over long faces between splines with an error of 4 %."""
+    corners, triangles = solid.tessellate(0.01)
+    a, b, c = np.array([tuple(corner) for corner in corners])[np.array(triangles)].swapaxes(0, 1)
+    return float(np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6)
+
+
+def test_both_states_have_their_ends_in_the_holder(part):
+    change(part, Form="Holder")
+    holder = part.Shape.copy()
+    places = [edge.Curve.Center for edge in holder.Edges if isinstance(edge.Curve, Part.Circle)]
+    radius = part.PadHole.Value / 2
+    holes = {(round(p.x, 1), round(p.y, 1)) for p in places if p.z > -1e-6}
+    for state in ("First state", "Second state"):
+        change(part, Form=state)
+        centres = [
+            edge.Curve.Center for edge in part.Shape.Edges
+            if isinstance(edge.Curve, Part.Circle) and abs(edge.Curve.Radius - radius) < 1e-6
+        ]  # fmt: skip
+        for centre in centres:
+            assert min(abs(centre.x - x) + abs(centre.y - y) for x, y in holes) < 0.15
+
+
+def test_options_of_the_core_are_properties(part):
+    part.PadWidth, part.EngravedText, part.RatioLimit = 14, "CLIP", 40
+    spec = flexure.spec_of(part)
+    assert (spec.pad.width, spec.label, spec.free, spec.limits.ratio) == (14, "CLIP", None, 40)
+    change(part, PadLength=5)
+    assert "two holes" in part.Reasons[0]
+    assert part.Verdict == "There is no part."
+
+
+@pytest.mark.campaign
+def test_a_part_is_cut_with_its_holder(part, tmp_path):
+    change(part, EngravedText="CLIP")
+    files = {path.name for path in write_cutting_files([part], tmp_path, kinds=("svg", "step", "csv"))}
+    assert "cut-list.csv" in files
+    assert any(name.startswith("CLIP-holder") for name in files)
+    assert len([name for name in files if name.endswith(".svg")]) == 2
+    (step,) = (name for name in files if name.endswith(".step"))
+    assert len(Part.read(str(tmp_path / step)).Solids) == 4
+
+
+@pytest.mark.campaign
+def test_a_clip_by_mouse(tmp_path):
+    found = launching.run_window("flexure.py", tmp_path)
+    assert "two curves" in found["one curve"]
+    state, verdict, reasons, bistable, sheet = found["made"]
+    assert (state, reasons, bistable, sheet) == (["Up-to-date"], [], True, "pom-2")
+    assert "snaps between them" in verdict
+    assert "snaps at about" in found["rows"]
+    assert found["chart"][0]
+    assert found["chart"][1] > 100
+    assert all(value > 0 for value in found["force"])
+    assert found["solids"] == 4
+    assert found["wider pads"] == [["Up-to-date"], 14]
+    assert found["as cut"] == [1, True]
+    assert found["closed"] == ["Up-to-date"]
+    state, before, after = found["moved"]
+    assert (state, after) == (["Up-to-date"], pytest.approx(before))
+    assert len(found["pieces"]) == 2
+    assert len(found["files"]) == 6
+    assert found["refused"][1] == "There is no part."
+    assert "mm long" in found["refused"][2]
+    assert found["cancelled"] == ["Flexure"]
+    assert found["saved"]
