@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from copy import copy
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from os import PathLike
 from typing import TYPE_CHECKING, Any, Self, TypeAlias, Unpack, overload
 
@@ -172,6 +172,11 @@ class _Made(_Jointed, StripBody):
         return StripOutline(self, mode=bd.Mode.PRIVATE)
 
     @property
+    def engraving(self) -> bd.ShapeList[bd.Edge]:
+        """Edges of the engraved text, on the upper face of `flat`."""
+        return bd.ShapeList(edge for wire in self._engraving() for edge in bd.Wire(wire).edges())
+
+    @property
     def layers(self) -> tuple[bd.Solid, ...]:
         """Sheets of the bent strip, the base first, with names and colours."""
         solids = []
@@ -221,11 +226,37 @@ class _Made(_Jointed, StripBody):
         return plain
 
 
+@dataclass(frozen=True)
+class _Kept:
+    """Axis or vector of a pickled joint."""
+
+    kind: Any
+    numbers: tuple[Any, ...]
+
+    def make(self) -> Any:
+        """Return the axis or vector."""
+        return self.kind(*self.numbers)
+
+
 class _Travelled:
     """Data of the strip and its travel for joints on a strip's end."""
 
     travel: "Travel"
     parent: Any
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return the state for `pickle`, with axes and vectors as numbers, because these cannot be pickled."""
+        state = dict(self.__dict__)
+        for name, value in self.__dict__.items():
+            if isinstance(value, bd.Axis):
+                state[name] = _Kept(bd.Axis, (tuple(value.position), tuple(value.direction)))
+            elif isinstance(value, bd.Vector):
+                state[name] = _Kept(bd.Vector, tuple(value))
+        return state
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        made = {name: value.make() for name, value in state.items() if isinstance(value, _Kept)}
+        self.__dict__.update(state | made)
 
     def bent(self, position: float) -> "BentStrip":
         """Return the strip with its end at a position on the path, mm or degrees."""
@@ -236,8 +267,8 @@ class _Travelled:
         self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
     ) -> None:
         """Write the path forth and back as an animation; an existing file is only overwritten with `force`."""
-        moved = replace(self.travel, frame=self._frame)
-        moved.write_glb(path, frames=frames, seconds=seconds, force=force)
+        moved, color = replace(self.travel, frame=self._frame), self.parent._changed_color
+        moved.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
 
     @property
     def _frame(self) -> Frame:

@@ -161,6 +161,11 @@ class _Made(StripBody, _Moved):
         return self.layers[1]
 
     @property
+    def engraving(self) -> list[cq.Edge]:
+        """Edges of the engraved text, on the upper face of `flat`."""
+        return [edge for wire in self._engraving() for edge in cq.Wire(wire).Edges()]
+
+    @property
     def layers(self) -> tuple[_Layer, ...]:
         """Sheets of the bent strip, the base first, with labels and colours."""
         solids = []
@@ -274,7 +279,8 @@ class Slider:
         self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
     ) -> None:
         """Write the path forth and back as an animation; an existing file is only overwritten with `force`."""
-        self.travel.write_glb(path, frames=frames, seconds=seconds, force=force)
+        color = self._rib._changed_color
+        self.travel.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
 
 
 class StripFace(_Made, cq.Face):

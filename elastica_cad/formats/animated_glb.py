@@ -33,7 +33,7 @@ class MovingMesh:
     """
 
     name: str
-    color: tuple[float, float, float]
+    color: tuple[float, ...]
     points: FloatArray
     normals: FloatArray
     triangles: IntArray
@@ -95,7 +95,7 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
     })  # fmt: skip
 
 
-def _linear(color: tuple[float, float, float]) -> list[float]:
+def _linear(color: tuple[float, ...]) -> list[float]:
     """Return a screen colour as linear light for glTF (the sRGB transfer function, IEC 61966-2-1)."""
     c = np.asarray(color)
     return [float(v) for v in np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)]

@@ -21,10 +21,9 @@ from elastica_cad.kernel.strip_body import Point, StripBody, end_angles
 from elastica_cad.mechanics.bending import bend, bend_path
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.assembly import layer_names
 from elastica_cad.strip.layers import Layer
-from elastica_cad.strip.solids import BentSolid, centred_thickness
+from elastica_cad.strip.solids import BentSolid, bent_colors, centred_thickness
 from elastica_cad.strip.strip import Strip
 
 TURN_RAD = 2.5
@@ -253,6 +252,7 @@ class Travel:
         *,
         frames: int = STATIONS + 1,
         seconds: float = 4.0,
+        color: tuple[float, ...] | None = None,
         force: bool = False,
     ) -> None:
         """Write the path forth and back as an animation, for browsers, phones and Blender.
@@ -263,6 +263,8 @@ class Travel:
             Number of shapes on the path forth; shapes in between are interpolated.
         seconds : float
             Duration of the path forth and back.
+        color : tuple of float, optional
+            Colour of the base sheet, red, green and blue from 0 to 1; by default that of its material.
         force : bool
             Overwrite an existing file.
 
@@ -279,10 +281,11 @@ class Travel:
         rods = self.rods(frames)
         names = layer_names(self.strip.label or "strip", self.strip)
         moving = []
-        for skin, name, layer in zip(skin_meshes(self.strip), names, self.strip.layers, strict=True):
+        colors = bent_colors(self.strip, color)
+        for skin, name, of_sheet in zip(skin_meshes(self.strip), names, colors, strict=True):
             shapes = [skin.bent(rod, self.frame) for rod in rods]
             points, normals = (np.array(rows) for rows in zip(*shapes, strict=True))
-            moving.append(MovingMesh(name, sheet_color(layer.sheet), points, normals, skin.triangles))
+            moving.append(MovingMesh(name, of_sheet[:3], points, normals, skin.triangles))
         write_atomically(path, encode_animation(moving, seconds), force=force)
 
 

@@ -23,12 +23,14 @@ from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.model.collisions import missing_slots, self_contact
 from elastica_cad.refusals import Length, note
+from elastica_cad.strip.drawing import ENGRAVE
 from elastica_cad.strip.flat_pattern import in_smooth_pieces
 from elastica_cad.strip.solids import BentSolid, bent_colors
 from elastica_cad.strip.strip import Placed, Strip
 
 if TYPE_CHECKING:
     from elastica_cad.model.assembly import AssemblyPart, Holder
+    from elastica_cad.model.fixtures import EndFixture
     from elastica_cad.model.model import Model
 
 T = TypeVar("T")
@@ -216,6 +218,8 @@ class MadeStrip:
         Original joint "start" of a bent body, or None for other bodies.
     color: tuple[float, ...] or None
         Screen colour that was requested for the body: red, green, blue and possibly opacity, each in 0..1.
+    block : EndFixture or None
+        Block that holds an end, if this is the body; None for a body of the strip.
     """
 
     strip: Strip
@@ -223,6 +227,7 @@ class MadeStrip:
     deviation: float = 0.0
     home: Frame | None = None
     color: tuple[float, ...] | None = None
+    block: "EndFixture | None" = None
 
     def __deepcopy__(self, memo: dict[int, Any]) -> "MadeStrip":
         return self
@@ -300,8 +305,9 @@ class StripBody:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Sentences that a maker should read before cutting."""
-        return self.strip.warnings
+        """Sentences that a maker should read before cutting; of a block, also about its pocket that leans."""
+        block = self._made.block
+        return (*self.strip.warnings, *(() if block is None else block.warnings))
 
     @property
     def placed(self) -> Placed:
@@ -359,6 +365,12 @@ class StripBody:
         names = bent_names(self._made.name, self.strip)
         records = BentSolid.layers(self.strip, self.frame)
         yield from zip(make_sheets(records), names, bent_colors(self.strip, self._changed_color), strict=True)
+
+    def _engraving(self) -> list[Shape]:
+        """Return the strokes of the engraved text on the upper face of the flat base, as TopoDS_Wire."""
+        face = Frame((0.0, 0.0, self.strip.layers[0].high))
+        strokes = self.strip.drawing().strokes
+        return [make_wire(stroke.path, face) for stroke in strokes if stroke.layer == ENGRAVE]
 
     def _require_backing(self) -> None:
         if len(self.strip.layers) == 1:

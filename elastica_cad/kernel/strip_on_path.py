@@ -225,7 +225,8 @@ def make_fixture_on(
     result = replace(make_strip_on(path, sheet, workplane=workplane, **options), color=color)
     ground = None if floor is None else _frame_of(floor)
     engrave = None if engrave is None else str(engrave)
-    return result, EndFixture.of(result.strip, end, result.frame, floor=ground, engrave=engrave, **sizes)
+    block = EndFixture.of(result.strip, end, result.frame, floor=ground, engrave=engrave, **sizes)
+    return replace(result, block=block), block
 
 
 def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[SectionCurve, ...]":

@@ -16,7 +16,7 @@ from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Arc, Segment
-from elastica_cad.refusals import Length, Listed, note
+from elastica_cad.refusals import Length, Listed, Refusal, note
 from elastica_cad.strip.lettering import centred_text, text_strokes
 from elastica_cad.strip.outline import ENDS, Hole, StripEnd, TSlot
 from elastica_cad.strip.solids import FlatSolid, PrismSolid, convex_corners
@@ -276,6 +276,22 @@ class EndFixture(EqualByValue):
         loaded = strip.as_made.loaded
         lean = lean_against(loaded, index, straight, strip.as_made.tab_ratios(loaded)[index])
         return replace(self, lean=(lean.shift, lean.turn))
+
+    @property
+    def warnings(self) -> tuple[Refusal, ...]:
+        """Message about a pocket that leans, with its angle and its overlap with the straight tab."""
+        depth = -float(self.seat.gaps(0.0, 0.0, 1).min())
+        if depth <= 0:
+            return ()
+        shift, turn = self.lean
+        message = note(
+            "The pocket of {fixture} is turned by {angle:.2g} degrees and moved by {shift:.2g}, so that the loaded "
+            "tab has its designed direction. In the drawing, its wall overlaps the straight tab by up to "
+            "{depth:.2g}. Do not correct the pocket.",
+            fixture=self.label, angle=abs(float(np.degrees(turn))), shift=Length(abs(shift)), depth=Length(depth),
+            severity="note",
+        )  # fmt: skip
+        return (message,)
 
     @property
     def label(self) -> str:

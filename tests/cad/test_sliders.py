@@ -1,6 +1,7 @@
 """A strip whose end slides: a joint for what rides on it, the strip on the way, and an animation of both."""
 
 import json
+import pickle
 import struct
 from dataclasses import replace
 
@@ -192,3 +193,35 @@ def test_a_carriage_rides_in_cadquery(arch_strip, tmp_path):
     assert "arch" in frames_of(tmp_path / "rib.glb")
     with pytest.raises(InputError, match=r"\.bent\(\) first"):
         rib.flat.slider(END)
+
+
+def shown_color(path):
+    """The linear colour of the first material of a file."""
+    content = path.read_bytes()
+    header = json.loads(content[20 : 20 + int.from_bytes(content[12:16], "little")])
+    return header["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"]
+
+
+@pytest.mark.build123d
+def test_a_rib_with_a_joint_is_pickled_and_its_animation_has_its_color(arch_strip, tmp_path):
+    rib = bd_strips.BentStrip(arch_strip, mode=bd.Mode.PRIVATE)
+    rib.slider(END)
+    other = pickle.loads(pickle.dumps(rib))
+    slider = other.joints["slider"]
+    assert slider.parent is other
+    assert slider.travel.length == rib.joints["slider"].travel.length
+    assert slider.bent(5).volume == pytest.approx(rib.volume, rel=1e-4)
+    other.color = bd.Color(1, 0, 0)
+    slider.write_glb(tmp_path / "rib.glb", frames=2)
+    assert shown_color(tmp_path / "rib.glb") == pytest.approx([1, 0, 0, 1], abs=1e-6)
+    turned = pickle.loads(
+        pickle.dumps(bd_strips.BentStrip(arch_strip, mode=bd.Mode.PRIVATE).slider(angle=-70))
+    )
+    assert turned.travel.angle == pytest.approx(np.radians(-70))
+
+
+@pytest.mark.cadquery
+def test_an_animation_in_cadquery_has_the_color_of_the_rib(arch_strip, tmp_path):
+    rib = cq_strips.bent_strip(arch_strip, color=cq.Color(1, 0, 0))
+    rib.slider(END).write_glb(tmp_path / "rib.glb", frames=2)
+    assert shown_color(tmp_path / "rib.glb") == pytest.approx([1, 0, 0, 1], abs=1e-6)
