@@ -749,7 +749,6 @@ class Strip:
         """Strip with all effects on its stiffness, for `held`."""
         from elastica_cad.strip.as_made import StripAsMade
 
-        require_free_between(self.rod, "The strip as made")
         return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole)
 
     def whole(self) -> tuple[Layer, ...]:
@@ -775,6 +774,7 @@ class Strip:
         return self._held_by(None, None)
 
     def _held_by(self, start: TabSeat | None, end: TabSeat | None) -> "HeldShape":
+        require_free_between(self.rod, "The strip as made")
         uncorrected = self.as_made if self.correction is None else replace(self, correction=None).as_made
         return self.as_made.held((start, end), uncorrected, self.tolerance)
 

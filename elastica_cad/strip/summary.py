@@ -67,7 +67,7 @@ def strip_rows(
             *between_rows(strip.rod, strip.bending_stiffness),
         ]
         with suppress(NotConvergedError):
-            rows.append(_not_computed() if strip.rod.acting else accuracy_row(strip.held()))
+            rows.append(not_computed_row() if strip.rod.acting else accuracy_row(strip.held()))
         with suppress(NotConvergedError):
             rows += [Row(note("Creep"), str(strip.crept))] if strip.crept is not None else []
     reported = {*strip.strain_warnings, *([near.status.value] if near is not None else [])}
@@ -217,7 +217,8 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
     )  # fmt: skip
 
 
-def _not_computed() -> Row:
+def not_computed_row() -> Row:
+    """Return the row on accuracy of a strip with elements or point forces."""
     return Row(note("Accuracy"), note("not computed with rails, pins, ties or point forces"))
 
 

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from freecad.elastica_wb import make_strip
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
-from freecad.elastica_wb.features.strip import strip_of, valid_request
+from freecad.elastica_wb.features import fixtures
+from freecad.elastica_wb.features.strip import show_held, strip_of, valid_request
 from freecad.elastica_wb.features.strip_properties import acting_lines, spec_of
 from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.solving.verdicts import Verdict, find_support
@@ -12,7 +13,7 @@ from freecad.elastica_wb.solving.verdicts import Verdict, find_support
 import elastica_cad as ec
 
 from . import launching
-from .features import change
+from .features import change, new
 
 POINTS = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
 """No strip takes it without a support."""
@@ -51,6 +52,15 @@ def test_a_refused_curve_gets_the_support_that_the_core_finds(refused):
     assert refused.Ratio == pytest.approx(rod.ratio, rel=1e-4)
     forces = strip_of(refused).rod.between_forces
     assert forces[0] == pytest.approx(rod.between_forces[0], rel=1e-3)
+
+
+def test_a_strip_on_a_rail_has_fixtures_and_no_accuracy(refused):
+    change(refused, Between=["at = 197"])
+    show_held(refused)
+    assert refused.Held == ""
+    blocks = new(fixtures.create, refused.Document, [refused])
+    assert blocks.State == ["Up-to-date"]
+    assert len(blocks.Shape.Solids) == 2
 
 
 def test_no_support_is_sought_for_a_request_that_has_one(refused):

@@ -98,3 +98,17 @@ def test_a_report_makes_the_same_strip_again():
     forces = [made.bending_stiffness * made.rod.between_forces for made in (again, strip)]
     assert forces[0] == pytest.approx(forces[1], abs=0.02 * np.abs(forces[1]).max())
     assert again.width.extremes == pytest.approx(strip.width.extremes, rel=1e-3)
+
+
+def test_a_strip_on_a_rail_has_fixtures_that_lean_against_its_load():
+    held = strip_between(ec.Rail(200))
+    loaded = held.as_made.loaded
+    far = np.hypot(*(loaded.position - held.as_made.design.position).T).max()
+    assert 0 < far < 0.1, "the rail holds the strip as made, too"
+    upside_down = WAVE.transformed(np.diag([1.0, -1.0, 1.0]))
+    other = ec.make_strip(upside_down, SHEET, max_width=40, between=ec.Rail(200))
+    lean, opposite = (ec.model.EndFixture.of(strip, "start").lean for strip in (held, other))
+    assert abs(lean[1]) > 0
+    assert lean == pytest.approx([-value for value in opposite], rel=1e-3)
+    with pytest.raises(InputError, match="as made"):
+        held.held()

@@ -208,12 +208,16 @@ def shown_strip(obj: Any) -> Strip:
 def show_held(obj: Any) -> None:
     """Write into the results how far a strip as made and held is from its curve.
 
-    It takes as long as all other results together, so no recompute waits for it.
+    It takes as long as all other results together, so no recompute waits for it. It is not computed with elements
+    and point forces.
     """
     if obj.Held or not obj.MadeFrom or "Invalid" in obj.State:
         return
     try:
-        held = held_shape(strip_of(obj))
+        strip = strip_of(obj)
+        if strip.rod.acting:
+            return
+        held = held_shape(strip)
         message = (
             note(
                 "As it is held, the strip takes a shape far from its design. Hold the ends nearer to their "
@@ -263,7 +267,7 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         *(fault.sentence for fault in faults),
         *filter(None, [pre_bend_message(strip), strip.backing_side]),
         *strip.warnings,
-        *([] if sideways is None or sideways.word == "ample" else [str(sideways)]),
+        *([] if sideways.word == "ample" else [str(sideways)]),
     ]
     words = [fault.words for fault in faults if not (refused and fault.number == "LargestStrain")]
     fails = note("The strip fails: {faults}.", faults=sentences(words, "; ")) if words else ""
@@ -294,8 +298,8 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         LargestStrain=100 * strip.max_strain,
         StrainUse=strip.strain_verdict.percent,
         Deviation=(rod.moved if changed is None else changed) + smoothed,
-        SidewaysMargin=sideways.margin if sideways is not None and sideways.decided else 0.0,
-        Sideways="" if sideways is None else worded(str(sideways)),
+        SidewaysMargin=sideways.margin if sideways.decided else 0.0,
+        Sideways=worded(str(sideways)),
         Length=rod.length,
         NarrowestWidth=strip.width.extremes[0],
         Mass=strip.mass,

@@ -104,8 +104,8 @@ class BendPanel(Panel):
             far=Length(largest_move(self.rest, rod)), margin=state.margin,
         )  # fmt: skip
         fresh = [warning for warning in rod.warnings if warning not in self.rest.warnings]
-        tips = None if rod.acting else strip_sideways(rod, self.strip.layout)
-        if tips is not None and tips.needs_guiding:
+        tips = strip_sideways(rod, self.strip.layout)
+        if tips.needs_guiding:
             fresh.append(str(tips))
         self.show_message(sentences([words, *fresh], " "))
 

@@ -4,7 +4,6 @@
 """Contents of the panels of all features."""
 
 from collections.abc import Callable, Iterable, Sequence
-from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -35,7 +34,6 @@ from freecad.elastica_wb.panels.property_panel import Layout, PropertyPanel
 from freecad.elastica_wb.solving.strip_cache import held_shape, judged
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
-from elastica_cad.errors import InputError
 from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.pairs.summary import pair_rows
 from elastica_cad.refusals import Length, note
@@ -46,6 +44,7 @@ from elastica_cad.strip.summary import (
     accuracy_row,
     between_rows,
     hold_row,
+    not_computed_row,
     size_row,
     stability_row,
     strain_rows,
@@ -78,9 +77,9 @@ def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
 
 def _accuracy(obj: Any, strip: Strip) -> Row:
     """Return the row on accuracy: "…" if it is not known yet, or "-" if the footnote explains its absence."""
-    held = None
-    with suppress(InputError):  # not computed for this strip, as the footnote says
-        held = held_shape(strip) if obj.Held else None
+    if strip.rod.acting:
+        return not_computed_row()
+    held = held_shape(strip) if obj.Held else None
     return Row(note("Accuracy"), "-" if obj.Held else LATER) if held is None else accuracy_row(held)
 
 

@@ -66,7 +66,7 @@ def strip_faults(strip: Strip) -> Iterator[Fault]:
             margin=stability.margin, s=Length(stability.conjugate_point or 0.0),
         )  # fmt: skip
         yield Fault(note("snaps into another shape"), sentence, "Margin")
-    if strip.sideways is not None and strip.sideways.word == "unstable":
+    if strip.sideways.word == "unstable":
         yield Fault(note("tips over sideways"), str(strip.sideways), "SidewaysMargin", curve_helps=False)
     for warning in strip.rod.warnings if outline_steps(strip.rod, strip.width.extremes[1]) else ():
         if isinstance(warning, Refusal) and warning.kind == "kinks":
