@@ -226,7 +226,7 @@ class Change:
     ----------
     field : str
         Name as in a design file: "max_width", "smooth"; "nearest" permits a change of the curve within the limits
-        of sheet and widths.
+        of sheet and widths; "join" closes gaps between the drawn edges up to a width.
     value : object
         Suggested value; lengths in mm.
     """
@@ -304,6 +304,12 @@ class Refusal(str):
         """Changes of this record and of the records in its values."""
         inside = (inner for inner in self.values.values() if isinstance(inner, Refusal))
         return (*self.changes, *(change for inner in inside for change in inner.all_changes))
+
+    @property
+    def fields(self) -> set[str]:
+        """Names of the fields that this record and the records in its values mention."""
+        inside = (inner.fields for inner in self.values.values() if isinstance(inner, Refusal))
+        return {str(name) for name in self.values.values() if isinstance(name, FieldName)}.union(*inside)
 
     @property
     def record(self) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from math import dist
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad.errors import InputError
+from elastica_cad.errors import Change, InputError, rounded_up
 from elastica_cad.formats.chains import curve_from_run, holes_on_chains, join_runs
 from elastica_cad.formats.edges import Edge, Run
 from elastica_cad.geometry.frame import Frame
@@ -92,11 +92,16 @@ JOIN = 1e-4  # largest gap, mm, between ends of edges that meet
 TANGENT = 1e-3  # rad
 EVEN = 1e-6  # least total turn, rad, of a curve that determines the side of its plane
 MEANT = 0.05  # largest distance of ends that are intended to meet, as a fraction of the extent of all edges
+JOINED_MM = 0.5  # largest gap, mm, that may be closed by moving an edge
 AS_DRAWN = np.eye(3)
 
 
 def placed_curve(
-    edges: Sequence[Edge], *, plane: Frame | None = None, turned: ArrayLike | None = None
+    edges: Sequence[Edge],
+    *,
+    plane: Frame | None = None,
+    turned: ArrayLike | None = None,
+    join: float = JOIN,
 ) -> tuple[PlaneCurve, Frame]:
     """Join edges (m, 3) end to end, and return the curve and its plane in space.
 
@@ -113,6 +118,8 @@ def placed_curve(
         The plane in which the edges are drawn, if it is known.
     turned : (3, 3) array, optional
         Rotation of the edges since they were drawn; the side of the frame is chosen before the rotation.
+    join : float
+        Largest gap between ends of edges that is closed, mm. Edges are moved as a whole, so tangents do not turn.
 
     Raises
     ------
@@ -122,7 +129,7 @@ def placed_curve(
     """
     if not edges:
         raise InputError("there is no edge: select at least one edge or wire for the strip to follow")
-    runs = edge_chains(edges)
+    runs = edge_chains(edges, join)
     if not runs:
         raise InputError("the edge has no length: draw a curve for the strip to follow")
     runs, holes = holes_on_chains(runs)
@@ -131,21 +138,24 @@ def placed_curve(
     turn = AS_DRAWN if turned is None else np.asarray(turned, dtype=float)
     run = runs[0]
     return place_chain(
-        run, partial(_side_of, turned=turn) if plane is None else partial(_within, plane=plane), holes[0]
+        run,
+        partial(_side_of, turned=turn) if plane is None else partial(_within, plane=plane),
+        holes[0],
+        join,
     )
 
 
-def edge_chains(edges: Sequence[Edge]) -> list[Run]:
-    """Join edges end to end, and return all chains; `place_chain` makes a curve of a chain."""
-    return join_runs([(edge,) for edge in edges], JOIN).chains
+def edge_chains(edges: Sequence[Edge], join: float = JOIN) -> list[Run]:
+    """Join edges across gaps of at most `join` mm, and return all chains; `place_chain` makes a curve of each."""
+    return join_runs([(edge,) for edge in edges], join).chains
 
 
 def place_chain(
-    run: Run, frame_of: Callable[[Run], Frame], holes: Sequence[Run] = ()
+    run: Run, frame_of: Callable[[Run], Frame], holes: Sequence[Run] = (), join: float = JOIN
 ) -> tuple[PlaneCurve, Frame]:
     """Return the curve of a chain of edges and its frame; refuse corners."""
     # in a closed wire, the first edge follows the last
-    closed = dist(run[0].start.tolist(), run[-1].end.tolist()) <= JOIN
+    closed = dist(run[0].start.tolist(), run[-1].end.tolist()) <= join
     for before, after in pairwise((*run, *run[:1]) if closed else run):
         out, onward = before.points[-1] - before.points[-2], after.points[1] - after.points[0]
         turn = np.arctan2(np.linalg.norm(np.cross(out, onward)), out @ onward)
@@ -167,7 +177,7 @@ def place_chain(
             )
     frame = frame_of(run)
     flat, *drilled = [in_plane(part, frame) for part in (run, *holes)]
-    return curve_from_run(flat, tolerance=JOIN, holes=drilled), frame
+    return curve_from_run(flat, tolerance=join, holes=drilled), frame
 
 
 def _why_not_one(runs: Sequence[Run]) -> str:
@@ -189,6 +199,7 @@ def _why_not_one(runs: Sequence[Run]) -> str:
             "constraint",
             gap=Length(gap),
             place=place,
+            changes=[Change("join", rounded_up(1.01 * gap, 2))] if gap <= JOINED_MM else [],
         )
     return note(
         "the edges form {count} separate chains, the nearest {gap} apart at {place}: join their ends, or "

@@ -521,6 +521,7 @@ def _smoothing_advice(curve: PlaneCurve) -> str:
 
 
 SMOOTH, SMOOTH_WITHIN = FieldName("smooth"), Length(0.1)
+SMOOTHED = (Change("smooth", SMOOTH_WITHIN + 0.0),)
 """Field and distance, mm, that messages suggest for a curvature that jumps."""
 
 
@@ -886,7 +887,8 @@ def _warn_of_widths(
             "kinks",
             "The width of the strip jumps at {places}, because the curvature jumps there. Set {field} to "
             "{within:g} for a smooth curve of degree 4 within that distance.",
-            {"places": lengths(steps), "field": SMOOTH, "within": SMOOTH_WITHIN}, severity="warning",
+            {"places": lengths(steps), "field": SMOOTH, "within": SMOOTH_WITHIN}, changes=SMOOTHED,
+            severity="warning",
         )  # fmt: skip
     if kinks:
         yield Refusal(
@@ -897,7 +899,7 @@ def _warn_of_widths(
             "The width of the strip has a kink at {places}, because the slope of the curvature jumps there. "
             "Do not repeat the knot there.",
             {"places": lengths(kinks), "field": SMOOTH, "within": SMOOTH_WITHIN},
-            severity="warning" if sharp else "note",
+            changes=SMOOTHED if curve.degree < 4 else (), severity="warning" if sharp else "note",
         )  # fmt: skip
 
 

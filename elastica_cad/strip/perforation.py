@@ -10,7 +10,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import SEEN_APART, counted, distinct_digits
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError, rounded_down, rounded_up
+from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
 from elastica_cad.geometry.approximations import as_arcs
 from elastica_cad.geometry.path import JOIN, Path, distances
 from elastica_cad.geometry.path_intersections import encloses, polylines_cross
@@ -518,6 +518,9 @@ class _Fit:
                 needed=Mm(needed),
                 given=Mm(given),
                 way=way,
+                changes=[Change("max_width", rounded_up(self.lowest * high / rigidity))]
+                if self.rod.bending_stiffness is None
+                else [],
             )
         if min_width is not None and scale * low / rigidity < min_width * (1 - SEEN_APART):
             total, limit = distinct_digits(scale * low / rigidity, min_width, ".4g")

@@ -500,6 +500,29 @@ def test_strips_of_the_curves_in_one_sketch(tmp_path):
 
 
 @pytest.mark.campaign
+def test_buttons_carry_the_numbers_of_a_refusal(tmp_path):
+    found = launching.run_window("suggested.py", tmp_path)
+    good = ["Up-to-date"]
+    assert found["narrow"] == [
+        "Invalid",
+        ["Make it 4.34 mm wide", "Use the nearest curve", "Make it all the same"],
+    ]
+    assert found["width"] == ["Make it 4.34 mm wide", 4.34]
+    assert found["Make it 4.34 mm wide"][:2] == [good, []]
+    assert found["breaks"][1][-1] == "Make it all the same"
+    assert found["Make it all the same"][0] == good
+    assert found["anyway"] == [True, 4]
+    assert found["kinks"] == ["Up-to-date", ["Smooth by 0.1 mm"]]
+    assert found["Smooth by 0.1 mm"][:2] == [good, []]
+    assert found["smooth"] == 0.1
+    assert found["gap"] == ["Invalid", ["Join the ends"]]
+    assert found["Join the ends"][:2] == [good, []]
+    assert found["joined"][1] + 60 == pytest.approx(found["joined"][2], rel=1e-6)
+    assert " to 30 mm wide" in found["pulled"]
+    assert " to 17 mm wide" in found["pulled, narrower"], "the width of the sketch's strip"
+
+
+@pytest.mark.campaign
 def test_a_curve_of_given_length_between_clamps(tmp_path):
     found = launching.run_window("between.py", tmp_path)
     assert not found["grey"]

@@ -1,5 +1,6 @@
 """The parametric strip in a document, without a window."""
 
+import math
 import re
 import sys
 from pathlib import Path
@@ -346,3 +347,62 @@ def test_parts_of_a_flat_body_keep_their_numbers(points):
         assert [one.Orientation for one in after] == [one.Orientation for one in before]
         for one, other in zip(after, before, strict=True):
             assert one.CenterOfMass.distanceToPoint(other.CenterOfMass) < 1e-6
+
+
+def suggested(made):
+    """What the panel would offer, as words and values."""
+    return {str(words): values for words, values in strip.suggestions(made).items()}
+
+
+def test_suggestions_carry_numbers_that_give_a_strip(document, sketch):
+    made = new(strip.create, document, sketch)
+    assert suggested(made) == {}
+    change(made, MaxWidth=2)
+    offered = suggested(made)
+    assert [*offered][1:] == ["Use the nearest curve", "Make it all the same"]
+    ((name, width),) = offered[next(iter(offered))].items()
+    assert name == "MaxWidth"
+    change(made, MaxWidth=0.98 * width)
+    assert "Invalid" in made.State, "it is the least width"
+    change(made, MaxWidth=width)
+    assert made.State == ["Up-to-date"], made.Reasons
+    change(made, MaxWidth=2, **offered["Make it all the same"])
+    assert made.State == ["Up-to-date"], made.Reasons
+    change(made, MaxWidth=0, MinWidth=0, Anyway=False)
+    assert "Use the nearest curve" not in suggested(made), "it has no width either"
+    change(made, MaxWidth=16, Style="Perforated", OuterWidth=20, MaterialWidth=2)
+    assert suggested(made)["Give it 4.33 mm of material"] == {"MaterialWidth": pytest.approx(4.333)}
+
+
+def test_kinks_are_smoothed_by_the_suggested_distance(document, drawn):
+    made = new(strip.create, document, drawn([(0, 0), (25, 45), (35, 90), (25, 135), (0, 180)], 3))
+    assert suggested(made) == {"Smooth by 0.1 mm": {"Smooth": 0.1}}
+    change(made, Smooth=0.1)
+    assert suggested(made) == {}
+    assert made.State == ["Up-to-date"]
+    assert 0 < made.Deviation.Value <= 0.1
+
+
+@pytest.mark.parametrize("gap", [0.001, 0.037, 0.45])
+def test_ends_are_joined_by_the_suggested_gap(document, gap):
+    made = document.addObject("Sketcher::SketchObject", "Sketch")
+    circle = Part.Circle(App.Vector(), App.Vector(0, 0, 1), 100)
+    made.addGeometry(Part.ArcOfCircle(circle, -math.pi / 2, -0.5), False)
+    made.addGeometry(Part.ArcOfCircle(circle, -0.5, 0.7), False)
+    start = App.Vector(gap * 0.6, -100 - gap * 0.8, 0)
+    made.addGeometry(Part.LineSegment(start, start - App.Vector(60, 0, 0)), False)
+    document.recompute()
+    joined = new(strip.create, document, made)
+    assert "apart" in joined.Reasons[0]
+    assert [*suggested(joined)] == ["Join the ends"]
+    change(joined, **suggested(joined)["Join the ends"])
+    assert joined.State == ["Up-to-date"], joined.Reasons
+    assert joined.Length.Value + 60 == pytest.approx(60 + 100 * (math.pi / 2 + 0.7), rel=1e-6)
+
+
+def test_ends_far_apart_are_not_joined(document):
+    made = document.addObject("Sketcher::SketchObject", "Sketch")
+    for x in (0, 61):
+        made.addGeometry(Part.LineSegment(App.Vector(x, 0, 0), App.Vector(x + 60, 0, 0)), False)
+    document.recompute()
+    assert suggested(new(strip.create, document, made)) == {}

@@ -475,6 +475,10 @@
         <source>Largest thickness in the plane</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Largest gap between ends of edges that is closed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>

@@ -471,6 +471,10 @@
         <source>Largest thickness in the plane</source>
         <translation>Größte Dicke in der Ebene</translation>
     </message>
+    <message>
+        <source>Largest gap between ends of edges that is closed</source>
+        <translation>Größte Lücke zwischen den Enden von Kanten, die geschlossen wird</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>

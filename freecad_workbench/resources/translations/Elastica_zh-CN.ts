@@ -471,6 +471,10 @@
         <source>Largest thickness in the plane</source>
         <translation>平面内的最大厚度</translation>
     </message>
+    <message>
+        <source>Largest gap between ends of edges that is closed</source>
+        <translation>可闭合的边端点之间的最大间隙</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>

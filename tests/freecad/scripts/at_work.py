@@ -26,6 +26,7 @@ from inside import (
     report,
     run,
     sketch,
+    suggestions,
     told,
     trigger,
     typed,
@@ -52,7 +53,7 @@ def refusals(strip):
         typed("MaxWidth", words)
         until(lambda words=words: strip.MaxWidth.Value == float(words.split()[0]))
         at_rest()
-        found[words] = [panel().form.message.text(), panel().form.useNearest.isVisible()]
+        found[words] = [panel().form.message.text(), suggestions()]
     button()
     return found
 

@@ -395,6 +395,19 @@ def typed(name, words):
     at_rest()
 
 
+def suggestions():
+    """What the buttons of the open panel say that suggest a change."""
+    return [button.text() for button in panel().form.suggestions if button.isVisible()]
+
+
+def suggested(words):
+    """The button that suggests this change, once it is there."""
+    assert until(lambda: words in suggestions()), suggestions()
+    button = next(one for one in panel().form.suggestions if one.text() == words)
+    scroll_to(button)
+    return button
+
+
 def told():
     """What a window of the workbench says."""
     from freecad.elastica_wb.host import dialogs

@@ -29,6 +29,7 @@ from inside import (
     scroll_to,
     sketch,
     still,
+    suggested,
     trigger,
     typed,
     until,
@@ -139,8 +140,7 @@ def change_ones_mind(document):
     open_panel("Elastica_Strip", wide)
     button("Cancel")
     open_panel("Elastica_Strip", bad)
-    until(panel().form.useNearest.isVisible)
-    click(panel().form.useNearest)
+    click(suggested("Use the nearest curve"))
     until(lambda: panel().object.Follow == "Nearest")
     button()
     (first,) = strips_of(document)

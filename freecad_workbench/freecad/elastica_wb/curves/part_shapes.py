@@ -20,7 +20,7 @@ from elastica_cad.formats.brep_writer import BinaryBrep, boundary_brep, face_bre
 from elastica_cad.formats.chains import holes_on_chains
 from elastica_cad.formats.drawn_file import DrawnCurve, ReadReport, ReadUnit, report_on
 from elastica_cad.formats.edges import Edge
-from elastica_cad.formats.placed_curve import edge_chains, in_plane, placed_curve
+from elastica_cad.formats.placed_curve import JOIN, edge_chains, in_plane, placed_curve
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -109,18 +109,22 @@ def is_bounded(box: App.BoundBox) -> bool:
     return bool(box.isValid()) and bool(box.DiagonalLength < ENDLESS_MM)
 
 
-def plane_curve(drawn: Iterable[Any], plane: Frame | None = None) -> tuple[PlaneCurve, Frame]:
-    """Return the single curve that edges or Part geometry form, and its plane. `plane` is the plane if it is known.
+def plane_curve(
+    drawn: Iterable[Any], plane: Frame | None = None, gap: float = 0.0
+) -> tuple[PlaneCurve, Frame]:
+    """Return the single curve that edges or Part geometry form, and its plane.
+
+    `plane` is the plane if it is known, and `gap` the largest gap between edges that is closed, mm.
 
     Raises
     ------
     InputError
         The edges form no curve or several curves, or have corners, or edges that are not plane.
     """
-    return placed_curve(_drawn_edges(drawn), plane=plane)
+    return placed_curve(_drawn_edges(drawn), plane=plane, join=max(JOIN, gap))
 
 
-def report_on_edges(drawn: Iterable[Any]) -> ReadReport | None:
+def report_on_edges(drawn: Iterable[Any], gap: float = 0.0) -> ReadReport | None:
     """Return the report on the curve that edges or Part geometry form, or None if they form none.
 
     Raises
@@ -130,8 +134,9 @@ def report_on_edges(drawn: Iterable[Any]) -> ReadReport | None:
     """
     drawn = list(drawn)
     edges = _drawn_edges(drawn)
-    curve, frame = placed_curve(edges)
-    ((chain,), _) = holes_on_chains(edge_chains(edges))
+    join = max(JOIN, gap)
+    curve, frame = placed_curve(edges, join=join)
+    ((chain,), _) = holes_on_chains(edge_chains(edges, join))
     flatten = partial(in_plane, frame=frame)
     read = DrawnCurve(1, lambda: curve, kinds=Counter(map(_kind, drawn)), chain=chain, flatten=flatten)
     return report_on([read], ReadUnit("mm", "stated", "the document"))

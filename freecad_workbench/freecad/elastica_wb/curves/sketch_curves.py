@@ -51,19 +51,30 @@ def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
     if source is None:
         raise InputError("the curve is missing: choose a sketch or an edge in the property Curve")
     edges = [name for name in names if name]
+    gap = gap_of(follower)
     if is_sketch(source):
         place = source.Placement
-        curve = plane_curve(_edges(source, edges), frame_of(place))[0] if edges else sketch_curve(source)
+        plane = frame_of(place)
+        curve = plane_curve(_edges(source, edges), plane, gap)[0] if edges else sketch_curve(source, gap=gap)
     else:
-        curve, frame = plane_curve(_edges(source, edges))
+        curve, frame = plane_curve(_edges(source, edges), gap=gap)
         place = placement_of(frame)
     world = container(source) * place
     return DrawnCurve(curve, container(follower).inverse() * world, world)
 
 
-def sketch_curve(sketch: Any, geometry: list[Any] | None = None) -> PlaneCurve:
-    """Return the only curve of a sketch, in sketch coordinates. `geometry` replaces the geometry of the sketch."""
-    curve, frame = plane_curve(drawn_in(sketch, geometry))
+def gap_of(*followers: Any) -> float:
+    """Return the largest gap between edges that these objects close, mm."""
+    gaps = (obj.JoinGaps.Value for obj in followers if hasattr(obj, "JoinGaps"))
+    return float(max(gaps, default=0.0))
+
+
+def sketch_curve(sketch: Any, geometry: list[Any] | None = None, gap: float = 0.0) -> PlaneCurve:
+    """Return the only curve of a sketch, in sketch coordinates, and close gaps of at most `gap` mm.
+
+    `geometry` replaces the geometry of the sketch.
+    """
+    curve, frame = plane_curve(drawn_in(sketch, geometry), gap=gap)
     if abs(frame.z_axis[2] - 1) > 1e-12:
         raise InputError("{sketch} is not plane", sketch=sketch.Label)
     return curve
@@ -74,7 +85,7 @@ def read_line(link: Any, geometry: list[Any] | None = None) -> str:
     source, edges = link
     whole = is_sketch(source) and not edges
     drawn = drawn_in(source, geometry) if whole else _edges(source, edges)
-    return note("Read: {report}.", report=str(report_on_edges(drawn)))
+    return note("Read: {report}.", report=str(report_on_edges(drawn, gap_of(*source.InList))))
 
 
 def drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:

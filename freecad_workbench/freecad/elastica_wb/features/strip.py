@@ -12,11 +12,11 @@ import FreeCAD as App
 from freecad.elastica_wb.curves.copies import Standing, copies, repeated
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 from freecad.elastica_wb.features.proxy import Feature, parents
-from freecad.elastica_wb.features.strip_properties import PROPERTIES, spec_of
+from freecad.elastica_wb.features.strip_properties import FOLLOW, PROPERTIES, STYLES, spec_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.objects import dress, is_sketch, is_strip
 from freecad.elastica_wb.host.property_table import put
-from freecad.elastica_wb.host.refusal import FAILURES
+from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
 from freecad.elastica_wb.host.words import capital, worded
@@ -32,10 +32,10 @@ from freecad.elastica_wb.solving.strip_cache import (
 from freecad.elastica_wb.solving.verdicts import is_bent_beforehand, strip_faults
 
 from elastica_cad.design.reports import pre_bend_message
-from elastica_cad.errors import ElasticaError, InputError, StrainError
+from elastica_cad.errors import Change, ElasticaError, InputError, StrainError
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.theorem1 import NotRealizable
-from elastica_cad.refusals import Length, note, sentences
+from elastica_cad.refusals import Length, Refusal, note, sentences
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
@@ -192,6 +192,63 @@ def valid_request(obj: Any) -> StripSpec | None:
     except FAILURES:
         return None
     return spec if obj.MaxWidth.Value > 0 or obj.MinWidth.Value > 0 else None
+
+
+def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
+    """Return the changes that an error or a remark of a strip suggests: a text, and the values of properties.
+
+    Changes of numbers are tried, so they give a strip that can be made.
+    """
+    spec, fields = None, set[str]()
+    try:
+        spec = spec_of(obj, drawn_curve(obj.Curve, obj))
+        strip = solve_strip(spec)
+        remarks = [record for record in strip.warnings if isinstance(record, Refusal)]
+        changes = [change for record in remarks for change in record.all_changes]
+        changes += [Change("nearest", True) for fault in strip_faults(strip) if fault.curve_helps]
+    except FAILURES as error:
+        refusal = explained(error).refusal
+        changes, fields = list(refusal.all_changes), refusal.fields
+        if spec is not None:  # the request is valid, so another curve may help
+            changes.append(Change("nearest", True))
+    if "ignore_limits" in fields:
+        changes.append(Change("ignore_limits", True))
+    known = filter(None, (_suggestion(obj, change) for change in changes if _may_help(spec, change)))
+    return dict(known)
+
+
+def _suggestion(obj: Any, change: Change) -> tuple[str, dict[str, Any]] | None:
+    """Return the text of a change and the values of properties, or None if the strip has no such property."""
+    match change:
+        case Change("max_width", width) if obj.Style != STYLES[0]:
+            return note("Give it {width} of material", width=Length(width)), {"MaterialWidth": width}
+        case Change("max_width", width):
+            return note("Make it {width} wide", width=Length(width)), {"MaxWidth": width}
+        case Change("style.width", width):
+            return note("Make it {width} wide", width=Length(width)), {"OuterWidth": width}
+        case Change("thickness", thickness):
+            return note("Use a sheet {thickness} thick", thickness=Length(thickness)), {
+                "Thickness": thickness
+            }
+        case Change("smooth", within):
+            return note("Smooth by {within}", within=Length(within)), {"Smooth": within}
+        case Change("join", gap):
+            return note("Join the ends"), {"JoinGaps": gap}
+        case Change("nearest") if obj.Follow == FOLLOW[0] and (obj.MaxWidth.Value or obj.MinWidth.Value):
+            return note("Use the nearest curve"), {"Follow": FOLLOW[1]}
+        case Change("ignore_limits"):
+            return note("Make it all the same"), {"Anyway": True}
+    return None
+
+
+def _may_help(spec: StripSpec | None, change: Change) -> bool:
+    """Return True if a strip can be made after a change of numbers. Other changes are not tried."""
+    if spec is None or isinstance(change.value, bool):
+        return True
+    with suppress(ElasticaError):
+        changed = spec.with_change(change)
+        return changed is None or bool(solve_strip(changed))
+    return False
 
 
 def shown_strip(obj: Any) -> Strip:

@@ -94,6 +94,7 @@ FIELDS = dict(_one_to_one())
 
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
+    Property("Length", "JoinGaps", "Curve", "Largest gap between ends of edges that is closed"),
     Property("Enumeration", "Form", "Curve", "Shape of the feature: the strip as bent or as cut", FORMS),
     Property("Enumeration", "Sheet", "Sheet", "Material the strip is cut from"),
     Property("Length", "Thickness", "Sheet", "Thickness of the sheet; measure yours", 1.0),
@@ -218,6 +219,7 @@ NEAREST = tuple(
     or entry.name
     in (
         "Curve",
+        "JoinGaps",
         "LeastWidth",
         "StartSupport",
         "EndSupport",

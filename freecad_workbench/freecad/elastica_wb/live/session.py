@@ -15,6 +15,7 @@ from freecad.elastica_wb.curves.sketch_curves import (
     curve_into,
     drawn_curve,
     drawn_in,
+    gap_of,
     is_blank,
     read_line,
     sketch_curve,
@@ -169,7 +170,8 @@ class Session:
         self.card.offer("")
         self.overlay.show_nearest(None)
         try:
-            self._curve, self._geometry = sketch_curve(self.sketch, geometry), geometry
+            gap = gap_of(*sketches.followers(self.sketch))
+            self._curve, self._geometry = sketch_curve(self.sketch, geometry, gap), geometry
             spec = self._spec()
             if self._scale is None:
                 self._scale = comb_scale(self._curve)

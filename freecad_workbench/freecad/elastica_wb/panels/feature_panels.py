@@ -21,7 +21,7 @@ from freecad.elastica_wb.features.flat import FlatFeature
 from freecad.elastica_wb.features.flexure import FlexureFeature, flexure_of
 from freecad.elastica_wb.features.model import ModelFeature
 from freecad.elastica_wb.features.nest import NestFeature
-from freecad.elastica_wb.features.strip import shown_strip
+from freecad.elastica_wb.features.strip import shown_strip, suggestions
 from freecad.elastica_wb.features.strip_properties import PROPERTIES, STYLES
 from freecad.elastica_wb.host.charts import line_chart
 from freecad.elastica_wb.host.objects import feature_kind
@@ -146,6 +146,7 @@ STRIP = Layout(
     },
     "Curve",
     strip_rows,
+    suggestions=suggestions,
     footnote=lambda obj: obj.Held,
 )
 

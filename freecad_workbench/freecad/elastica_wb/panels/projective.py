@@ -9,14 +9,17 @@ import numpy as np
 from freecad.elastica_wb.curves.sketch_curves import (
     box_around,
     curve_into,
+    drawn_curve,
     evened,
     lost_constraints,
     sketch_curve,
 )
+from freecad.elastica_wb.features.strip_properties import spec_of
 from freecad.elastica_wb.host.fields import set_value
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.live.preview import Preview
+from freecad.elastica_wb.live.sketches import followers
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.recording import recorded
 from freecad.elastica_wb.solving.strip_cache import default_spec, solve_strip
@@ -42,6 +45,7 @@ class ProjectivePanel(Panel):
         self.drawn = sketch_curve(sketch)
         super().__init__(sketch.Document, [sketch])
         self.sketch = sketch
+        self._asks: StripSpec | None = None
         self.curve = self.drawn
         self.corners = box_around(self.drawn)
         self.handles: FloatArray = self.corners
@@ -98,7 +102,11 @@ class ProjectivePanel(Panel):
             recorded(curve_into, self.sketch, evened(self.curve))
 
     def _spec(self) -> StripSpec:
-        return default_spec(self.curve)
+        """Return the request for the strip of the sketch with the transformed curve, or for a usual strip."""
+        if self._asks is None:
+            specs = (spec_of(strip, drawn_curve(strip.Curve, strip)) for strip in followers(self.sketch))
+            self._asks = next(specs, default_spec(self.drawn))
+        return self._asks.changed(curve=self.curve, limits=None, keep=None)
 
     def _draw(self) -> None:
         if self.preview is not None:

@@ -4,6 +4,7 @@
 """The panel of a feature: a labelled widget for each property, updated in both directions."""
 
 import gc
+from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
@@ -49,6 +50,9 @@ STYLES = {
 """Colours of rows by their severity: red if the strip fails by a number, orange for other warnings."""
 
 
+MOST_SUGGESTED = 5  # buttons for changes that may help
+
+
 @dataclass(frozen=True)
 class Layout:
     """Contents of the panel for a kind of feature.
@@ -70,6 +74,8 @@ class Layout:
         Buttons that replace the feature and close the panel.
     picture : callable
         A pixmap below the rows, or None.
+    suggestions : callable
+        Changes that may help, as texts with the values of properties. Each has a button.
     footnote : callable
         Late results, shown below all widgets.
     """
@@ -84,6 +90,7 @@ class Layout:
     results: Callable[[Any], Sequence[Row]] = lambda _: ()
     actions: tuple[tuple[str, Callable[[Any], None]], ...] = ()
     picture: Callable[[Any], Any] = lambda _: None
+    suggestions: Callable[[Any], Mapping[str, dict[str, Any]]] = lambda _: {}
     footnote: Callable[[Any], str] = lambda _: ""
 
 
@@ -105,6 +112,7 @@ class PropertyPanel(Panel):
         self.rows: dict[str, tuple[Any, Any]] = {}
         self._touched: dict[str, None] = {}
         self._changed: dict[str, None] = {}
+        self._suggested: dict[str, list[tuple[Any, dict[str, Any]]]] = {}
         self._writing = False
         super().__init__(obj.Document, self.objects)
         for name, widget in self.fields.items():
@@ -125,11 +133,11 @@ class PropertyPanel(Panel):
         form.numbers.setWordWrap(True)
         form.message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         outer.addWidget(form.message)
-        form.useNearest = QtWidgets.QPushButton(translate("Elastica", "Use the nearest curve"))
-        form.useNearest.setObjectName("useNearest")
-        form.useNearest.clicked.connect(self._use_nearest)
-        form.useNearest.hide()
-        outer.addWidget(form.useNearest)
+        form.suggestions = [QtWidgets.QPushButton() for _ in range(MOST_SUGGESTED)]
+        for number, button in enumerate(form.suggestions):
+            button.clicked.connect(lambda *_, number=number: self._take(number))
+            button.hide()
+            outer.addWidget(button)
         form.addSupport = QtWidgets.QPushButton()
         form.addSupport.setObjectName("addSupport")
         form.addSupport.clicked.connect(self._add_support)
@@ -272,8 +280,8 @@ class PropertyPanel(Panel):
         self.form.picture.setVisible(picture is not None)
         if picture is not None:
             self.form.picture.setPixmap(picture)
+        self._suggest()
         spec = valid_request(obj) if failed and getattr(obj, "Follow", "") == "Exactly" else None
-        self.form.useNearest.setVisible(spec is not None)
         self._search = begun(find_support, spec) if spec is not None and len(self.objects) == 1 else None
         self._offer_support()
         self.form.footnote.setText("" if failed else layout.footnote(obj))
@@ -306,10 +314,23 @@ class PropertyPanel(Panel):
             return "\n".join([obj.Verdict, *obj.Reasons])
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))
 
-    def _use_nearest(self, *_: Any) -> None:
+    def _suggest(self) -> None:
+        """Show a button for each change that an error or a remark of the features suggests."""
+        self._suggested = defaultdict(list)
         for obj in self.objects:
-            obj.Follow = "Nearest"
-        self._changed["Follow"] = None
+            for text, values in self.layout.suggestions(obj).items():
+                self._suggested[text].append((obj, values))
+        texts = [*self._suggested, *[""] * MOST_SUGGESTED]
+        for text, button in zip(texts, self.form.suggestions, strict=False):
+            button.setText(worded(text))
+            button.setVisible(bool(text))
+
+    def _take(self, number: int) -> None:
+        """Apply a suggested change to the features that it is for."""
+        for obj, values in [*self._suggested.values()][number]:
+            for name, value in values.items():
+                setattr(obj, name, value)
+                self._changed[name] = None
         self._recompute()
 
     def _offer_support(self) -> None:
