@@ -258,7 +258,7 @@ def test_a_maker_at_work(tmp_path):
     assert offered
     assert not useless, "the nearest curve is no help against a width of 0"
     assert "Make it wider (MaxWidth" in narrow
-    assert none.startswith("There is no strip.\nA strip needs MaxWidth or MinWidth (mm), because")
+    assert none.startswith("There is no strip.\nA strip needs MaxWidth or MinWidth, in mm, because")
     assert fits.startswith("A flat strip")
     assert not re.search("max_width|min_width|--", narrow + none + fits), "words of those who type commands"
     assert "Invalid" in found["without its sketch"][0]
@@ -622,7 +622,7 @@ def test_macros_do_what_the_hand_did(tmp_path):
     assert made["strips"][1][:3] == [25, 25, "Perforated"], "as wide as it was made before"
     assert [one[4:] for one in minds["strips"]] == [["Nearest", "Sketch"], ["Exactly", "Low"]]
     assert [one[2] for one in minds["strips"]] == ["Plain", "Plain"], "what Cancel took back"
-    assert "give the strips tabs" in found["refused"]
+    assert "Add tabs to the strips" in found["refused"]
     assert [one[0] for one in minds["objects"]].count("Fixtures") == 1
     assert {"Bent", "Coupon"} <= {one[0] for one in reshaped["objects"]}
     assert len(reshaped["steps"]) == 5, "as many steps to undo as by hand"
