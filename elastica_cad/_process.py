@@ -9,7 +9,7 @@ from threading import current_thread, main_thread
 from types import FrameType
 
 PACKAGES = Path(__file__).parents[1]
-"""Folder of this package, which in a checkout is not among Python's folders."""
+"""Folder that contains this package. In a checkout, a new Python does not search this folder by itself."""
 
 
 def python_command(module: str, function: str) -> list[str]:

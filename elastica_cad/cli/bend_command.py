@@ -317,7 +317,7 @@ def _shortened(action: ElementForce, by: float) -> Any:
 def _steps(
     rod: Rod, chosen: dict[str, Any], supports: Supports, change: dict[str, Any], *, listed: bool = False
 ) -> list[dict[str, Any]]:
-    """Return the keywords of `bend` for every shape on the path; forces are `listed` from travel 0."""
+    """Return the keywords of `bend` for every shape on the path; with `listed` the path begins at travel 0."""
     here = rod.position[[0, -1]]
     there = np.array(
         [

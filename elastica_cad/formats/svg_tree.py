@@ -462,7 +462,7 @@ CLIPPED = "data-clipped"
 """Attribute of a clone that is clipped or masked."""
 
 CLONE = "data-clone-"
-"""Prefix of attributes with the numbers of clones; a shape in nested clones has all, the outermost first."""
+"""Prefix of the attributes that number clones. A shape in nested clones has one for each, the outermost first."""
 
 
 @dataclass(frozen=True)

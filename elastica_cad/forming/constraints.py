@@ -315,7 +315,7 @@ class MarginLimit(Constraint):
         return rod
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """(mu - limit min K) / scale, (1,)."""
+        """Return the margin above its limit, (mu - limit min K) / scale, as an array (1,)."""
         mu = self.disturbed(rod).margin.value
         return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
 

@@ -33,7 +33,7 @@ class TargetCurve:
     Attributes
     ----------
     position : (spans + 1, 2) array
-        In lengths, from `origin`.
+        Relative to `origin`, divided by `size`.
     angle, curvature : (spans + 1,) arrays
     size : float
         The unit of length, mm.

@@ -288,8 +288,8 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
             chains = chains if total > other_total else other
             at = frame.point(local[height == 0][0, :2])
             reports.append(note(
-                "{name}: an edge or a face of the mesh is in the plane, near {place}; the section follows "
-                "the longer of the two sides ({longer:.6g}, not {shorter:.6g})",
+                "{name}: near {place} an edge or a face of the mesh is exactly in the plane, so the section "
+                "is ambiguous. The longer of two possible sections is used ({longer:.6g}, not {shorter:.6g})",
                 name=name, place=place_in_words(at), longer=Length(max(total, other_total)),
                 shorter=Length(min(total, other_total)),
             ))  # fmt: skip

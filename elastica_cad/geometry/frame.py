@@ -95,7 +95,7 @@ class Frame:
         return np.asarray((points - self.origin) @ self.axes.T, dtype=float)
 
     def within(self, outer: "Frame") -> "Frame":
-        """Return this frame, given in the coordinates of `outer`, in space."""
+        """Return the frame in space, if this frame is in the coordinates of `outer`."""
         require_record(outer, Frame, "the outer frame", "a Frame")
         return Frame(outer.point(self.origin), outer.direction(self.x_axis), outer.direction(self.y_axis))
 

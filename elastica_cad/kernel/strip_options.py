@@ -69,7 +69,7 @@ class StripOptions(TypedDict, total=False):
     shop: Annotated["FabricationLimits", "Limits of the workshop."]
     compensate: Annotated[
         "bool | None",
-        "Compensate slots, narrow tabs and bending by the widths; by default only anticlastic bending.",
+        "Correct the widths for slots and narrow tabs too; by default only for anticlastic bending.",
     ]
     creep: Annotated["float", "Long-term creep factor of the sheet; 0 for no creep."]
     law: Annotated[

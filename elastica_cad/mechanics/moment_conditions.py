@@ -368,7 +368,7 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
         values = rows @ y + offset
         rounded: FloatArray | float = 0.0
         if np.abs(y - before).max() <= _SAME * np.abs(y).max():
-            # remaining excess over the bounds is within the tolerance of the solver
+            # the solution no longer changes: accept bounds that are exceeded by the tolerance of the solver
             tolerance = BOUNDED
             rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))  # rounding where large terms cancel
         before = y

@@ -100,7 +100,7 @@ def _kept_of_bent(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
     """Return the counterpart of `flat` for strips with natural curvature kappa_0 (n,)."""
-    # in a strip that is bent straight, x * slope vanishes faster than kappa
+    # where kappa is 0, `scaled` is 0, because `flat` vanishes faster than kappa
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)

@@ -386,7 +386,8 @@ def stability(rod: Rod) -> Stability:
     borderline = abs(margin.value) <= 64 * float(np.finfo(float).eps) * scale
     if not borderline and (negative == 0) != (margin.value > 0):
         raise NotConvergedError(
-            "stability is undecided: {negative} unstable modes counted, but the margin is {given:.6g}",
+            "The stability is undecided, because two computations disagree: {negative} unstable modes, but "
+            "a margin of {given:.6g}. Compute the rod with more nodes.",
             negative=negative,
             given=margin.value,
         )

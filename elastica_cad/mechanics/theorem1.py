@@ -378,7 +378,7 @@ class PairCheck:
 
 
 class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public name
-    """Error: no admissible stiffness makes the curve, or two curves, rest shapes; see `check`."""
+    """Error that no strip can rest in the drawn curve, or in both drawn curves; `check` has the reasons."""
 
     KIND = "not realizable"
 

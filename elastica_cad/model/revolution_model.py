@@ -114,7 +114,10 @@ def _bound(
     gap: float,
     names: tuple[str, str],
 ) -> _Bound:
-    """Return the plane between two strips, moved towards the first strip by the gap, in its coordinates."""
+    """Return the plane that bounds the first strip, in its coordinates.
+
+    It is the plane in the middle between both strips, moved towards the first strip by the gap.
+    """
     frame, opposite = placed_curve[1], other[1]
     middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (placed_curve, other)]
     z, r = frame.z_axis, opposite.z_axis

@@ -65,7 +65,12 @@ class FlexureSpec(EqualByValue):
         ),
     ] = None
     limits: Annotated[PairLimits, Option("Upper limits of the strip.")] = field(default_factory=PairLimits)
-    free: Annotated[State | None, Option("State that needs no support.", common=True)] = None
+    free: Annotated[
+        State | None,
+        Option(
+            "State in which the part rests without any support; by default both states need one.", common=True
+        ),
+    ] = None
     objective: Annotated[
         Objective,
         Option("Aim: the thickest part that the strain allows, or the most even thickness.", common=True),

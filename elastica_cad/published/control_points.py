@@ -153,7 +153,7 @@ class CurveChanges:
 
     @cached_property
     def _stretching(self) -> tuple[PanelFunction, FloatArray, FloatArray]:
-        """Changes (r) of the arc length along the panels, at their left ends (N, r), and of all of it (r,)."""
+        """Derivatives by the r moves of arc lengths: in panels, at their left ends (N, r), of the curve (r,)."""
         panels, curve = self.state.balance.panels, self.state.curve
         d1 = curve.evaluate(self._t, 1)
         tangent = d1 / np.linalg.norm(d1, axis=1, keepdims=True)
@@ -380,13 +380,13 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
     upper = np.concatenate([np.full(r, radius), [10.0, 2.0, 1e4]])
 
     def soft(places: IntArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows of R (C + dC u) - c + R s >= 0: compliance at least c / R, with slack s."""
+        """Return rows of R (C + dC u) - c + R s >= 0: the compliance C is at least c / R, except for a slack s."""
         ones = np.ones((places.size, 1))
         rows = np.hstack([aim.ratio * dC[places], -ones, aim.ratio * ones, 0 * ones])
         return rows, -aim.ratio * C[places]
 
     def stiff(places: IntArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows of c - (C + dC u) >= 0: compliance at most c."""
+        """Return rows of c - (C + dC u) >= 0: the compliance C is at most c."""
         ones = np.ones((places.size, 1))
         return np.hstack([-dC[places], ones, 0 * ones, 0 * ones]), C[places]
 

@@ -518,7 +518,7 @@ class StripSpec(EqualByValue):
     compensate: Annotated[
         bool | None,
         Option(
-            "Compensate slots, narrow tabs and bending by the widths; by default only anticlastic bending.",
+            "Correct the widths for slots and narrow tabs too; by default only for anticlastic bending.",
             group="widths",
             common=True,
         ),

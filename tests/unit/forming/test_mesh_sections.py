@@ -151,7 +151,7 @@ def test_an_edge_of_an_open_mesh_in_the_plane_is_kept():
     for y in (0.0, 30.0):
         section = mesh_sections(vertices, faces, [Frame((0, y, 0), (1, 0, 0), (0, 0, 1))])[0]
         assert section.line.length == pytest.approx(20 * np.pi, rel=1e-3)
-        assert "is in the plane" in section.reports[1]
+        assert "is exactly in the plane" in section.reports[1]
 
 
 def test_broken_meshes_are_described():

@@ -70,7 +70,7 @@ def strip_rows(obj: Any) -> Sequence[Row]:
 
 
 def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
-    """Return rows, as errors if the strip fails by one of these results."""
+    """Return the rows, marked as errors if one of these results is outside its limit."""
     failed = bool({*results} & {*obj.Fails})
     return [replace(row, severity="error") if failed else row for row in rows]
 
