@@ -3,6 +3,7 @@
 import ast
 import importlib.metadata
 import inspect
+import json
 import re
 import tomllib
 from functools import cache
@@ -222,6 +223,14 @@ def _kinds(row, _):
     (table,) = [table for table in tables() if table.page == "docs/freecad_tools/rails.md"]
     assert [kind for kind, _ in table.rows] == kinds
     assert row[0] in kinds
+
+
+@asks("docs/freecad_tools/strip.md", "button", "changes")
+def _changes(row, _):
+    """Each button is a text of the workbench, with a number in place of the gap."""
+    texts = json.loads((ROOT / "elastica_cad" / "words" / "de.json").read_text(encoding="utf-8"))
+    patterns = (re.sub(r"\\\{[^}]*\\\}", r"[\\d.]+ mm", re.escape(text)) for text in texts)
+    assert any(re.fullmatch(pattern, row[0].strip("*")) for pattern in patterns)
 
 
 @asks(WORKBENCH, "command", "keys", "purpose")
