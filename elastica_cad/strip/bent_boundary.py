@@ -182,6 +182,7 @@ PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])  # number of places in a span a
 LEAST_SPANS = 3  # least number of spans in an edge; kernels fail to fillet edges of one or two spans
 MOST_PARTS = 4  # parts of a span in one subdivision
 SPARE = 1.1  # factor on the number of parts that the error requires
+LEVEL_MM = 1e-9  # largest difference of the width along a wall that is plane, mm
 FIRST_TURN = 0.2  # largest turn of the initial spans, rad
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
@@ -526,9 +527,10 @@ class BoundaryMaker:
         segment, up = piece.segment, self.heights[0]
         straight = isinstance(segment, Line)
         if isinstance(shape, BentMap) and not _is_across(segment):
-            if straight and segment.start[1] == segment.end[1]:
+            least, most = _across(segment)
+            if most - least < LEVEL_MM:  # kernels join such walls of equal strips side by side
                 side = -1.0 if segment.end[0] > segment.start[0] else 1.0
-                frame = shape.frame.shifted(z=float(segment.start[1]))
+                frame = shape.frame.shifted(z=(least + most) / 2)
                 return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
             if not (isinstance(low.curve, SpaceCurve) and isinstance(high.curve, SpaceCurve)):
                 raise TypeError("the edges of a bent face must be splines")
