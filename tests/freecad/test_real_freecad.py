@@ -545,7 +545,7 @@ def test_a_curve_of_given_length_between_clamps(tmp_path):
     assert turned_over == [1, pytest.approx(length, rel=1e-4), *pulled[2:]]
     assert found["longer"][1] == pytest.approx(320, rel=1e-4)
     words, kept = found["too short"]
-    assert "make it longer" in words
+    assert "make the strip longer" in words
     assert kept == found["longer"]
     assert found["verdict"] in ("can", "breaks")
     assert found["done"]
