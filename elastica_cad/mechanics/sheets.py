@@ -224,10 +224,17 @@ def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
 
     text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
     return tuple(
-        (name, fields, entry["title"] if "name" in entry else f"{entry['title']} {fields['thickness']:g} mm")
+        (name, fields, _title(entry, fields))
         for table, entry in tomllib.loads(text).items()
         for name, fields in _entry_sheets(table, entry)
     )
+
+
+def _title(entry: Mapping[str, Any], fields: Mapping[str, Any]) -> str:
+    """Return the title of a sheet as a record, which front ends translate."""
+    if "name" in entry:
+        return note(entry["title"])
+    return note("{title} {thickness:g} mm", title=entry["title"], thickness=fields["thickness"])
 
 
 def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:

@@ -6,13 +6,25 @@ import re
 from pathlib import Path
 from string import Formatter
 
+import FreeCAD as App
+import numpy as np
 import pytest
 from freecad.elastica_wb.host import words
 from freecad.elastica_wb.host.words import Unit, capital, worded
 
 from elastica_cad import InputError, PlaneCurve, check_equilibrium
 from elastica_cad.mechanics import SidewaysStability
-from elastica_cad.refusals import FieldName, Length, Listed, Point, Span, note, sentences
+from elastica_cad.refusals import (
+    MATERIAL_WIDTH,
+    Either,
+    FieldName,
+    Length,
+    Listed,
+    Point,
+    Span,
+    note,
+    sentences,
+)
 from elastica_cad.strip.uncuttable_parts import Fault
 from tests.freecad.features import change
 
@@ -280,3 +292,45 @@ def test_blanks_bent_beforehand_are_told_in_other_languages(document, sketch, re
     said = " ".join([made.Verdict, *made.Reasons])
     assert "Invalid" not in made.State, said
     assert not re.search(r"\b(bend|bent|beforehand|the|way|stands|its|strip|radius of|report)\b", said), said
+
+
+def test_messages_are_stored_for_readers_of_all_languages(document, sketch, monkeypatch, tmp_path):
+    """A file that was saved in German is read in English; a file that was edited by hand opens."""
+    from freecad.elastica_wb.features import strip
+
+    monkeypatch.setattr(words, "user_language", lambda: "de")
+    made, broken = strip.create(document, sketch), strip.create(document, sketch)
+    made.NaturalCurvature, broken.Sheet = 0.004, "birch-plywood-3"
+    document.recompute()
+    german = [made.Verdict, *made.Reasons, made.Sideways, broken.Verdict, *broken.Reasons]
+    assert made.Verdict == "Ein vorgebogener Streifen nimmt diese Kurve an. Es gibt Anmerkungen."
+    broken.Messages = broken.Messages[:-9]
+    document.saveAs(str(tmp_path / "german.FCStd"))
+    monkeypatch.setattr(words, "user_language", lambda: "en")
+    again = App.openDocument(str(tmp_path / "german.FCStd"))
+    try:
+        first, second = again.getObject(made.Name), again.getObject(broken.Name)
+        english = [first.Verdict, *first.Reasons, first.Sideways]
+        assert english[0] == "A pre-bent strip takes this curve. There are remarks."
+        assert second.Verdict == broken.Verdict
+        for obj in (first, second):
+            obj.touch()
+        again.recompute()
+        assert [first.Verdict, *first.Reasons, first.Sideways] == english
+        assert not {*german} & {*english, second.Verdict, *second.Reasons}
+    finally:
+        App.closeDocument(again.Name)
+
+
+def test_a_stored_message_has_all_its_values():
+    message = sentences([
+        note("at {at}, {width}", at=Listed(map(Length, (1.5, 20))), width=Span.of(20.8, 30)),
+        note("{far} from {place}", far=Length(1.25), place=Point((25.4, -50.8))).at(strip="A1"),
+        note("{count} {flag} {share:.3g}", count=3, flag=True, share=np.float64(0.123456)),
+        note("set {name}, or {other}", name=FieldName("max_width"), other=MATERIAL_WIDTH),
+        note("{either}", either=Either(["widen it", note("take {name}", name="another sheet")])),
+    ])  # fmt: skip
+    again = words.unpacked(json.loads(json.dumps(words.packed(message))))
+    inch = Unit("in", 25.4)
+    assert (str(again), worded(again, inch)) == (str(message), worded(message, inch))
+    assert "MaterialWidth" in worded(again)

@@ -3,14 +3,16 @@
 
 """Registers the workbench, its preferences page and its translations; FreeCAD imports this at its start."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb import command
 from freecad.elastica_wb.features.views import KINDS, View
+from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.objects import view_providers
-from freecad.elastica_wb.host.resources import RESOURCES, icon
+from freecad.elastica_wb.host.resources import RESOURCES, icon, load_panel
 from freecad.elastica_wb.live import observers
 
 translate = App.Qt.translate
@@ -53,11 +55,43 @@ def _panel_of(obj: Any) -> Any:
     return panel_of(obj)
 
 
+class PreferencesPage:
+    """The page of the workbench in FreeCAD's preferences. FreeCAD makes it when the preferences are opened."""
+
+    def __init__(self, _parent: Any = None) -> None:
+        from freecad.elastica_wb.host.fields import put_sheets
+        from freecad.elastica_wb.host.sheet_store import sheet_list
+
+        self.form = load_panel("preferences")
+        put_sheets(self.form.defaultSheet, sheet_list())
+
+    def loadSettings(self) -> None:
+        """Show the preferences."""
+        from freecad.elastica_wb.host.fields import set_value
+
+        for name, widget in self._widgets():
+            set_value(widget, preferences.get(name))
+
+    def saveSettings(self) -> None:
+        """Store the preferences."""
+        from freecad.elastica_wb.host.fields import value_of
+
+        for name, widget in self._widgets():
+            preferences.put(name, value_of(widget))
+
+    def _widgets(self) -> Iterator[tuple[str, Any]]:
+        """Yield the names of preferences and their widgets, whose names begin with a small letter."""
+        for name in preferences.DEFAULTS:
+            widget = getattr(self.form, name[0].lower() + name[1:], None)
+            if widget is not None:
+                yield name, widget
+
+
 def _begin() -> Any:
     Gui.addLanguagePath(str(RESOURCES / "translations"))
     Gui.updateLocale()
     Gui.addIconPath(str(RESOURCES / "icons"))
-    Gui.addPreferencePage(str(RESOURCES / "ui" / "preferences.ui"), "Elastica")
+    Gui.addPreferencePage(PreferencesPage, "Elastica")
     view_providers.update(KINDS)
     View.panel_of = staticmethod(_panel_of)
     observers.install()

@@ -479,6 +479,10 @@
         <source>Largest gap between ends of edges that is closed</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Messages in all languages</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -532,10 +536,6 @@
     </message>
     <message>
         <source>The files do not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the files.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The nest does not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the cutting files.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1913,7 +1913,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sheet that new strips are made of; a name of the sheet library</source>
+        <source>Sheet that new strips are made of</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

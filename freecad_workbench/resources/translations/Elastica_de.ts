@@ -475,6 +475,10 @@
         <source>Largest gap between ends of edges that is closed</source>
         <translation>Größte Lücke zwischen den Enden von Kanten, die geschlossen wird</translation>
     </message>
+    <message>
+        <source>Messages in all languages</source>
+        <translation>Meldungen in allen Sprachen</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -529,10 +533,6 @@
     <message>
         <source>The files do not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the files.</source>
         <translation>Die Dateien enthalten {later} nicht, das nach {strip} hinzugefügt wurde. Ergänzen Sie es im Streifen (Schlitze, Laschen, Löcher), oder zeichnen Sie es in die Dateien.</translation>
-    </message>
-    <message>
-        <source>The nest does not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the cutting files.</source>
-        <translation>Die Schachtelung enthält {later} nicht, das nach {strip} hinzugefügt wurde. Ergänzen Sie es im Streifen (Schlitze, Laschen, Löcher), oder zeichnen Sie es in die Schneiddateien.</translation>
     </message>
     <message>
         <source>choose a folder for the files</source>
@@ -1909,8 +1909,8 @@
         <translation>Die nächste biegbare Kurve zeigen</translation>
     </message>
     <message>
-        <source>Sheet that new strips are made of; a name of the sheet library</source>
-        <translation>Platte, aus der neue Streifen sind; ein Name der Plattenbibliothek</translation>
+        <source>Sheet that new strips are made of</source>
+        <translation>Platte, aus der neue Streifen sind</translation>
     </message>
     <message>
         <source>Width of the widest place of new strips</source>

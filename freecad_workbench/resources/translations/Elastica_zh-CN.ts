@@ -475,6 +475,10 @@
         <source>Largest gap between ends of edges that is closed</source>
         <translation>可闭合的边端点之间的最大间隙</translation>
     </message>
+    <message>
+        <source>Messages in all languages</source>
+        <translation>各语言的消息</translation>
+    </message>
 </context>
 <context>
     <name>Elastica</name>
@@ -529,10 +533,6 @@
     <message>
         <source>The files do not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the files.</source>
         <translation>文件不包含在 {strip} 之后添加的 {later}。请在条带中添加（槽、耳片、孔），或画入文件。</translation>
-    </message>
-    <message>
-        <source>The nest does not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, holes), or draw it in the cutting files.</source>
-        <translation>排样不包含在 {strip} 之后添加的 {later}。请在条带中添加（槽、耳片、孔），或画入切割文件。</translation>
     </message>
     <message>
         <source>choose a folder for the files</source>
@@ -1909,8 +1909,8 @@
         <translation>显示可弯成的最近曲线</translation>
     </message>
     <message>
-        <source>Sheet that new strips are made of; a name of the sheet library</source>
-        <translation>新条带所用板材；板材库中的名称</translation>
+        <source>Sheet that new strips are made of</source>
+        <translation>新条带所用板材</translation>
     </message>
     <message>
         <source>Width of the widest place of new strips</source>

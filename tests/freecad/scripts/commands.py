@@ -274,7 +274,7 @@ def tolerance_command(strip):
 
 def coupon_command(document):
     panel = open_panel("Elastica_Coupon")
-    panel.form.sheet.setCurrentText("card-200gsm")
+    fill(panel, sheet="card-200gsm")
     panel.make()
     panel.form.readings.setText("100 = 13.5, 120 = 26")
     panel.form.readings.textEdited.emit("")
@@ -322,7 +322,7 @@ def export_command(strip):
 
 def sheets_command():
     panel = open_panel("Elastica_Sheets")
-    panel.form.sheets.setCurrentText("birch-plywood-1")
+    fill(panel, sheets="birch-plywood-1")
     panel.form.name.setText("my-ply")
     fill(panel, thickness=0.93)
     panel.reject()
@@ -330,7 +330,7 @@ def sheets_command():
 
     assert "my-ply" not in own_sheets(), "Cancel keeps nothing"
     panel = open_panel("Elastica_Sheets")
-    panel.form.sheets.setCurrentText("birch-plywood-1")
+    fill(panel, sheets="birch-plywood-1")
     panel.form.name.setText("my-ply")
     fill(panel, thickness=0.93)
     picture("sheets.png")

@@ -14,6 +14,7 @@ from inside import (
     button,
     choose,
     click,
+    fill,
     fit,
     open_panel,
     panel,
@@ -86,7 +87,7 @@ def work():
     open_panel("Elastica_Fixtures", lamp)
     tick("blocks")
     tick("rings")
-    panel().form.ringSheet.setCurrentText("mdf-3")
+    fill(panel(), ringSheet="mdf-3")
     picture("1-panel.png")
     button()
     rings = document.getObject("Rings")

@@ -15,6 +15,8 @@ from inside import (
     at_rest,
     button,
     choose,
+    click,
+    keys,
     picture,
     run,
     scroll_to,
@@ -47,6 +49,7 @@ def work():
     until(lambda: Gui.Control.activeDialog() and Panel.opened.form.MaxWidth.isVisible())
     at_rest()
     answers["panel"] = Panel.opened.form.windowTitle()
+    answers["sheet"] = Panel.opened.form.Sheet.currentText()
     strip, box = document.getObject("Strip"), Panel.opened.form.MaxWidth
     typed = []
     until(lambda: strip.Held)
@@ -72,16 +75,21 @@ def work():
     button("Cancel")
 
     def read(box):
-        until(lambda: box.findChild(QtWidgets.QLineEdit, "defaultSheet").isVisible())
-        field = box.findChild(QtWidgets.QLineEdit, "defaultSheet")
-        answers["preferences"] = field.text() if field else None
+        until(lambda: box.findChild(QtWidgets.QComboBox, "defaultSheet").isVisible())
+        field = box.findChild(QtWidgets.QComboBox, "defaultSheet")
+        shown = field.currentText()
+        click(field)
+        until(lambda: field.view().isVisible())
         picture("preferences.png")
-        box.reject()
+        keys("Up", "Return")  # over the title of the group
+        until(lambda: field.currentText() != shown)
+        answers["preferences"] = [shown, field.currentText()]
+        box.accept()
 
     asked = Dialog(read)
     Gui.showPreferences("Elastica", 0)
     asked.stop()
-    answers["kerf"] = preferences.get("Kerf")
+    answers["kept preferences"] = [preferences.get(name) for name in ("DefaultSheet", "Kerf", "DxfVersion")]
 
 
 run(work)

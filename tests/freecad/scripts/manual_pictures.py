@@ -227,7 +227,7 @@ def work():
     look("export")
     close()
     App.newDocument("Manual")
-    opened("Elastica_Coupon").form.sheet.setCurrentText("card-200gsm")
+    fill(opened("Elastica_Coupon"), sheet="card-200gsm")
     panel().make()
     point = QtCore.QLocale().decimalPoint()
     panel().form.readings.setText(f"100 = 13{point}5; 120 = 26")

@@ -28,7 +28,7 @@ from freecad.elastica_wb.host.objects import is_sketch, is_strip
 from freecad.elastica_wb.host.progress import progress
 from freecad.elastica_wb.host.property_table import Property, put, result
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
-from freecad.elastica_wb.host.words import report, worded
+from freecad.elastica_wb.host.words import report
 from freecad.elastica_wb.solving.strip_cache import find_nearest_to_drag, find_nearest_to_draw
 
 from elastica_cad.errors import InputError
@@ -63,7 +63,7 @@ class NearestFeature(Feature):
             note(near.status.value),
             *([note("These limits prevent a nearer curve: {limits}.", limits=held)] if held else []),
         ]
-        put(obj, Deviation=near.deviation, Ratio=near.rod.ratio, Reports=[worded(line) for line in reports])
+        put(obj, Deviation=near.deviation, Ratio=near.rod.ratio, Reports=reports)
 
 
 class BentFeature(Feature):
@@ -90,7 +90,7 @@ class BentFeature(Feature):
         rod = moved(rest, {name: getattr(obj, name).Value for name in MOVES})
         obj.Shape = spline_geometry(rod.curve).toShape()
         obj.Placement = drawn_curve(obj.Strip.Curve, obj).placement
-        reports = [worded(line) for line in rod.warnings if line not in rest.warnings]
+        reports = [line for line in rod.warnings if line not in rest.warnings]
         put(obj, LargestMove=largest_move(rest, rod), Margin=stability(rod).margin, Reports=reports)
 
 
@@ -139,7 +139,7 @@ class SectionFeature(Feature):
         whole = Part.Compound(shapes)
         whole.Placement = container(obj).inverse()
         obj.Shape = whole
-        put(obj, Curves=len(curves), Reports=[worded(remark) for remark in remarks])
+        put(obj, Curves=len(curves), Reports=remarks)
 
 
 def _curve(document: Any, name: str, proxy: type[Feature], sources: list[Any], **properties: Any) -> Any:

@@ -17,7 +17,6 @@ from freecad.elastica_wb.host.objects import feature_kind
 from freecad.elastica_wb.host.progress import in_steps
 from freecad.elastica_wb.host.property_table import Property, declared_property, put, values_of
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP
-from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.solving.strip_cache import remembered
 
 from elastica_cad.declared import declared
@@ -92,7 +91,7 @@ def create(document: Any, sources: list[Any]) -> Any:
 
 def show_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:
     """Write into the results of a fixture how far tabs can shift and turn in it."""
-    put(obj, Reports=[worded(line) for line in holder_plays(model.placed, holders)])
+    put(obj, Reports=list(holder_plays(model.placed, holders)))
 
 
 def source_model(sources: list[Any], *, shown: bool = False) -> Model:

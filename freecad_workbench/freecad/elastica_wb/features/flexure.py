@@ -17,7 +17,6 @@ from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.property_table import Property, declared_property, put, result
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.sheet_store import sheet_list
-from freecad.elastica_wb.host.words import capital, worded
 from freecad.elastica_wb.solving.strip_cache import remembered
 
 from elastica_cad.declared import Field, Record
@@ -107,14 +106,14 @@ class FlexureFeature(Feature):
         travel = part.travel
         put(
             obj,
-            Verdict=worded(
+            Verdict=(
                 note("This part rests in both curves and snaps between them.")
                 if part.bistable
                 else note("This part has two settings, between which its end moves.")
                 if not part.pair.bistable
                 else note("This part does not rest in both curves.")
             ),
-            Reasons=[capital(worded(line)) for line in part.warnings],
+            Reasons=list(part.warnings),
             Bistable=part.bistable,
             LargestForce=travel.largest_force,
             SnapTravel=travel.snap or 0.0,
@@ -129,7 +128,7 @@ class FlexureFeature(Feature):
         refused = isinstance(error, NotRealizable)
         reasons = error.check.reasons if refused else [str(error)]
         verdict = note("No part rests in both curves.") if refused else note("There is no part.")
-        put(obj, Verdict=worded(verdict), Reasons=[capital(worded(reason)) for reason in reasons])
+        put(obj, Verdict=verdict, Reasons=list(reasons))
 
 
 def create(

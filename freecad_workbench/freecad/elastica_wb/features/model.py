@@ -81,13 +81,13 @@ class ModelFeature(Feature):
         put(
             obj,
             Joints=len(model.joints),
-            Reports=[*pre_bend_messages(named), *_worded(model.reports)],
-            Overlaps=_worded(known.result()) if known is not None and known.done() else [],
+            Reports=[*pre_bend_messages(named), *model.reports],
+            Overlaps=list(known.result()) if known is not None and known.done() else [],
         )
 
     def show_error(self, obj: Any, error: ElasticaError) -> None:
         """Replace the results by the error."""
-        put(obj, Joints=0, Reports=[worded(str(error))], Overlaps=[])
+        put(obj, Joints=0, Reports=[str(error)], Overlaps=[])
 
     def covered(self, obj: Any) -> list[Any]:
         """Return the strips, which are drawn without slots."""
@@ -166,7 +166,7 @@ def show_overlaps(obj: Any, overlaps: tuple[str, ...]) -> None:
     messages = _worded(overlaps)
     if messages and obj.Overlaps != messages:
         report_warning(" ".join(messages), obj.Label)
-    put(obj, Overlaps=messages)
+    put(obj, Overlaps=list(overlaps))
 
 
 def _sought(model: Model) -> "Future[tuple[str, ...]]":

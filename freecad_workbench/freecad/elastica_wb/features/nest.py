@@ -14,10 +14,10 @@ from freecad.elastica_wb.features.pieces import counted, cuts_of, later_features
 from freecad.elastica_wb.features.proxy import REPORTS, Feature, added
 from freecad.elastica_wb.host.property_table import Property, put, result
 from freecad.elastica_wb.host.refusal import FAILURES
-from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.words import report_warning
+from freecad.elastica_wb.host.words import report_warning, worded
 
 from elastica_cad.model.nesting import nest_pieces
+from elastica_cad.refusals import note, sentences
 
 SPACE_MM = 50.0  # mm between a nest and the objects before it
 SHEET_GAP_MM = 30.0  # mm between sheets
@@ -54,18 +54,22 @@ class NestFeature(Feature):
 
 def report_left_out(obj: Any) -> None:
     """Write which features come after the nested pieces. The nest does not include them."""
-    words = translate(
-        "Elastica",
-        "The nest does not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, "
-        "holes), or draw it in the cutting files.",
-    )
     try:
         later_by_label = {original.Label: later_features(original) for original in counted(obj.Sources)}
     except FAILURES:  # the recompute has reported it
         return
-    messages = [words.format(strip=label, later=later) for label, later in later_by_label.items() if later]
-    if messages and obj.LeftOut != messages:
-        report_warning(" ".join(messages), obj.Label)
+    messages = [
+        note(
+            "The nest does not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, "
+            "holes), or draw it in the cutting files.",
+            strip=label,
+            later=later,
+        )
+        for label, later in later_by_label.items()
+        if later
+    ]
+    if messages and obj.LeftOut != [worded(message) for message in messages]:
+        report_warning(sentences(messages, " "), obj.Label)
     put(obj, LeftOut=messages)
 
 

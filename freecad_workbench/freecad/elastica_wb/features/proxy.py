@@ -10,6 +10,8 @@ from typing import Any, ClassVar
 import FreeCAD as App
 from freecad.elastica_wb.host.objects import Unsaved, dress, is_ours
 from freecad.elastica_wb.host.property_table import (
+    MESSAGES,
+    RECORDS,
     Property,
     choose_again,
     ensure,
@@ -17,6 +19,7 @@ from freecad.elastica_wb.host.property_table import (
     put,
     require_choices,
     result,
+    reword,
 )
 from freecad.elastica_wb.host.refusal import (
     FAILURES,
@@ -64,9 +67,6 @@ REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 FOLLOWED = ("Curve", "SecondCurve", "Sources", "Strips")
 """Properties with the objects that a feature depends on."""
 
-MESSAGE_PROPERTIES = ("Reasons", "Reports", "Overlaps", "LeftOut")
-"""Properties with messages."""
-
 MOST_NAMES = 6  # in one line of the report view
 
 
@@ -91,12 +91,13 @@ class Feature(Unsaved):
     def onDocumentRestored(self, obj: Any) -> None:
         """Update a feature from a file of an earlier version."""
         self.ensure(obj)
+        reword(obj)
         dress(obj)
 
     def ensure(self, obj: Any) -> None:
         """Add missing properties and update the list of sheets."""
         known = {name: getattr(obj, name) for name in self.sheets if name in obj.PropertiesList}
-        ensure(obj, (*self.properties, HIDDEN_BY_ERROR, SHOWN_BY_ERROR))
+        ensure(obj, (*self.properties, HIDDEN_BY_ERROR, SHOWN_BY_ERROR, RECORDS))
         for name in self.sheets:
             chosen = known.get(name) or default_sheet()
             setattr(obj, name, list(dict.fromkeys([*sheet_list(), chosen])))
@@ -340,8 +341,9 @@ def telling(obj: Any, name: str) -> list[Any]:
 
 
 def _sentences(obj: Any) -> Iterator[str]:
-    for name in [entry for entry in MESSAGE_PROPERTIES if entry in obj.PropertiesList]:
-        yield from getattr(obj, name)
+    for name in [entry for entry in MESSAGES if entry in obj.PropertiesList]:
+        text = getattr(obj, name)
+        yield from [text] if isinstance(text, str) else text
     yield str(obj.getStatusString())
 
 

@@ -19,7 +19,6 @@ from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
-from freecad.elastica_wb.host.words import capital, worded
 from freecad.elastica_wb.solving.strip_cache import (
     bent_shape,
     find_nearest,
@@ -115,8 +114,8 @@ class StripFeature(Feature):
             put(obj, StrainUse=error.refusal.values["percent"])
         put(
             obj,
-            Verdict=worded(verdict),
-            Reasons=[capital(worded(reason)) for reason in reasons],
+            Verdict=verdict,
+            Reasons=reasons,
             MadeFrom="",
             Held="",
             Sideways="",
@@ -286,7 +285,7 @@ def show_held(obj: Any) -> None:
     except ElasticaError as error:
         held, message = None, str(error)
     far = (0.0, 0.0) if held is None else (held.deviation, held.expected)
-    put(obj, HeldDeviation=far[0], ExpectedDeviation=far[1], Held=worded(message))
+    put(obj, HeldDeviation=far[0], ExpectedDeviation=far[1], Held=message)
 
 
 def is_stale(obj: Any, changed: set[str]) -> bool:
@@ -344,8 +343,8 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         fails, taken = note(breaks if bent else "A flat strip would break on this curve."), fails
     put(
         obj,
-        Verdict=worded(sentences([fails, taken, note("There are remarks.") if notes else ""], " ")),
-        Reasons=[capital(worded(note)) for note in dict.fromkeys(notes)],
+        Verdict=sentences([fails, taken, note("There are remarks.") if notes else ""], " "),
+        Reasons=list(dict.fromkeys(notes)),
         Fails=[fault.number for fault in faults],
         Ratio=rod.ratio,
         Margin=0.0 if stability is None else stability.margin,
@@ -356,7 +355,7 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         StrainUse=strip.strain_verdict.percent,
         Deviation=(rod.moved if changed is None else changed) + smoothed,
         SidewaysMargin=sideways.margin if sideways.decided else 0.0,
-        Sideways=worded(str(sideways)),
+        Sideways=str(sideways),
         Length=rod.length,
         NarrowestWidth=strip.width.extremes[0],
         Mass=strip.mass,

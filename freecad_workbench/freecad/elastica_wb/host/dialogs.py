@@ -34,6 +34,7 @@ def show_files(files: list[Path], notes: Sequence[str] = ()) -> None:
     names = [file.name for file in files[:MOST_FILES]] + ["..."] * (len(files) > MOST_FILES)
     heading = f"{translate('Elastica', 'Written to')} {folder}:"
     report(f"{heading} {', '.join(file.name for file in files)}")
+    notes = list(map(worded, notes))
     for note in notes:
         report_warning(note)
     box = _show("\n".join([heading, *names, *notes]))

@@ -11,9 +11,12 @@ from typing import Any
 import FreeCADGui as Gui
 from freecad.elastica_wb.host.qt import QtCore, QtGui, QtWidgets, kind_of
 from freecad.elastica_wb.host.resources import translate
+from freecad.elastica_wb.host.sheet_store import titled_sheets
+from freecad.elastica_wb.host.words import worded
 
 LARGEST = 1e9  # limit of numbers without a declared limit
 WHOLE = 1_000_000
+SHEET_LETTERS = 14  # visible letters of a sheet's name in a narrow panel
 NARROWEST_PX = 105  # minimum width for a length with its unit
 TRIES = 10
 
@@ -42,7 +45,7 @@ def field_for(obj: Any, name: str) -> Any:
         box = QtWidgets.QCheckBox()
     elif kind == "App::PropertyEnumeration":
         box = QtWidgets.QComboBox()
-        put_choices(box, obj.getEnumerationsOfProperty(name))
+        put_choices_of(box, obj, name)
     else:
         box = QtWidgets.QLineEdit()
     box.setObjectName(name)
@@ -56,13 +59,33 @@ def put_away(widget: Any) -> None:
     widget.deleteLater()
 
 
+def put_choices_of(box: Any, obj: Any, name: str) -> None:
+    """Fill a list widget with the choices of a property."""
+    put = put_sheets if name in obj.Proxy.sheets else put_choices
+    put(box, obj.getEnumerationsOfProperty(name))
+
+
 def put_choices(box: Any, choices: list[str]) -> None:
     """Fill a list widget with choices, shown in the user's language."""
-    if [box.itemData(i) for i in range(box.count())] != choices:
+    _put_items(box, [(translate("Elastica", choice), choice) for choice in choices])
+
+
+def put_sheets(box: Any, names: list[str]) -> None:
+    """Fill a list widget with sheets below the titles of their kinds. The titles cannot be chosen."""
+    _put_items(box, [(worded(text), name) for text, name in titled_sheets(names)])
+    box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)  # panels are narrow
+    box.setMinimumContentsLength(SHEET_LETTERS)
+    box.view().setMinimumWidth(box.view().sizeHintForColumn(0))
+    for i in range(box.count()):
+        box.model().item(i).setEnabled(box.itemData(i) is not None)
+
+
+def _put_items(box: Any, items: list[tuple[str, str | None]]) -> None:
+    if [(box.itemText(i), box.itemData(i)) for i in range(box.count())] != items:
         blocked = box.blockSignals(True)
         box.clear()
-        for choice in choices:
-            box.addItem(translate("Elastica", choice), choice)
+        for text, value in items:
+            box.addItem(text, value)
         box.blockSignals(blocked)
 
 

@@ -3,13 +3,14 @@
 
 """Tables of properties. Missing properties are added, so that files of earlier versions gain newer properties."""
 
+import json
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
 import FreeCAD as App
-from freecad.elastica_wb.host.words import worded
+from freecad.elastica_wb.host.words import capital, packed, unpacked, worded
 
 from elastica_cad.declared import Field
 from elastica_cad.design.records import written
@@ -177,8 +178,47 @@ def choose_again(obj: Any, name: str, chosen: str | None) -> None:
         setattr(obj, name, (choices, choices.index(chosen) if chosen in choices else 0))
 
 
+MESSAGES = ("Verdict", "Reasons", "Reports", "Overlaps", "LeftOut", "Held", "Sideways")
+"""Properties with messages. They show the messages of `RECORDS` in the user's words."""
+
+RECORDS = result("String", "Messages", "Messages in all languages", hidden=True)
+
+
 def put(obj: Any, **values: Any) -> None:
-    """Set the properties whose value differs, so that an unchanged result adds nothing to the undo history."""
+    """Set the properties whose value differs, so that an unchanged result adds nothing to the undo history.
+
+    Messages are set in the user's words. Their records are stored, because another user may open the file.
+    """
+    messages = {name: value for name, value in values.items() if name in MESSAGES}
+    if messages:
+        records = _records(obj) | {name: packed(value) for name, value in messages.items()}
+        values |= {name: _worded(name, value) for name, value in messages.items()}
+        values[RECORDS.name] = json.dumps(records)
+    _put(obj, values)
+
+
+def reword(obj: Any) -> None:
+    """Show the stored messages of an object in the user's words."""
+    with suppress(LookupError, TypeError, ValueError):  # the file was edited by hand
+        _put(obj, {name: _worded(name, unpacked(data)) for name, data in _records(obj).items()})
+
+
+def _records(obj: Any) -> dict[str, Any]:
+    """Return the stored messages of an object, or none if its file was edited by hand."""
+    with suppress(ValueError):
+        records = json.loads(obj.Messages or "{}")
+        return {name: data for name, data in records.items() if name in MESSAGES}
+    return {}
+
+
+def _worded(name: str, message: str | list[str]) -> str | list[str]:
+    if isinstance(message, str):
+        return worded(message)
+    words = map(worded, message)
+    return [capital(sentence) for sentence in words] if name == "Reasons" else list(words)
+
+
+def _put(obj: Any, values: Mapping[str, Any]) -> None:
     for name, value in values.items():
         present = getattr(obj, name)
         if getattr(present, "Value", present) != value:

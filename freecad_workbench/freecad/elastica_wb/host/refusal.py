@@ -7,6 +7,8 @@ FreeCAD turns an exception of `execute` into the feature's state. It also prints
 and the message. The traceback lists the Python functions that the exception left, so it is empty if only compiled
 code raised and passed on the exception. Therefore Python returns the error as a value, and compiled code raises it.
 FreeCAD then prints the caller of the recompute instead.
+
+FreeCAD 1.x also prints the state of each failed object when the recompute ends. There the first line is suppressed.
 """
 
 import os
@@ -16,6 +18,7 @@ from functools import partial, reduce
 from operator import or_
 from typing import Any
 
+import FreeCAD as App
 import Part
 from FreeCAD import Base
 from freecad.elastica_wb.host.objects import is_ours
@@ -51,7 +54,42 @@ class RefusalError(ValueError, metaclass=_Speaker):
 def refused(obj: Any, error: ElasticaError) -> RefusalError:
     """Return the exception that `raising` raises for an object's error."""
     RefusalError.who = obj.Label
+    if REPEATS and "Recompute" in obj.State:
+        _silence.begin()
     return RefusalError(worded(str(error)))
+
+
+REPEATS = int(App.Version()[0]) >= 1
+"""Whether this FreeCAD prints the state of failed objects when a recompute ends."""
+
+
+class _Silence:
+    """Stops all printing of errors until the next object is recomputed or the recompute ends."""
+
+    def __init__(self) -> None:
+        self._observers: list[str] | None = None  # that printed errors before; None before the first silence
+
+    def begin(self) -> None:
+        """Stop printing errors."""
+        if self._observers is None:
+            App.addDocumentObserver(self)
+        self.end()
+        self._observers = [name for name in App.Console.GetObservers() if App.Console.GetStatus(name, "Err")]
+        self._set(False)
+
+    def end(self, *_: Any) -> None:
+        """Print errors again."""
+        self._set(True)
+        self._observers = []
+
+    slotBeforeChangeObject = slotRecomputedObject = slotRecomputedDocument = end
+
+    def _set(self, on: bool) -> None:
+        for name in self._observers or ():
+            App.Console.SetStatus(name, "Err", on)
+
+
+_silence = _Silence()
 
 
 def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]:

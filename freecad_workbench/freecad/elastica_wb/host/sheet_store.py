@@ -3,7 +3,7 @@
 
 """The available sheets: built-in sheets, and sheets that the user keeps in a TOML file."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from pathlib import Path
 
@@ -13,7 +13,15 @@ from freecad.elastica_wb.host.words import report_warning
 
 from elastica_cad.errors import InputError
 from elastica_cad.formats.write_files import reason, write_atomically
-from elastica_cad.mechanics.sheets import Sheet, built_in_figures, load_sheets, sheet_names, sheets_from_table
+from elastica_cad.mechanics.sheets import (
+    KINDS,
+    Sheet,
+    built_in_figures,
+    load_sheets,
+    sheet_names,
+    sheets_from_table,
+)
+from elastica_cad.refusals import note
 
 
 def own_sheets_file() -> Path:
@@ -69,6 +77,26 @@ def sheet_list() -> list[str]:
     """Return the names of all sheets, the user's own first."""
     user_sheets = list(own_sheets())
     return user_sheets + [name for name in sheet_names() if name not in user_sheets]
+
+
+def titled_sheets(names: Iterable[str]) -> Iterator[tuple[str, str | None]]:
+    """Yield titles of kinds, and below each the full names and names of its sheets. A title has no name.
+
+    The user's own sheets come first, with sheets that only the document knows.
+    """
+    groups: dict[str, list[tuple[str, str]]] = {}
+    built_in = built_in_figures().keys() - own_sheets().keys()
+    for name in names:
+        title, text = (
+            (KINDS[_built_in(name).kind], _built_in(name).full_name) if name in built_in else (OWN, name)
+        )
+        groups.setdefault(title, []).append((text, name))
+    for title in sorted(groups, key=lambda title: title != OWN):
+        yield title, None
+        yield from groups[title]
+
+
+OWN = note("Own sheets")
 
 
 def default_sheet() -> str:

@@ -9,13 +9,14 @@ template that is not in the catalogue stays in English.
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any
 
 import FreeCAD as App
 from freecad.elastica_wb.host.resources import translate
 
 from elastica_cad._text import printable
-from elastica_cad.refusals import MaterialWidth
+from elastica_cad.refusals import Either, FieldName, Length, Listed, MaterialWidth, Point, Refusal, Span
 from elastica_cad.words import Translated
 
 NAMES = {
@@ -92,7 +93,47 @@ def together(named: Iterable[tuple[str, str]]) -> list[str]:
     names: dict[str, list[str]] = {}
     for name, sentence in named:
         names.setdefault(sentence, []).append(name)
-    return [f"{', '.join(dict.fromkeys(names[sentence]))}: {sentence}" for sentence in names if sentence]
+    return [
+        Refusal(
+            "note", "{sentence}", {"sentence": sentence}, {"strip": ", ".join(dict.fromkeys(of_sentence))}
+        )
+        for sentence, of_sentence in names.items()
+        if sentence
+    ]
+
+
+TYPES = {kind.__name__: kind for kind in (Length, FieldName, MaterialWidth, Listed, Either, Span, Point)}
+"""Types of values that a message shows in its own way."""
+
+
+def packed(value: Any) -> Any:
+    """Return a message or one of its values as data for JSON, which `unpacked` reads."""
+    if isinstance(value, Refusal):
+        inside, where = ({k: packed(v) for k, v in part.items()} for part in (value.values, value.where))
+        return {"text": value.text, "values": inside, "where": where}
+    if isinstance(value, (tuple, list)):
+        plain: Any = [packed(item) for item in value]
+    else:
+        plain = value if value is None or isinstance(value, (bool, int)) else _plain(value)
+    kind = type(value).__name__
+    return {kind: plain} if kind in TYPES else plain
+
+
+def _plain(value: Any) -> float | str:
+    return float(value) if isinstance(value, Real) else str(value)
+
+
+def unpacked(data: Any) -> Any:
+    """Return the message or the value that `packed` made into data."""
+    if isinstance(data, list):
+        return [unpacked(item) for item in data]
+    if not isinstance(data, dict):
+        return data
+    if "text" in data:
+        inside, where = ({k: unpacked(v) for k, v in data[part].items()} for part in ("values", "where"))
+        return Refusal("note", data["text"], inside, where)
+    ((kind, value),) = data.items()
+    return TYPES[kind](unpacked(value))
 
 
 def decimal_point() -> str:

@@ -106,7 +106,7 @@ class LaterResults:
 WORKBENCH = "ElasticaWorkbench"
 CURVES = ("Nearest", "Bent", "Section")
 """Features that are curves."""
-SEEN_ONLY = ("Visibility", "HiddenByError", "ShownByError", "Label")
+SEEN_ONLY = ("Visibility", "HiddenByError", "ShownByError", "Label", "Messages")
 """Properties that do not affect a shape."""
 _installed: list[Any] = []
 

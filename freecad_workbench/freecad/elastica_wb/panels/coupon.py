@@ -14,6 +14,7 @@ import FreeCADGui as Gui
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.cutting_files import usual_cutting
 from freecad.elastica_wb.features.proxy import keep_sheets
+from freecad.elastica_wb.host.fields import put_sheets, set_value
 from freecad.elastica_wb.host.qt import QtWidgets
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import (
@@ -46,8 +47,8 @@ class CouponPanel(Panel):
     def __init__(self) -> None:
         super().__init__(App.ActiveDocument)
         self.calibration: Calibration | None = None
-        self.form.sheet.addItems(sheet_list())
-        self.form.sheet.setCurrentText(default_sheet())
+        put_sheets(self.form.sheet, sheet_list())
+        set_value(self.form.sheet, default_sheet())
         self.watch("sheet", "readings", "error")
         for button in (self.make, self.write, self.keep):
             getattr(self.form, button.__name__).clicked.connect(partial(self._pressed, button))
@@ -55,7 +56,7 @@ class CouponPanel(Panel):
 
     def changed(self) -> None:
         """Show the overhang to use and the result of the readings."""
-        sheet = sheet_called(self.form.sheet.currentText())
+        sheet = sheet_called(self.value("sheet"))
         longest = Length(coupon_overhang(sheet))
         words: list[str] = [note("Longest overhang of the coupon: {longest:g}", longest=longest)]
         self.calibration = None
@@ -78,11 +79,11 @@ class CouponPanel(Panel):
 
     def make(self) -> None:
         """Make the coupon as a flat body."""
-        recorded(add_coupon, self.document, self.form.sheet.currentText())
+        recorded(add_coupon, self.document, self.value("sheet"))
 
     def write(self) -> None:
         """Write the cutting file of the coupon."""
-        sheet, cutting = sheet_called(self.form.sheet.currentText()), usual_cutting()
+        sheet, cutting = sheet_called(self.value("sheet")), usual_cutting()
         drawing = coupon_drawing(sheet)
         usual = cutting.file_name(drawing.name, "dxf")
         title, kinds = translate("Elastica", "Save the coupon"), "DXF (*.dxf);;SVG (*.svg)"
@@ -100,7 +101,7 @@ class CouponPanel(Panel):
                     "type the readings first: overhang = droop, in mm, such as 120 = 14.5; 150 = 31",
                 )
             )
-        base = sheet_called(self.form.sheet.currentText())
+        base = sheet_called(self.value("sheet"))
         name = self.form.name.text().strip() or f"{base.name}-measured"
         sheet = self.calibration.sheet(
             name,

@@ -85,7 +85,7 @@ def _accuracy(obj: Any, strip: Strip) -> Row:
 
 def _flat_footnote(obj: Any) -> str:
     """Return how the strip is bent before assembly, which the flat part does not show."""
-    return "\n".join(pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))]))
+    return "\n".join(map(worded, pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))])))
 
 
 def _where(name: str, *values: object) -> Callable[[Any], bool]:

@@ -7,7 +7,7 @@ from typing import Any
 
 from freecad.elastica_wb.features import baseplate, fixtures
 from freecad.elastica_wb.host import preferences
-from freecad.elastica_wb.host.fields import set_value
+from freecad.elastica_wb.host.fields import put_sheets, set_value
 from freecad.elastica_wb.host.objects import is_plate
 from freecad.elastica_wb.host.refusal import why_not_made
 from freecad.elastica_wb.host.resources import translate
@@ -31,8 +31,8 @@ class FixturesPanel(Panel):
         held = [source for obj in sources if is_plate(obj) for source in obj.Sources]
         self.sources = [obj for obj in sources if not is_plate(obj)] or list(dict.fromkeys(held))
         for box in (self.form.sheet, self.form.ringSheet):
-            box.addItems(sheet_list())
-            box.setCurrentText(default_sheet())
+            put_sheets(box, sheet_list())
+            set_value(box, default_sheet())
         set_value(self.form.slot, preferences.get("Clearance"))
 
     def finished(self) -> None:
@@ -43,14 +43,14 @@ class FixturesPanel(Panel):
         holders = []
         if form.plate.isChecked():  # first, because its errors should not wait for the blocks
             holders.append(recorded(baseplate.create, self.document, self.sources))
-            record_value(holders[-1], "Sheet", form.sheet.currentText())
+            record_value(holders[-1], "Sheet", self.value("sheet"))
             record_value(holders[-1], "Placement.Base.z", self.value("plateHeight"))
             for name, field in (("Play", "play"), ("Clearance", "slot"), ("Border", "border")):
                 record_value(holders[-1], name, self.value(field))
             self._make(holders)
         if form.rings.isChecked():
             holders.append(recorded(baseplate.create_rings, self.document, self.sources))
-            record_value(holders[-1], "Sheet", form.ringSheet.currentText())
+            record_value(holders[-1], "Sheet", self.value("ringSheet"))
             record_value(holders[-1], "Gap", self.value("gap"))
             self._make(holders)
         if form.blocks.isChecked():

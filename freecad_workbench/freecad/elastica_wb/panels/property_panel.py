@@ -20,13 +20,13 @@ from freecad.elastica_wb.host.fields import (
     field_for,
     on_change,
     put_away,
-    put_choices,
+    put_choices_of,
     set_value,
     value_of,
 )
 from freecad.elastica_wb.host.objects import is_sketch, lives
 from freecad.elastica_wb.host.progress import begun
-from freecad.elastica_wb.host.property_table import Property
+from freecad.elastica_wb.host.property_table import Property, reword
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
@@ -106,6 +106,8 @@ class PropertyPanel(Panel):
         if len(self.objects) > 1:  # each feature has its own curve and numbers
             layout = replace(layout, source="", results=lambda _: (), footnote=lambda _: "")
         self.object, self.layout = obj, layout
+        for shown in self.objects:
+            reword(shown)
         self.helps = {entry.name: entry.translated_help for entry in layout.table}
         self.icon_name, self.step = layout.icon_name, layout.step
         self.fields: dict[str, Any] = {}
@@ -260,7 +262,7 @@ class PropertyPanel(Panel):
     def _refill(self, name: str) -> None:
         widget = self.fields[name]
         if isinstance(widget, QtWidgets.QComboBox):
-            put_choices(widget, self.object.getEnumerationsOfProperty(name))
+            put_choices_of(widget, self.object, name)
         set_value(widget, _plain(getattr(self.object, name)))
 
     def _show(self) -> None:
@@ -309,7 +311,7 @@ class PropertyPanel(Panel):
             verdicts = (
                 (strip.Label, words) for strip in self.objects for words in (strip.Verdict, *strip.Reasons)
             )
-            return "\n".join(together(verdicts))
+            return "\n".join(map(worded, together(verdicts)))
         if hasattr(obj, "Verdict"):
             return "\n".join([obj.Verdict, *obj.Reasons])
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))

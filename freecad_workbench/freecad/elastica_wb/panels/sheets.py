@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from freecad.elastica_wb.features.proxy import keep_sheets
-from freecad.elastica_wb.host.fields import set_value
+from freecad.elastica_wb.host.fields import put_sheets, set_value
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import own_sheets, save_own_sheets, sheet_called, sheet_list
 from freecad.elastica_wb.panels.panel import Panel
@@ -37,9 +37,7 @@ class SheetsPanel(Panel):
 
     def shown(self, *_: Any) -> None:
         """Show the numbers of the selected sheet."""
-        name = self.form.sheets.currentText()
-        if not name:
-            return
+        name = self.value("sheets")
         self.seen = sheet = self.own.get(name) or sheet_called(name)
         self.form.name.setText(name)
         self.form.source.setPlainText(sheet.source)
@@ -55,10 +53,11 @@ class SheetsPanel(Panel):
 
     def remove(self, *_: Any) -> None:
         """Remove one of the user's sheets."""
-        if self.own.pop(self.form.sheets.currentText(), None) is None:
+        if self.own.pop(self.value("sheets"), None) is None:
             self.show_message(translate("Elastica", "Built-in sheets stay: keep yours under another name."))
             return
         self._list()
+        self.shown()
 
     def sheet(self) -> Sheet:
         """Return the sheet that the widgets describe."""
@@ -85,6 +84,6 @@ class SheetsPanel(Panel):
             keep_sheets()
 
     def _list(self) -> None:
-        self.form.sheets.clear()
         names = list(self.own) + [n for n in sheet_list() if n not in self.own and n not in self.before]
-        self.form.sheets.addItems(names)
+        put_sheets(self.form.sheets, names)
+        set_value(self.form.sheets, names[0])

@@ -10,7 +10,7 @@ from enum import Enum
 
 import numpy as np
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.host.words import together, worded
+from freecad.elastica_wb.host.words import together
 from freecad.elastica_wb.solving.strip_cache import judged, remembered, sharpest_bend, solve_strip
 
 from elastica_cad.design.reports import pre_bend_message
@@ -100,7 +100,7 @@ def is_bent_beforehand(strip: Strip) -> bool:
 
 def pre_bend_messages(named: Iterable[tuple[str, Strip]]) -> list[str]:
     """Return how named strips are bent before assembly, with one message for strips that are bent alike."""
-    return together((name, worded(pre_bend_message(strip))) for name, strip in named)
+    return together((name, pre_bend_message(strip)) for name, strip in named)
 
 
 class Verdict(Enum):
