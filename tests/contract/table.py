@@ -21,11 +21,14 @@ from elastica_cad import (
     Limits,
     Perforated,
     PlaneCurve,
+    PointForce,
     PointMass,
+    Rail,
     Sheet,
     Slot,
     Supports,
     Tab,
+    Tie,
     Weight,
 )
 from elastica_cad.mechanics import LeavesLaw, RestCurvature, RoundLaw, ThicknessLaw
@@ -162,6 +165,18 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
            loads = [{ at = 60, mass = 2 }, { at = 90, mass = 1 }]""",
         {"Style": "Laminated", "OuterWidth": 24.0, "Backing": "card-200gsm", "LeastBacking": 2.0, "Dots": 2.0,
          "Gravity": True, "GravityDirection": (0.6, -0.8, 0), "Loads": ["at = 60, mass = 2", "at = 90, mass = 1"]},
+        ARCH,
+    ),
+    "a rail, a cord and a force": Request(
+        {"max_width": 20.0, "between": (Rail((70.0, 60.0)), Tie(40.0, 150.0)),
+         "loads": (PointForce(75.0, (0.0, -0.01)),)},
+        """--max-width 20 --set 'loads = [{ at = 75, force = [0, -0.01] }]'
+           --set 'between = [{ at = [70, 60] }, { kind = "tie", start = 40, end = 150 }]'""",
+        """max_width = 20
+           between = [{ at = [70, 60] }, { kind = "tie", start = 40, end = 150 }]
+           loads = [{ at = 75, force = [0, -0.01] }]""",
+        {"MaxWidth": 20.0, "Between": ["at = [70, 60]", "kind = 'tie', start = 40, end = 150"],
+         "Loads": ["at = 75, force = [0, -0.01]"]},
         ARCH,
     ),
     "all weight in newtons": Request(

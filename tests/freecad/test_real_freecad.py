@@ -314,7 +314,7 @@ def test_a_project_that_grows_and_changes(tmp_path):
 def test_a_hostile_user(tmp_path):
     found = launching.run_window("hostile.py", tmp_path)
     assert found["trouble"] == []
-    assert len(found["times"]) == 14 * 5 + 5
+    assert len(found["times"]) == 15 * 5 + 5
     assert "is empty" in found["empty in edit"]
     # the quick answer and the strip's own, which follows it, differ in their sentence: the heading is one
     assert "would break" in found["circle in edit"]
