@@ -114,7 +114,7 @@ def work():
     until(lambda: abs(told(drawn)[1] - 320) < 0.1)
     answers["longer"] = told(drawn)
     type_into(tool.card.length, "20 mm")
-    until(lambda: "make it longer" in tool.card.words.text())
+    until(lambda: "make the strip longer" in tool.card.words.text())
     answers["too short"] = [tool.card.words.text(), told(drawn)]
     picture("short.png")
     type_into(tool.card.length, "300 mm")

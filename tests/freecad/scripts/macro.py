@@ -156,7 +156,7 @@ def change_ones_mind(document):
     _, second = strips_of(document)
     open_panel("Elastica_Fixtures", second)
     press_button()
-    until(lambda: "give the strips tabs" in panel().form.message.text())
+    until(lambda: "Add tabs to the strips" in panel().form.message.text())
     answers["refused"] = panel().form.message.text()
     button("Cancel")
     open_panel("Elastica_Perforate", second)
