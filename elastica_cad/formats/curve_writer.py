@@ -146,9 +146,10 @@ def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> 
     before, after = _widths(drawn), _widths(fitted)
     if before is None or after is None:
         return note(
-            "{file} stores curve {number} within {far:.2g}; no strip can have this curve."
+            "{file} stores curve {number} within {far:.2g}; a strip cannot take this curve."
             if before is None else
-            "{file} stores curve {number} within {far:.2g}, but no strip can have the stored curve.",
+            "{file} stores curve {number} within {far:.2g}, and a strip cannot take the stored curve. Use "
+            "JSON, which keeps it exactly.",
             file=file, number=number, far=far, severity="warning",
         )  # fmt: skip
     return note(

@@ -170,7 +170,7 @@ class SectionScale:
         return self if abs(scale / self.scale - 1) < SAME_SCALE else replace(self, law=law, scale=scale)
 
     def largest(self, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
-        """E I (n,), N mm2, of the largest section, bent by kappa - kappa_0 (n,) from `rest`, 1/mm."""
+        """Return E I (n,), N mm2, of the largest section, bent by `bend` (n,) from the curvature `rest`, 1/mm."""
         most = np.full(bend.size, self.law.limits[1])
         return self.law.bent(bend, rest).bending_stiffness(most)
 

@@ -710,7 +710,7 @@ class _Problem:
         return np.asarray(t + np.clip(step, -reach[:-1], reach[1:]))
 
     def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:
-        """Return distances (n,) of the points from the curve, mm, at parameters that are feet."""
+        """Return distances (n,), mm, of the points from the curve at t (n,), their nearest places on it."""
         gap = self._gap(control, t)
         return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
 

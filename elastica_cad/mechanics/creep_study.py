@@ -54,7 +54,7 @@ class Creep:
 
     @property
     def end_forces(self) -> FloatArray:
-        """Forces on start and end (2, 2) after creep has ended, over the B of the rod before creep, 1/mm2."""
+        """Forces on start and end (2, 2) after creep has ended, 1/mm2: divided by the rod's B before creep."""
         return np.asarray(self.later.force[[0, -1]] * self.force_share)
 
     @property

@@ -541,8 +541,10 @@ def _deciding(law: BoundedLaw) -> float:
 
 
 def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
-    """Return the B, N mm2, for which B K reaches the largest section, or the least section if there is no
-    largest."""
+    """Return the factor B, N mm2, such that B K needs the largest section at one place and no larger section.
+
+    If the section has no upper limit, B K needs the least section at one place and no smaller one.
+    """
     share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding(law)))
     extremes = share.extremes
     return 1 / float(extremes.max() if np.isfinite(law.limits[1]) else extremes.min())

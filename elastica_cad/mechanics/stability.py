@@ -169,7 +169,10 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     """
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     if not rod.held_angles[1]:
-        raise InputError("conjugate points need a rod whose start holds the angle: reverse the rod")
+        raise InputError(
+            "A conjugate point needs a start that holds the angle, but only the end of this "
+            "rod holds it. Reverse the rod."
+        )
     (diagonal, off), rows, lengths = rod.hessian, rod.constraint_rows, rod.edge_lengths
     count = _first_unstable_piece(rod)
     if count is None:

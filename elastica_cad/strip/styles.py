@@ -182,7 +182,7 @@ class Layout:
         return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
 
     def law(self, material: FloatArray, backing: FloatArray | None) -> tuple[StiffnessLaw, FloatArray]:
-        """Return the law for a sheet of width `material` (n,), mm, and its parameter (n,)."""
+        """Return the stiffness law of a sheet `material` (n,) wide, mm, and the law's parameter at each station."""
         if self.backing is None or backing is None:
             return PlainSection(self.sheet), material
         return LaminatedSection(self.sheet, self.backing.sheet).on(material), backing

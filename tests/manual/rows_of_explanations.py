@@ -146,7 +146,7 @@ def _what_helps(row, _):
         proved_by(
             f"{VALIDATION}/test_plate_widths.py::test_a_strip_takes_its_curve_by_default_where_nu_is_known"
         )
-    elif row[0].startswith("plates that join"):
+    elif row[0].startswith("a long strip"):
 
         def joined(lap, **asked):
             return strayed(shop=ec.FabricationLimits(stock=(250, 100), lap=lap), **asked)
@@ -154,7 +154,7 @@ def _what_helps(row, _):
         assert joined(20.0, compensate=True) < 0.5 * joined(20.0)
         assert strayed() < joined(10.0) < joined(20.0)
     else:
-        assert row[0].startswith("the lap")
+        assert row[0].startswith("a closed strip")
         proved_by("tests/unit/strip/test_closed_strips.py::test_widths_make_up_for_the_lap_and_close")
         proved_by("tests/unit/strip/test_closed_strips.py::test_the_lap_straightens_the_joint_as_told")
 

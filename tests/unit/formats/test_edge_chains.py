@@ -95,7 +95,7 @@ test_full_stop_for_bad_numbers = refusal_test(
             lambda: Edge(np.repeat([0.0, 1.0], 3), np.eye(3, 2), 2, np.array([1, 0, 1])),
             "positive finite weights",
         ),
-        (lambda: Edge(np.array([0.0, 1.0]), np.eye(3, 2), 2), "but needs 6 that never decrease"),
+        (lambda: Edge(np.array([0.0, 1.0]), np.eye(3, 2), 2), "it needs 6, in increasing order"),
         (lambda: Edge(np.zeros(6), np.eye(3, 2), 2), "must span an interval"),
     ]
 )
