@@ -87,6 +87,7 @@ def test_all_that_a_page_can_do(server, tmp_path):
             studio.press(studio.point(5), *((9 * sin(k), k / 3) for k in range(29, -1, -1)))
         studio.until(lambda: "It can" in studio.verdict())
 
+        studio.all(".rest summary")[0].click()
         for field, value in (("sheet", "pom-1"), ("gravity", "true")):
             told = studio.text(".numbers")
             studio.choose(f"#field-{field}", value)
@@ -102,7 +103,7 @@ def test_all_that_a_page_can_do(server, tmp_path):
 
         shape = studio.shape()
         studio.all(".bend input")[0].send_keys("\ue010")  # End: pressed together
-        assert " N mm" in studio.until(lambda: studio.text(".forces"))
+        studio.until(lambda: " N mm" in studio.text(".forces"))
         studio.until(lambda: studio.shape() != shape)
         for _ in range(3):
             studio.click("Undo")
@@ -130,9 +131,6 @@ def test_rails_ties_and_loads_are_set_on_the_curve(server, tmp_path):
             studio.all(f"[data-put='{noun}']")[0].click()
             studio.press(at, *ways)
             studio.until(lambda noun=noun: studio.all(f"g.elements .{noun.replace(' ', '-')}"))
-        studio.browser.execute_script(
-            "for (const more of document.querySelectorAll('details')) more.open = true"
-        )
         studio.type("#field-loads-0-force", "0; -0.05")
         studio.until(lambda: "0.05 N" in studio.shape("elements"))
 
@@ -192,7 +190,7 @@ def test_by_finger_a_curve_is_drawn_moved_and_looked_at(server, tmp_path):
         studio.until(lambda: studio.shape() != before)
         assert studio.point(4) == pytest.approx(np.add(place, (8, 24)), abs=1)
 
-        wide, low = studio.point(7) - studio.point(1), corner + size * (0.5, 0.85)
+        wide, low = studio.point(7) - studio.point(1), corner + size * (0.5, 0.5)
         studio.touch(*([np.add(low, (side * (20 + k), 0)) for k in range(0, 30, 3)] for side in (-1, 1)))
         assert len(studio.all("g.points circle")) == len(CURVE)
         assert np.hypot(*(studio.point(7) - studio.point(1))) > 1.5 * np.hypot(*wide)
@@ -272,7 +270,7 @@ def test_a_lamp_of_twelve_strips_from_an_empty_page(server, tmp_path):
         studio.until(lambda: studio.verdict() == "It can be made")
         studio.type("#field-Copies-around-the-axis-x-0", "12")
         studio.choose("#field-Holders", "rings")
-        studio.until(lambda: "12 strips" in studio.text(".said") and "2 sheets" in studio.text(".said"))
+        studio.until(lambda: "12 strips" in studio.text(".told") and "2 sheets" in studio.text(".told"))
         studio.until(
             lambda: studio.verdict() == "It can be made; read the warnings"
         )  # tabs rock in one thin ring
@@ -293,17 +291,54 @@ def test_what_holds_the_copies_is_part_of_the_verdict(server, tmp_path):
     with chromium(tmp_path) as studio:
         studio.open(server.address)
         studio.start("lamp")
-        studio.until(lambda: "16 pieces" in studio.text(".said"))
+        studio.until(lambda: "16 pieces" in studio.text(".told"))
         assert studio.verdict() == "It can be made"
         studio.type("#field-gap", "20")
         studio.until(lambda: studio.verdict() == "It cannot be made")
         assert "does not reach through the second plate" in studio.text(".verdict")
         studio.type("#field-gap", "")
         studio.until(lambda: studio.verdict() == "It can be made; read the warnings")
-        assert "14 pieces" in studio.text(".said")
+        assert "14 pieces" in studio.text(".told")
         studio.type("#field-ends-length", "40")
         studio.type("#field-gap", "12")
         studio.until(lambda: studio.verdict() == "It can be made")
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("language", ["en", "de", "zh"])
+def test_all_that_is_needed_is_in_view(server, tmp_path, language):
+    """At 1366 x 768: canvas, verdict, bent and flat strip no scrolling; tools in one row, menus in the window."""
+    with chromium(tmp_path, (1366, 768), language) as studio:
+        inside = studio.browser.execute_script("return [innerWidth, innerHeight]")
+        studio.browser.set_window_size(2 * 1366 - inside[0], 2 * 768 - inside[1])
+        studio.open(server.address)
+        for name in ("arch", "lamp"):
+            studio.start(name)
+            studio.until(lambda: studio.all("g.strip path"))
+            assert studio.browser.execute_script("return document.documentElement.scrollHeight") <= 768
+            for selector, least in ((".plane", 280), (".space", 280), (".flat", 90), (".verdict", 40)):
+                x, y, wide, high = studio.box(selector)
+                assert min(x, y) >= 0, selector
+                assert x + wide <= 1366, selector
+                assert y + high <= 768, selector
+                assert high >= least, selector
+        tools = studio.browser.execute_script(
+            "return [...document.querySelectorAll('.tools button:has(> .icon), .tools summary')]"
+            ".map(tool => [tool.getBoundingClientRect().top, tool.querySelector('svg') !== null, tool.innerText])"
+        )
+        assert len({top for top, _, _ in tools}) == 1
+        assert all(icon and words for _, icon, words in tools)
+        for menu in ("downloads", "holding"):
+            studio.all(f".{menu} summary")[0].click()
+            x, y, wide, high = studio.box(f".{menu} > div")
+            assert x >= 0
+            assert x + wide <= 1366
+            assert y + high <= 768
+            studio.all(f".{menu} summary")[0].click()
+        studio.press(studio.point(2), (-300, 0))
+        studio.until(lambda: studio.all(".verdict.no"))
+        words = studio.text(".told")
+        assert words.count(studio.text(".verdict p")) == 1
 
 
 @pytest.mark.campaign
@@ -339,9 +374,9 @@ def test_the_strip_follows_the_pointer(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("linked", "message"),
     [
-        ({"strips": [1]}, "no design that can be read"),
-        ({"strips": [{"curve": {"spline": [3]}}]}, "no design that can be read"),
-        ({"pair": {"first": {"spline": {}}}, "strips": {}}, "no design that can be read"),
+        ({"strips": [1]}, "cannot be read"),
+        ({"strips": [{"curve": {"spline": [3]}}]}, "cannot be read"),
+        ({"pair": {"first": {"spline": {}}}, "strips": {}}, "cannot be read"),
         ({"revolution": {"curve": {"spline": [[10, 0], [[], 40]]}}}, "It cannot be made"),
         ({"max_width": [], "strips": [{"curve": {"spline": [["a"], [1], []]}}]}, "It cannot be made"),
     ],

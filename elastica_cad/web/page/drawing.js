@@ -251,7 +251,7 @@ export class Drawing {
 
   grid() {
     const [width, height] = this.size, { view } = this;
-    const step = this.snap && this.snap * view.scale >= 8 ? this.snap : 10 ** Math.ceil(Math.log10(12 / view.scale));
+    const step = this.snap && this.snap * view.scale >= 8 ? this.snap : 10 ** Math.ceil(Math.log10(8 / view.scale));
     const [x0, y1] = this.toPlane(0, 0), [x1, y0] = this.toPlane(width, height);
     const lines = (from, to, draw) => {
       let fine = "", coarse = "";

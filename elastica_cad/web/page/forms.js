@@ -1,7 +1,11 @@
 // Controls made of declared fields: the server says what can be asked, and in which words and units.
 
 const LABELS = { true: "yes", false: "no", base: "base plate", fixtures: "printed blocks", stand: "first that fits" }; // of values
-const TITLES = { between: "rails, pins and ties", loads: "masses and forces" }; // of fields whose names say little
+const ABSENT = { // what holds where nothing is set, as the server decides it
+  thickness: "as listed", min_width: "automatic", compensate: "automatic", smooth: "automatic", samples: "automatic", seam_position: "automatic", engrave: "label", style: "one sheet", ends: "10 mm tabs", gravity: "not counted",
+  limits: "no", keep: "nothing", natural_curvature: "flat sheet", law: "by width", tolerance: "usual", shop: "usual", between: "none", loads: "none", Holders: "none",
+};
+const TITLES = { between: "rails, pins and ties", loads: "masses and forces", limits: "curve may change", keep: "curve keeps", gravity: "own weight", match: "equal length of" }; // of fields whose names say little
 const PER = { mm: 1, cm: 10, m: 1000, in: 25.4, inch: 25.4, '"': 25.4 };
 
 export function html(name, attributes = {}, ...children) {
@@ -39,16 +43,14 @@ const shown = (value, unit) => (value == null ? "" : typeof value === "number" ?
 const titleOf = (table) => table.word ?? table.table;
 
 export class Form {
-  // get(path) and set(path, value) reach into the design; undefined is what is not given.
-  constructor(host, fields, { t, get, set, sheets, begin }) {
+  // Groups are titles with their fields; others are behind one step. get(path) and set(path, value) reach into the design; undefined is what is not given.
+  constructor(host, groups, others, { t, get, set, sheets, begin }) {
     Object.assign(this, { t, get, set, sheets, begin, controls: [] });
-    const groups = new Map();
-    for (const field of fields) groups.set(field.group, [...(groups.get(field.group) ?? []), field]);
-    host.replaceChildren(...[...groups].flatMap(([group, of]) => {
-      const rare = of.filter((field) => !field.common);
-      return [group ? html("h3", {}, t(group)) : null, ...of.filter((field) => field.common).map((field) => this.control(field, [field.name])),
-        rare.length ? html("details", {}, html("summary", {}, t("more")), ...rare.map((field) => this.control(field, [field.name]))) : null];
-    }).filter(Boolean));
+    const made = (fields) => fields.map((field) => this.control(field, [field.name])), by = new Map();
+    for (const field of others) by.set(field.group, [...(by.get(field.group) ?? []), field]);
+    host.replaceChildren(...groups.map(([title, fields]) => html("fieldset", { class: title.toLowerCase() }, html("legend", {}, t(title)), ...made(fields))),
+      ...(by.size ? [html("details", { class: "rest" }, html("summary", {}, t("More settings")),
+        ...[...by].map(([title, fields]) => html("fieldset", {}, title ? html("legend", {}, t(title)) : null, ...made(fields))))] : []));
     this.show();
   }
 
@@ -73,7 +75,7 @@ export class Form {
   list(field, tables, path) {
     const { t } = this, id = `${idOf(path)}-add`, rows = html("div", { class: "inner" });
     const kindOf = (entry) => Math.max(tables.findIndex((table) => (table.word && "kind" in entry ? table.word === entry.kind : Object.keys(entry).every((key) => table.fields.some(({ name }) => name === key)))), 0);
-    const add = this.select([["", "–"], ...tables.map((table, k) => [`${k}`, t(titleOf(table))])], { id, onchange: () => {
+    const add = this.select([["", t("add …")], ...tables.map((table, k) => [`${k}`, t(titleOf(table))])], { id, onchange: () => {
       const table = tables[add.value];
       if (table) this.set(path, [...(this.get(path) ?? []), { ...(table.word ? { kind: table.word } : {}), ...this.begin(table) }]);
       add.value = "";
@@ -108,7 +110,7 @@ export class Form {
 
   plain(field, path) {
     const { t } = this, id = idOf(path), values = valuesOf(field), [value] = values;
-    const absent = field.default === null || Array.isArray(field.default) ? "–" : t(LABELS[field.default] ?? `${field.default}`);
+    const absent = ABSENT[field.name] ? t(ABSENT[field.name]) : field.default === null || Array.isArray(field.default) ? "" : t(LABELS[field.default] ?? `${field.default}`);
     if (value.size === 2 && value.of[0].choices) return this.pair(field, path, value.of[0].choices);
     const words = (value.kind === "flag" && values.length === 1 ? ["true", "false"] : value.choices ?? []).map((one) => [one, t(LABELS[one] ?? one)]);
     const choices = field.sheets || ["sheet", "backing"].includes(field.name) ? this.sheets : words;
@@ -124,15 +126,17 @@ export class Form {
       const now = this.get(path);
       if (document.activeElement !== input || choices.length) input.value = shown(now, field.unit);
     });
-    return this.row(field, input, id);
+    const row = this.row(field, input, id);
+    if (field.when) this.controls.push(() => { row.hidden = !field.when(); });
+    return row;
   }
 
   // One choice for the start, one for the end.
   pair(field, path, choices) {
     const { t } = this, id = idOf(path);
-    const made = ["start", "end"].map((end, k) => this.select([["", "–"], ...choices.map((one) => [one, t(one)])], { id: k ? `${id}-end` : id, "aria-label": `${t(field.name)}, ${t(end)}`,
+    const made = ["start", "end"].map((end, k) => this.select([["", t(choices[0])], ...choices.slice(1).map((one) => [one, t(one)])], { id: k ? `${id}-end` : id, "aria-label": `${t(field.name)}, ${t(end)}`,
       onchange: () => this.set(path, made.some((one) => one.value) ? made.map((one) => one.value || choices[0]) : undefined) }));
-    this.controls.push(() => made.forEach((one, k) => { one.value = this.get(path)?.[k] ?? ""; }));
+    this.controls.push(() => made.forEach((one, k) => { one.value = this.get(path)?.[k] === choices[0] ? "" : this.get(path)?.[k] ?? ""; }));
     return this.row(field, html("span", { class: "pair" }, ...made), id);
   }
 
@@ -141,7 +145,7 @@ export class Form {
     const { t } = this, id = idOf(path), plain = valuesOf(field).filter((value) => !value.fields);
     const flag = plain.some((value) => value.kind === "flag"), others = plain.filter((value) => value.kind !== "flag");
     const titled = tables.length > 1 || flag;
-    const select = this.select([["", "–"], ...(flag ? [["true", t("yes")]] : []), ...tables.map((one, k) => [`${k}`, t(titled ? titleOf(one) : "as below")]),
+    const select = this.select([["", t(ABSENT[field.name] ?? "none")], ...(flag ? [["true", t("yes")]] : []), ...tables.map((one, k) => [`${k}`, t(titled ? titleOf(one) : "as below")]),
       ...(others.length ? [["value", t("value")]] : [])], { id });
     const inner = html("div", { class: "inner" });
     const kindOf = (now) => (now == null || now === false ? "" : now === true ? "true" : typeof now !== "object" || Array.isArray(now) ? "value"

@@ -1,12 +1,21 @@
 // The studio: one design, the drawing of it, and everything that the server says about it.
 import { EMPTY, History, packed, same, tableOf } from "./design.js";
-import { Drawing } from "./drawing.js";
+import { Drawing, element } from "./drawing.js";
 import { showFlat } from "./flat.js";
 import { Form, html } from "./forms.js";
 import { Space } from "./space.js";
 import { STARTS } from "./starts.js";
 import { COLORS, STEPS } from "./colors.js";
 
+const ICONS = { // paths in a square of 24
+  undo: "M8 5L3 10l5 5M3 10h11a5.500 5.500 0 0 1 0 11h-4", redo: "M16 5l5 5-5 5M21 10H10a5.500 5.500 0 0 0 0 11h4",
+  draw: "M4 20l1-5L16 4l4 4L9 19zM14 6l4 4", keep: "M12 3l8 3v6c0 5-3.500 8-8 9-4.500-1-8-4-8-9V6zM8 12l3 3 5-6",
+  hold: "M3 14c4-8 14-8 18 0M12 2v6M9.500 5.500L12 8l2.500-2.500M12 13a3 3 0 1 0 .01 0", nearest: "M3 17C8 3 16 3 21 17M3 21c5-11 13-11 18 0",
+  sheets: "M12 4l9 4-9 4-9-4zM3 12l9 4 9-4M3 16l9 4 9-4", pair: "M3 12c5-10 13-10 18 0M3 12c5 10 13 10 18 0",
+  starts: "M4 4h7v7H4zM13 4h7v7h-7zM4 13h7v7H4zM13 13h7v7h-7z", open: "M3 6h6l2 2h10v11H3z", save: "M4 4h13l3 3v13H4zM8 4v5h7V4M7 20v-7h10v7",
+  link: "M10 14a4 4 0 0 0 6 0l4-4a4 4 0 0 0-6-6l-1 1M14 10a4 4 0 0 0-6 0l-4 4a4 4 0 0 0 6 6l1-1", download: "M12 4v11M7 11l5 5 5-5M4 20h16",
+  fit: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5", "zoom-in": "M12 5v14M5 12h14", "zoom-out": "M5 12h14",
+};
 const LANGUAGES = { en: "English", de: "Deutsch", zh: "中文" };
 const FILES = { dxf: "DXF", svg: "SVG", pdf: "PDF at 1:1", step: "STEP", stl: "STL", kit: "Kit as zip" };
 const HOLDERS = ["rings", "base", "fixtures", "stand"];
@@ -72,6 +81,20 @@ class Studio {
     this.language = language;
     this.number = (value) => digits.format(value);
     const button = (text, onclick, more = {}) => html("button", { type: "button", onclick, ...more }, t(text));
+    const drawn = (icon) => element("svg", { viewBox: "0 0 24 24", "aria-hidden": "true", class: "icon" }, element("path", { d: ICONS[icon] }));
+    const tool = (icon, text, onclick, more = {}) => html("button", { type: "button", onclick, "data-do": icon, ...more }, drawn(icon), html("span", {}, t(text)));
+    const sign = (icon, text, onclick) => html("button", { type: "button", onclick, "aria-label": t(text), title: t(text) }, drawn(icon)); // without words
+    const menu = (name, icon, text, ...items) => {
+      const host = html("details", { class: `menu ${name}`, onfocusout: ({ relatedTarget }) => { if (relatedTarget && !host.contains(relatedTarget)) host.open = false; }, ontoggle: () => {
+        const list = host.lastChild, over = host.getBoundingClientRect().left + list.offsetWidth + 8 - this.root.getBoundingClientRect().right;
+        list.style.left = `${-Math.max(over, 0)}px`; // within the window
+      } }, html("summary", {}, drawn(icon), html("span", {}, t(text))), html("div", {}, ...items.map(([label, key, value, act]) => button(label, () => {
+        host.open = false;
+        host.firstChild.focus();
+        act();
+      }, { [key]: value }))));
+      return host;
+    };
     const select = (label, options, onchange, value) => html("select", { "aria-label": t(label), title: t(label), onchange: (event) => onchange(event.target.value) },
       ...options.map(([key, text]) => html("option", { value: key, selected: key === value }, text)));
     this.say = html("p", { class: "said", role: "status" });
@@ -92,35 +115,30 @@ class Studio {
     this.flat.setAttribute("role", "img");
     this.flat.setAttribute("aria-label", t("Flat strip"));
     const space = html("div", { class: "scene" });
-    this.pairing = button("Two states", () => this.twoStates(), { "data-do": "pair" });
-    this.keeping = button("Keep it possible", () => this.keeping.setAttribute("aria-pressed", (this.keeps = !this.keeps)), { "aria-pressed": `${Boolean(this.keeps)}`, "data-do": "keep", title: t("A dragged point stops at the border of what can be made.") });
-    this.mode = button("Draw", () => this.draws(this.drawing.mode !== "draw"));
-    const holding = html("details", { class: "menu holding" }, html("summary", {}, t("Hold and load")), html("div", {}, ...Object.keys(ELEMENTS).map((noun) => button(noun, () => {
-      holding.open = false;
+    this.pairing = tool("pair", "Two states", () => this.twoStates());
+    this.keeping = tool("keep", "Keep it possible", () => this.keeping.setAttribute("aria-pressed", (this.keeps = !this.keeps)), { "aria-pressed": `${Boolean(this.keeps)}`, title: t("A dragged point stops at the border of what can be made.") });
+    this.mode = tool("draw", "Draw", () => this.draws(this.drawing.mode !== "draw"));
+    const adding = menu("holding", "hold", "Hold and load", ...Object.keys(ELEMENTS).map((noun) => [noun, "data-put", noun, () => {
       this.draws(false);
       this.drawing.mode = noun;
       this.tell(t(noun === "tie" ? "Click on both places of the curve, or drag from one to the other." : "Click on the curve."));
-    }, { "data-put": noun }))));
+    }]));
     const file = html("input", { type: "file", accept: ".svg,.dxf,.csv,.txt,.json,.toml", hidden: true, onchange: () => this.open(file.files[0]) });
     const files = [...this.hello.downloads.map((kind) => [kind, FILES[kind]]), ["design", "Design file"]];
-    const menu = html("details", { class: "menu downloads" }, html("summary", {}, t("Download")), html("div", {}, ...files.map(([kind, text]) => button(text, () => {
-      menu.open = false;
-      menu.firstChild.focus();
-      this.download(kind);
-    }, { "data-kind": kind }))));
+    const downloads = menu("downloads", "download", "Download", ...files.map(([kind, text]) => [text, "data-kind", kind, () => this.download(kind)]));
     this.root.replaceChildren(
       html("header", {}, html("h1", {}, "elastica studio"),
         html("div", { class: "tools", role: "toolbar", "aria-label": t("Strip") },
-          button("Undo", () => this.history.undo()), button("Redo", () => this.history.redo()), this.mode, this.keeping,
-          button("Fit", () => this.drawing.fit()), button("Zoom in", () => this.drawing.zoom(1.25)), button("Zoom out", () => this.drawing.zoom(0.8)),
-          select("Snap", SNAPS.map((step) => [`${step}`, step ? `${t("Snap")} ${step} mm` : `${t("Snap")} ${t("off")}`]), (step) => { this.drawing.snap = +step; this.drawing.paint(); }, "0"),
-          button("Start from", () => this.starts(), { "data-do": "starts" }), button("Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
-          button("Nearest curve", () => this.nearest(), { class: "nearest" }), button("Suitable sheets", () => this.sheets(), { class: "sheets" }),
-          holding, this.pairing, this.hello.file ? button("Save", () => this.save(), { class: "save", title: this.hello.file }) : null,
-          this.address ? button("Copy link", () => this.link()) : null,
-          menu,
-          select("Language", Object.entries(LANGUAGES), (one) => { localStored("elastica-language", one); this.build(one); }, language))),
-      html("section", { class: "plane", "aria-label": t("Draw") }, plane, this.legend(), this.point),
+          html("div", {}, tool("starts", "Start from", () => this.starts()), tool("open", "Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
+            this.hello.file ? tool("save", "Save", () => this.save(), { class: "save", title: this.hello.file }) : null),
+          html("div", {}, tool("undo", "Undo", () => this.history.undo()), tool("redo", "Redo", () => this.history.redo())),
+          html("div", {}, this.mode, this.keeping, adding, this.pairing),
+          html("div", {}, tool("nearest", "Nearest curve", () => this.nearest(), { class: "nearest" }), tool("sheets", "Suitable sheets", () => this.sheets(), { class: "sheets" })),
+          html("div", {}, this.address ? tool("link", "Copy link", () => this.link()) : null, downloads)),
+        select("Language", Object.entries(LANGUAGES), (one) => { localStored("elastica-language", one); this.build(one); }, language)),
+      html("section", { class: "plane", "aria-label": t("Draw") }, plane, this.legend(), this.point, html("div", { class: "view" },
+        select("Snap", SNAPS.map((step) => [`${step}`, step ? `${t("Snap")} ${step} mm` : `${t("Snap")} ${t("off")}`]), (step) => { this.drawing.snap = +step; this.drawing.paint(); }, "0"),
+        sign("fit", "Fit", () => this.drawing.fit()), sign("zoom-in", "Zoom in", () => this.drawing.zoom(1.25)), sign("zoom-out", "Zoom out", () => this.drawing.zoom(0.8)))),
       html("section", { class: "told", tabindex: "0", "aria-label": t("Strip") }, this.say, this.verdict, this.numbers),
       html("section", { class: "space", "aria-label": t("Bent strip") }, space,
         html("div", { class: "bend" }, html("label", {}, t("Bend"), this.bar), this.forces),
@@ -153,6 +171,7 @@ class Studio {
     this.space = new Space(space, t);
     this.formFor(this.design);
     this.draws(!this.points().length);
+    this.refit = this.drawing.mode === "move"; // a view that moves while points are set would misplace them
     this.changed();
     this.drawing.fit();
   }
@@ -160,8 +179,11 @@ class Studio {
   // The fields of a strip and its copies, or of a part with two states.
   formFor(design) {
     const pair = this.formOf = Boolean(design.pair), table = (one, key) => (pair ? one.pair : tableOf(one, this.strip, key));
-    const { fields, pair_fields, sheets } = this.hello, at = fields.findIndex((field) => field.group === "limits");
-    this.form = new Form(this.fields, pair ? pair_fields : [...fields.slice(0, at), ...COPIES, ...fields.slice(at)], {
+    const { fields, pair_fields, sheets } = this.hello, all = pair ? pair_fields : [...fields, ...COPIES];
+    const groups = Object.entries(GROUPS).map(([title, names]) => [title, names.flatMap((name) => all.filter((field) => field.name === name))]);
+    for (const field of COPIES) if (field.held) field.when = () => Boolean(holding(this.design));
+    const shown = groups.flatMap(([, of]) => of);
+    this.form = new Form(this.fields, groups.filter(([, of]) => of.length), all.filter((field) => !shown.includes(field)), {
       t: this.t, sheets, begin: (table) => this.begin(table),
       get: (path) => (copyOf(path)?.get(this.design) ?? reach(table(this.design, path[0]) ?? {}, path)),
       set: (path, value) => {
@@ -179,7 +201,7 @@ class Studio {
   }
 
   legend() {
-    return html("ul", { class: "legend" }, ...STEPS.map((most, k) => {
+    return html("ul", { class: "legend" }, html("li", {}, this.t("Strain / limit")), ...STEPS.map((most, k) => {
       const swatch = html("span", { class: "swatch" });
       swatch.style.background = COLORS[k];
       return html("li", {}, swatch, Number.isFinite(most) ? `≤ ${100 * most} %` : "> 100 %");
@@ -286,7 +308,6 @@ class Studio {
     this.length = this.before;
     this.before = null;
     Object.assign(this.bar, { max: FURTHEST, value: 1 });
-    this.forces.textContent = "";
     const axis = Boolean(design.patterns?.some((pattern) => pattern.rotate));
     this.drawing.show({ points: this.points(design) });
     const at = this.points(design)[this.chosen]; // its boxes follow the pointer and the keys
@@ -353,6 +374,7 @@ class Studio {
     if (!this.whole.checked || !(design.strips?.length || design.revolution)) {
       this.alone();
       this.assembly = null;
+      this.tabulate();
       if (this.answer || design.revolution) this.judge();
       return;
     }
@@ -365,7 +387,7 @@ class Studio {
     if (this.answer || design.revolution) this.judge();
     if (answer.refused) return this.alone();
     this.space.showModel(answer);
-    this.tell([answer.text, ...answer.notes].join(" · "));
+    this.tabulate();
   }
 
   alone() { if (this.answer?.position) this.space.showAll(this.answer.states ?? [this.answer]); }
@@ -377,10 +399,12 @@ class Studio {
     if (answer?.states) Object.assign(answer, answer.states[this.strip], { other: answer.states[1 - this.strip].position });
     this.answer = answer;
     this.drawing.show({ answer, ghost: answer?.other ?? null });
+    if (answer && this.refit) this.drawing.fit(); // the tabs are known now
+    if (answer) this.refit = false;
     this.judge();
     showFlat(this.flat, answer?.flat, answer && `${t("Flat strip")}, ${answer.length} mm`);
-    const read = this.read && same(this.read.curve, this.curve()) ? [{ label: t("Read"), text: this.read.text, details: [] }] : []; // until the curve is changed
-    this.tabulate([...read, ...(answer?.rows ?? []).filter((row) => !row.stops)]);
+    this.tabulate();
+    this.travel(answer);
     if (answer?.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
       this.spaceSoon = null; // the drawing under the pointer comes first
       if (!this.whole.checked) this.alone();
@@ -394,8 +418,9 @@ class Studio {
     const warnings = refused ? [] : [...stops, ...(assembly?.warnings ?? [])];
     const state = refused ? "no" : warnings.length ? "care" : answer || assembly ? "yes" : "";
     const title = { yes: "It can be made", care: "It can be made; read the warnings", no: "It cannot be made" }[state] ?? (this.design.revolution || this.lost ? "" : "Draw at least three points");
-    const texts = refused ? [refused.message] : state ? [...warnings, ...(answer && answer.deviation == null ? [answer.text] : [])]
+    const all = refused ? [refused.message] : state ? [...warnings, ...(answer && answer.deviation == null ? [answer.text] : [])]
       : title ? [t("Click on the drawing to set the first points of a curve, or start from an example.")] : [];
+    const texts = [...new Set(all)].filter((text) => !all.some((other) => other !== text && other.includes(text)));
     const said = [title, ...texts].join();
     if (said !== this.verdict.said) { // a reader of the screen hears what is new
       this.verdict.className = `verdict ${state}`;
@@ -405,7 +430,11 @@ class Studio {
   }
 
   // Only the values that change are written anew.
-  tabulate(rows) {
+  tabulate() {
+    const { t, answer } = this, row = (label, text) => ({ label: t(label), text, details: [] });
+    const read = this.read && same(this.read.curve, this.curve()) ? [row("Read", this.read.text)] : []; // until the curve is changed
+    const model = (answer || this.design.revolution) && this.whole.checked && this.assembly?.text ? [row("Model", this.assembly.text), ...this.assembly.notes.map((text) => row("Note", text))] : [];
+    const rows = [...read, ...(answer?.rows ?? []).filter(({ stops }) => !stops), ...model];
     const cells = this.numbers.children;
     if (cells.length !== 2 * rows.length) this.numbers.replaceChildren(...rows.flatMap(() => [html("dt"), html("dd")]));
     rows.forEach(({ label, text, details }, k) => [label, text].forEach((content, i) => {
@@ -559,6 +588,7 @@ class Studio {
     const { t } = this, all = [...STARTS, ...Object.values(this.hello.starts)];
     const cards = [{ ...EMPTY, name: t("Empty drawing") }, ...all].map((design, k) => html("button", { type: "button", class: "card", "data-name": k ? design.name : "empty", onclick: () => {
       this.strip = 0;
+      this.refit = k > 0;
       this.history.replace(k ? design : EMPTY);
       this.whole.checked = Boolean(design.patterns || design.revolution || design.strips?.length > 1);
       this.dialog.close();
@@ -588,9 +618,18 @@ class Studio {
     const shape = { ...this.answer, ...frame, moved: frame.part !== 1 };
     this.drawing.show({ answer: shape });
     if (!this.whole.checked) this.space.showAll([shape]);
-    const where = frame.part === 0 ? t("flat") : frame.part === 1 ? t("as drawn") : `${Math.round(100 * frame.part)} %`;
-    this.forces.textContent = `${where}: ${t("force")} ${this.number(frame.force)} N, ${t("moment")} ${this.number(frame.moment)} N mm${frame.stable ? "" : ` – ${t("it snaps")}`}`;
-    this.forces.classList.toggle("snaps", !frame.stable);
+    this.travel(shape, frame);
+  }
+
+  // Beside the slider: the distance of the ends and how far they moved, and their force and moment once they did.
+  travel(shape, frame = null) {
+    const { t } = this, apart = ({ position }) => Math.hypot(...[0, 1].map((axis) => position.at(-2)[axis] - position[1][axis]));
+    const moved = shape?.position && apart(shape) - apart(this.answer), value = (label, text) => html("span", {}, `${t(label)} `, html("b", {}, text));
+    const way = Math.abs(moved) < 0.05 ? "" : ` (${moved > 0 ? "+" : "−"}${Math.abs(moved).toFixed(1)})`;
+    this.forces.replaceChildren(...(shape?.position && !shape.states ? [value("Distance of the ends", `${apart(shape).toFixed(1)} mm${way}`)] : []),
+      ...(frame ? [value("Force", `${this.number(frame.force)} N`), value("Moment", `${this.number(frame.moment)} N mm`)] : []),
+      ...(frame?.stable === false ? [html("strong", {}, t("it snaps"))] : []));
+    this.forces.classList.toggle("snaps", frame?.stable === false);
   }
 
   async link() {
@@ -669,7 +708,7 @@ const holding = (design) => design.revolution ?? design[holderOf(design)];
 const copyField = (name, value) => ({ name, common: true, group: "Copies", unit: "", help: name, default: null, ...value });
 const COPIES = [
   copyField("Copies around the axis x = 0", {
-    kind: "count",
+    kind: "count", default: 1,
     get: (design) => design.patterns?.find((one) => one.rotate)?.rotate.count,
     set: (design, count) => {
       design.patterns = [...(design.patterns ?? []).filter((one) => !one.rotate), ...(count > 1 ? [{ rotate: { count } }] : [])];
@@ -685,12 +724,17 @@ const COPIES = [
     },
   }),
   copyField("Sheet of the holders", {
-    kind: "choice", sheets: true, get: (design) => design[holderOf(design)]?.sheet,
+    kind: "choice", sheets: true, held: true, get: (design) => design[holderOf(design)]?.sheet,
     set: (design, sheet) => { if (design[holderOf(design)] && holderOf(design) !== "fixtures") design[holderOf(design)].sheet = sheet ?? "mdf-3"; },
   }),
   copyField("gap", {
-    kind: "number", unit: "mm", help: "Distance between the two plates that hold inclined tabs.", get: (design) => holding(design)?.gap,
+    kind: "number", unit: "mm", held: true, help: "Distance between the two plates that hold inclined tabs.", get: (design) => holding(design)?.gap,
     set: (design, gap) => { if (holding(design)) put(holding(design), ["gap"], gap); },
   }),
 ];
+// The settings that most designs need, as a maker calls them; all others are one step away.
+const GROUPS = {
+  Material: ["sheet", "thickness", "printed"], Size: ["max_width", "min_width", "style", "least_thickness", "fillet"], Ends: ["supports", "ends", "match", "free", "pad"],
+  Holders: ["between", "loads", ...COPIES.map(({ name }) => name)], Limits: ["limits", "keep", "objective"],
+};
 const copyOf = ([name]) => COPIES.find((one) => one.name === name);
