@@ -7,12 +7,13 @@ from functools import partial
 from itertools import groupby, islice, product
 from math import ceil
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import click
 import numpy as np
 
 from elastica_cad._values import round_numbers
+from elastica_cad.cli.element_options import ELEMENTS, element_options, elements_of
 from elastica_cad.cli.options import smooth_option
 from elastica_cad.cli.requested_curves import (
     RequestedCurve,
@@ -39,13 +40,22 @@ from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.design.check_report import report_check
 from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.forming.fairing_request import Smoothing
+from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.elements import Element, Rail
 from elastica_cad.mechanics.least_ratio import optimal_rod
-from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports
+from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports, require_supports
+from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, sheets_for_curve
-from elastica_cad.mechanics.theorem1 import EquilibriumCheck, changes_of, measured_points
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.theorem1 import (
+    EquilibriumCheck,
+    NotRealizable,
+    changes_of,
+    measured_points,
+)
 from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.report_rows import Row
 
@@ -70,6 +80,7 @@ WIDE_MM = 40.0
 @which_options
 @split_option
 @support_options
+@element_options(ELEMENTS)
 @smooth_option
 @click.option(
     "--picture",
@@ -92,16 +103,21 @@ def check(
     smooth: float | None,
     picture: Path | None,
     force: bool,
+    rail: Any,
+    pin: Any,
+    tie: Any,
 ) -> None:
     """Check whether flat strips can be bent into the curves in CURVE, and report where and why not.
 
     A strip can take a curve if a straight line meets the curve exactly in its inflections and is not tangent to it
-    there. Every curve is checked separately. Exit code 1 if no strip can take a curve, or if its points do not
-    decide it; 2 if a curve is not open and smooth.
+    there. Rails, pins and ties (--rail 200) make more curves possible. Every curve is checked separately. Exit code
+    1 if no strip can take a curve, or if its points do not decide it; 2 if a curve is not open and smooth.
     """
     requested = requested_curves(curve, unit, number, layer, every=True, split=split_corners)
     bent, several = natural_curvature_of(natural_curvature), len(requested) > 1
-    request = _Request(Supports(start, end), bent, smooth, alone=not several)
+    between = elements_of({"rail": rail, "pin": pin, "tie": tie}, ELEMENTS)
+    supports = require_supports(Supports(start, end), between=bool(between))
+    request = _Request(supports, bent, smooth, alone=not several, between=between)
     of_file, worst, bad = list(voice().notes), 0, 0
     answers: list[dict[str, Any]] = []
     if picture is not None:
@@ -110,7 +126,9 @@ def check(
                 "A picture shows a single curve, but the file has {count}. Choose a curve with --curve.",
                 count=len(requested),
             )
-        _draw(request.examined(requested[0])[2], picture, force=force)
+        _, smoothing, verdict = request.examined(requested[0])
+        on_elements = between and verdict.realizable
+        _draw(request.rod(smoothing.curve) if on_elements else verdict, picture, force=force)
     for rows, alike in groupby(
         ((drawn, request.judged(drawn)) for drawn in requested),
         key=lambda pair: _rows(pair[1]),
@@ -153,19 +171,30 @@ class _Request:
         Largest movement by smoothing, mm.
     alone : bool
         True for a single curve, which is checked in more detail.
+    between : tuple of Rail, Pin and Tie
+        Elements that hold the strip between its ends.
     """
 
     supports: Supports
     natural_curvature: NaturalCurvature
     smooth: float | None
     alone: bool
+    between: tuple[Element, ...] = ()
 
     def examined(self, requested: RequestedCurve) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
         """Return the check of the bent part of a curve, with the straight ends and the smoothing before it."""
         supports, rest, smooth = self.supports, self.natural_curvature, self.smooth
         ends = StraightEnds.of(requested.bendable(smooth), supports, rest)
-        spec = RodSpec(ends.bent, supports=supports, natural_curvature=rest, smooth=smooth)
-        return ends, spec.smoothing, spec.check
+        spec = RodSpec(
+            ends.bent, supports=supports, natural_curvature=rest, smooth=smooth, between=self.between
+        )
+        return ends, spec.smoothing, spec.check if not self.between else _check_on_elements(spec)
+
+    def rod(self, curve: PlaneCurve) -> Rod:
+        """Return the rod with the least stiffness ratio in a possible curve."""
+        return optimal_rod(
+            curve, supports=self.supports, natural_curvature=self.natural_curvature, between=self.between
+        )
 
     def judged(self, requested: RequestedCurve) -> dict[str, Any]:
         """Return the report on a curve; one of several curves may also be a curve that is not open and smooth."""
@@ -191,7 +220,9 @@ class _Request:
         of_curve = (message for message in smoothing.notes if message not in smoothing.noise)
         report["notes"] = [*outcome, *([ends.message] if ends else []), *of_curve]
         if verdict.realizable and self.alone:
-            report |= _fitting_sheets(smoothing.curve, self.supports, self.natural_curvature)
+            rod = self.rod(smoothing.curve)
+            report |= _fitting_sheets(smoothing.curve, rod.ratio, self.natural_curvature)
+            report |= _on_elements(rod) if self.between else {}
         return report
 
     def _smoothed(self, requested: RequestedCurve, verdict: EquilibriumCheck) -> tuple[Refusal, ...]:
@@ -214,7 +245,8 @@ class _Request:
 
         If none is near, it is the command for a strip on a rail, pin or tie.
         """
-        if self.natural_curvature or self.smooth is not None or Path("out").exists():
+        settled = self.natural_curvature or self.smooth is not None or self.between
+        if settled or Path("out").exists():
             return ""
         # imported here, because these modules import all modules for strips
         from elastica_cad.cli.strip_options import option_words
@@ -259,6 +291,7 @@ def _rows(report: dict[str, Any]) -> list[Row]:
     return [
         verdict,
         *([_widths_row(report["ratio"]), _sheets_row(report["sheets"])] if "ratio" in report else []),
+        *([_stability_row(report)] if "stability" in report else []),
     ]
 
 
@@ -295,20 +328,53 @@ def _some(names: Sequence[str]) -> str:
     return f"{', '.join(names[:MOST_SHEETS])}{f' and {more} others (-v)' if more > 0 else ''}"
 
 
-def _draw(verdict: EquilibriumCheck, path: Path, *, force: bool) -> None:
-    """Write the picture of a check."""
+def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
+    """Write the picture of a check, or of a rod on elements with its thrust line."""
     from elastica_cad.plot.canvas import save_figure
     from elastica_cad.plot.check_picture import check as draw_check
+    from elastica_cad.plot.strip_pictures import rod as draw_rod
 
-    save_figure(draw_check(verdict), path, force=force)
+    figure = draw_rod(verdict) if isinstance(verdict, Rod) else draw_check(verdict)
+    save_figure(figure, path, force=force)
     wrote([path])
 
 
-def _fitting_sheets(
-    curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature
-) -> dict[str, Any]:
+def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
+    """Return the verdict on a curve with elements between the ends, with the reasons of its linear program."""
+    try:
+        solve_rod(spec)
+    except NotRealizable as problem:
+        return cast(EquilibriumCheck, problem.check)
+    return spec.check
+
+
+def _on_elements(rod: Rod) -> dict[str, Any]:
+    """Return the stability of a rod on elements, and the side of the bar of each rail."""
+    verdict, sides = stability(rod), []
+    for action in rod.between:
+        if isinstance(action.element, Rail):
+            angle = rod.curve.at(action.s).angle
+            left = action.force[0] @ (-np.sin(angle[0]), np.cos(angle[0])) > 0
+            sides.append({"at": round_numbers(action.s[0]), "side": "right" if left else "left"})
+    return {
+        "stability": {"word": verdict.word, "margin": round_numbers(verdict.margin)},
+        "bars": sides,
+        "advice_on_elements": _stability_row({"stability": {"word": verdict.word}, "bars": sides}).text,
+    }
+
+
+def _stability_row(report: Mapping[str, Any]) -> Row:
+    bars = [f"the bar at {bar['at']:.4g} mm is on the {bar['side']} of the strip" for bar in report["bars"]]
+    word = report["stability"]["word"]
+    text = {"unstable": "unstable: the strip snaps into another shape", "low": "close to snapping"}
+    return Row(
+        "Stability", "; ".join([text.get(word, "stable in its plane"), *bars]),
+        severity="note" if word == "ample" else "warning",
+    )  # fmt: skip
+
+
+def _fitting_sheets(curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature) -> dict[str, Any]:
     """Return the least stiffness ratio, and the sheets that bend to the curve at this or a larger size."""
-    ratio = optimal_rod(curve, supports=supports, natural_curvature=natural_curvature).ratio
     known = sheets_for_curve(curve, natural_curvature)
     sheets = [{"name": sheet.sheet.name, "scale": round_numbers(sheet.scale)} for sheet in known]
     advice = [_widths_row(ratio).text, _sheets_row(sheets).text]

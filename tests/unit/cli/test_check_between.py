@@ -1,0 +1,49 @@
+"""`elastica check` of curves on rails, pins and ties."""
+
+import json
+
+import pytest
+
+import elastica_cad as ec
+from tests.command_line import run
+
+WAVE = ec.PlaneCurve.spline(
+    [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
+)
+
+
+@pytest.fixture(scope="module")
+def desk(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("desk")
+    ec.write_curves([WAVE], folder / "wave.dxf")
+    return folder
+
+
+def test_a_rail_makes_the_curve_possible(desk):
+    assert "cannot take this curve" in run("check wave.dxf", cwd=desk, code=1).output
+    (report,) = json.loads(run("check wave.dxf --rail 200 --json", cwd=desk).stdout)
+    rod = ec.optimal_rod(WAVE, between=ec.Rail(200))
+    assert report["realizable"]
+    assert report["ratio"] == pytest.approx(rod.ratio, rel=1e-6)
+    assert report["stability"]["margin"] == pytest.approx(ec.stability(rod).margin, rel=1e-6)
+    # the rail pushes the strip down, to the right, so its bar is on the left
+    assert rod.between_forces[0][1] < 0
+    assert report["bars"] == [{"at": 200.0, "side": "left"}]
+
+
+def test_a_pin_at_a_point_and_a_tie(desk):
+    printed = run("check wave.dxf --pin 182.5,-3.8 --tie 40 310", cwd=desk).stdout
+    ratio = ec.optimal_rod(WAVE, between=(ec.Pin((182.5, -3.8)), ec.Tie(40, 310))).ratio
+    assert f"{ratio:.3g} times as wide" in printed
+    assert "Stability   stable in its plane" in printed
+
+
+def test_the_reasons_have_places(desk):
+    printed = run("check wave.dxf --rail 60", cwd=desk, code=1).output
+    assert "would have to bend against its moment near 60 and 371 mm" in printed
+    assert "Change" not in printed
+
+
+def test_two_free_ends_need_an_element(desk):
+    assert "free" in run("check wave.dxf --start free --end free", cwd=desk, code=2).output
+    run("check wave.dxf --start free --end free --tie 0 394", cwd=desk, code=1)
