@@ -375,6 +375,8 @@ ROWS_OF = {
     ("check", "arch.svg"): ("Read", "Verdict", "Widths", "Sheets"),
     MAKE: ("Size", "Strain", "Stability", "Hold", "Accuracy", "Files"),
     NEAR: ("Curve", "Change", "Warning"),
+    ("strip", "arch.svg", *PLY, "--tie", "60", "240", "-o", "o"): ("Between",),
+    ("sections", "bowl.obj", "--unit", "mm", "--radial", "2", "-o", "o"): ("Section",),
     ("bend", "--straight", "120", *PLY, "--to", "97", "0", "--steps", "4", "-o", "o"): ("Shape", "Force"),
     (
         "batten",
@@ -403,7 +405,8 @@ def _labels(row, folder):
     (command,) = (words for words, labels in ROWS_OF.items() if label in labels)
     assert not unknown_options(row[-1])
     drawn(folder)
-    typed(folder, "new", "pavilion")
+    for example in ("pavilion", "sections"):
+        typed(folder, "new", example)
     assert re.search(rf"^(! )?{label} ", typed(folder, *command, code=None), re.MULTILINE)
 
 
