@@ -1,5 +1,6 @@
 """Reports on strips as plain data."""
 
+from itertools import zip_longest
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from elastica_cad.formats.json_curves import curve_record
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.elements import NOUNS, Tie
+from elastica_cad.mechanics.mounting_errors import displacements_per_mm
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.sideways import SidewaysStability
 from elastica_cad.mechanics.stability import Stability
@@ -208,10 +210,12 @@ def _sideways_report(verdict: SidewaysStability) -> dict[str, Any]:
 def _between(strip: Strip) -> list[dict[str, Any]]:
     """Return rails, pins, ties and point forces with their stations (mm) and forces on the strip (N).
 
-    A tie has its length (mm) and its pull (N).
+    A tie has its length (mm) and its pull (N). `moved_per_mm` is the largest displacement of the strip per mm of
+    error in mounting the element, mm.
     """
     rows = []
-    for action in strip.rod.acting:
+    moves = displacements_per_mm(strip.rod)
+    for action, moved in zip_longest(strip.rod.acting, moves):
         row = {
             "kind": NOUNS[type(action.element)],
             "at": round_numbers(action.s),
@@ -220,6 +224,8 @@ def _between(strip: Strip) -> list[dict[str, Any]]:
         if isinstance(action.element, Tie):
             row["length"] = round_numbers(action.distance_on(strip.rod.curve))
             row["pull"] = round_numbers(strip.bending_stiffness * action.size)
+        if moved is not None:
+            row["moved_per_mm"] = round_numbers(moved)
         rows.append(row)
     return rows
 

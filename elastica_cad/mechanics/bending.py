@@ -315,7 +315,8 @@ def _bent_on_elements(
     )
 
 
-def _shape_of(state: RodState) -> ShapeOfRod:
+def shape_of(state: RodState) -> ShapeOfRod:
+    """Return the places of the rod of a state."""
     return ShapeOfRod(state.discrete.tangents, state.system.edge_length, state.position[0])
 
 
@@ -323,7 +324,7 @@ def _settled(
     elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState
 ) -> tuple[ElementForce, ...]:
     """Return the elements with their forces and places in a state."""
-    shape, acting = _shape_of(state), iter(state.actions)
+    shape, acting = shape_of(state), iter(state.actions)
     return tuple(
         with_side(next(acting), shape) if is_taut else touching(action, shape)
         for action, is_taut in zip(elements, taut, strict=True)
@@ -336,7 +337,7 @@ def _needs_change(elements: Sequence[ElementForce], taut: Sequence[bool], state:
 
 def _other_set(elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState) -> list[bool] | None:
     """Return the taut elements after the change that a state needs most, or None if it needs none."""
-    shape, acting = _shape_of(state), iter(state.actions)
+    shape, acting = shape_of(state), iter(state.actions)
     largest = float(np.abs(state.discrete.force).max(initial=0.0))
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
     for i, action in enumerate(elements):

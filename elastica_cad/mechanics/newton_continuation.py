@@ -43,7 +43,7 @@ def is_balanced(state: RodState) -> bool:
     return state.imbalance <= TOLERANCE and state.gap <= TOLERANCE
 
 
-def _newton_step(state: RodState, residual: Residual) -> Step:
+def newton_step(state: RodState, residual: Residual) -> Step:
     """Return the step that cancels `residual` to first order."""
     return _solved(state, *state.discrete.hessian, residual)
 
@@ -90,7 +90,7 @@ def correct(
     state, iterations
     """
     current = state
-    step = _newton_step(current, _remaining(current, kept))
+    step = newton_step(current, _remaining(current, kept))
     turned = _turned(step)
     for iteration in range(most):
         if not turned <= turn:
@@ -98,7 +98,7 @@ def correct(
         factor = 1.0
         while True:
             trial = current.moved(step, factor)
-            next_step = _newton_step(trial, _remaining(trial, kept))
+            next_step = newton_step(trial, _remaining(trial, kept))
             next_turned = _turned(next_step)
             settled = next_turned < max(CONVERGED_RAD, min(SMALL_TURN_RAD / 4, 2 * turned))
             if settled or next_turned <= (1 - factor / 2) * turned:
@@ -184,7 +184,7 @@ def _polish(state: RodState) -> RodState:
     for _ in range(6):
         if size == 0:
             break
-        trial = state.moved(_newton_step(state, state.residual))
+        trial = state.moved(newton_step(state, state.residual))
         trial_size = _size(trial, trial.residual)
         if not trial_size < 0.5 * size:
             break

@@ -9,6 +9,7 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.elements import ElementForce, Rail, Tie, noun_of
+from elastica_cad.mechanics.mounting_errors import displacements_per_mm
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, sentences
@@ -65,6 +66,7 @@ def strip_rows(
             stability_row(strip, verdict),
             hold_row(strip),
             *between_rows(strip.rod, strip.bending_stiffness),
+            *_mounting_rows(strip),
         ]
         with suppress(NotConvergedError):
             rows.append(not_computed_row() if strip.rod.acting else accuracy_row(strip.held()))
@@ -188,6 +190,35 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
         "Angles are from the x axis of the drawing."
     )
     yield Row(note("Between"), sentences(texts, "; "), (details,))
+
+
+MOUNTING_ERROR_MM = 0.5
+"""Error of the place of a rail or pin, or of the length of a cord, for which a report gives the displacement."""
+
+
+def _mounting_rows(strip: Strip) -> Iterator[Row]:
+    """Yield the row on the displacement of the strip by errors in mounting rails, pins and ties."""
+    if not strip.rod.between:
+        return
+    texts = [
+        note(
+            "{far:.2g} for the {element} from {start:.0f} to {end:.0f}"
+            if isinstance(action.element, Tie)
+            else "{far:.2g} for the {element} at {start:.0f}",
+            far=Length(MOUNTING_ERROR_MM * moved), element=noun_of(action.element), start=Length(action.s[0]),
+            end=Length(action.s[-1]),
+        )
+        for action, moved in zip(strip.rod.between, displacements_per_mm(strip.rod), strict=True)
+    ]  # fmt: skip
+    text = note(
+        "{error} of error in an element moves the strip by {moves}", error=Length(MOUNTING_ERROR_MM),
+        moves=sentences(texts, ", "),
+    )  # fmt: skip
+    details = note(
+        "The error is that of the place of a rail along its normal or of a pin, or that of the length of a cord. "
+        "The largest displacement of the strip is given."
+    )
+    yield Row(note("Mounting"), text, (details,))
 
 
 def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:

@@ -112,3 +112,14 @@ def test_a_strip_on_a_rail_has_fixtures_that_lean_against_its_load():
     assert lean == pytest.approx([-value for value in opposite], rel=1e-3)
     with pytest.raises(InputError, match="as made"):
         held.held()
+
+
+def test_the_report_has_the_displacement_by_errors_in_mounting():
+    strip = strip_between(ec.Rail(200), ec.Tie(40, 310))
+    text = {row.label: row.text for row in strip_rows(strip)}["Mounting"]
+    rail, tie = (element["moved_per_mm"] for element in report_strip(strip, name="wave", files={})["between"])
+    assert text == (
+        f"0.5 mm of error in an element moves the strip by {rail / 2:.2g} mm for the rail at 200 mm, "
+        f"{tie / 2:.2g} mm for the tie from 40 mm to 310 mm"
+    )
+    assert "Mounting" not in {row.label for row in strip_rows(strip, quick=True)}
