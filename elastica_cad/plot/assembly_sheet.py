@@ -10,6 +10,7 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import counted
+from elastica_cad.mechanics.elements import NOUNS
 from elastica_cad.model.assembly import (
     AssemblyStep,
     Holder,
@@ -23,6 +24,7 @@ from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
 from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_pages
 from elastica_cad.plot.model_pictures import look_from, rule_strip, screen_of
+from elastica_cad.strip.holding_template import held_elements
 
 PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
 ELEVATION_DEG, AZIMUTH_DEG = 24.0, -60.0  # direction of the viewer
@@ -82,6 +84,10 @@ def _pages(
     yield _exploded(model, holders)
     head = ("step", "strip", "cut as", "end 1 goes to", "end 2 goes to", "locks into")
     yield from _tables(f"{model.name}: order of assembly", head, list(_rows(steps)))
+    held = list(_held_rows(model))
+    if held:
+        head = ("strip", "element", "place (x, y, z), mm", "angle, degrees", "force, N", "length, mm")
+        yield from _tables(f"{model.name}: rails, pins and ties", head, held)
     if cut_list is not None:
         cut = [
             (row.part, str(row.count), row.sheet, f"{row.length:.1f} x {row.width:.1f}", row.file)
@@ -99,6 +105,19 @@ def _rows(steps: Sequence[AssemblyStep]) -> Iterator[tuple[str, ...]]:
             number = f"{first.number} to {others[-1].number}"
             strip = f"strips {number}"
         yield number, strip, part, *ends, ", ".join(locks)
+
+
+def _held_rows(model: Model) -> Iterator[tuple[str, ...]]:
+    """Yield a row for each rail, pin and tie; angles are those of the strip from the line between its ends."""
+    for i, member in enumerate(model.placed):
+        for held in held_elements(member.strip):
+            points = member.frame.point(held.position)
+            at = " to ".join(f"({x:z.1f}, {y:z.1f}, {z:z.1f})" for x, y, z in points)
+            apart = float(np.linalg.norm(points[-1] - points[0]))
+            tied = len(points) > 1
+            noun = f"{held.name} {NOUNS[type(held.action.element)]}"
+            angle, length = ("", f"{apart:.1f}") if tied else (f"{held.tilt:.1f}", "")
+            yield model.single_name_of(i), noun, at, angle, f"{held.force:.2g}", length
 
 
 def _page(title: str) -> Any:
@@ -164,6 +183,13 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
             text = tab.name.removeprefix("strip ")
             axes.text(*start, text, fontsize=6, color=INK, ha="center", va="center",
                       bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": LEAD, "lw": 0.4})  # fmt: skip
+    for member in spread:
+        for held in held_elements(member.strip):
+            points = member.frame.point(held.position) @ screen
+            axes.plot(*points.T, color=LEAD, marker="o", markersize=3, linewidth=0.8)
+            axes.annotate(
+                held.name, points[0], xytext=(4, 4), textcoords="offset points", fontsize=6, color=LEAD
+            )
     axes.autoscale_view()
     axes.set_aspect("equal")
     axes.set_axis_off()

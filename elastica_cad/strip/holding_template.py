@@ -1,6 +1,7 @@
 """Positions of the two held ends of a strip, in numbers and as a full-size drawing for mounting the strip."""
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
@@ -10,7 +11,9 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad._values import require_record
 from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.segments import Line, Spline
+from elastica_cad.mechanics.elements import NOUNS, ElementForce, Rail, Tie
 from elastica_cad.mechanics.loads import End
 from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
@@ -134,6 +137,89 @@ def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
     return start, end
 
 
+@dataclass(frozen=True, eq=False)
+class HeldElement:
+    """Rail, pin or tie of a strip, with the numbers for mounting it.
+
+    Attributes
+    ----------
+    name : str
+        R1, P1 or T1: its kind and number.
+    action : ElementForce
+    position : (k, 2) array
+        Its places on the strip, mm, in the plane of the curve.
+    outward : (k, 2) array
+        Unit normals of the strip towards the side from which a rail pushes; for others to the left.
+    places : (k, 2) array
+        The places, mm, along the line between the ends and to its left.
+    tilt : float
+        Direction of the strip at the first place relative to that line, degrees.
+    force : float
+        N.
+    """
+
+    name: str
+    action: ElementForce
+    position: FloatArray
+    outward: FloatArray
+    places: FloatArray
+    tilt: float
+    force: float
+
+    def __str__(self) -> str:
+        """Return the text of a template, in letters that can be engraved."""
+        at = " to ".join(f"x {x:z.1f}, y {y:z.1f}" for x, y in self.places)
+        if isinstance(self.action.element, Tie):
+            length = float(np.hypot(*(self.places[1] - self.places[0])))
+            return f"{self.name} {NOUNS[Tie]}: {at}, {length:.1f} mm long, {self.force:.2g} N"
+        noun = NOUNS[type(self.action.element)]
+        return f"{self.name} {noun}: {at}, {self.tilt:.1f} degrees from the line, {self.force:.2g} N"
+
+
+def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
+    """Return the rails, pins and ties of a strip with the numbers for mounting them."""
+    rod, counts, held = strip.rod, Counter[str](), []
+    if not rod.between:
+        return ()
+    x, y = chord = rod.position[-1] - rod.position[0]
+    chord /= np.hypot(x, y) or 1.0
+    for action in rod.between:
+        letter = NOUNS[type(action.element)][0].upper()
+        counts[letter] += 1
+        at = rod.curve.at(action.s)
+        normal = np.column_stack([-np.sin(at.angle), np.cos(at.angle)])
+        if isinstance(action.element, Rail) and action.force[0] @ normal[0] > 0:
+            normal = -normal
+        off = at.position - rod.position[0]
+        held.append(
+            HeldElement(
+                f"{letter}{counts[letter]}", action, at.position, normal,
+                np.column_stack([off @ chord, off @ left_of(chord)]),
+                _turned(np.degrees(at.angle[0]) - np.degrees(np.arctan2(chord[1], chord[0]))),
+                strip.bending_stiffness * action.size,
+            )
+        )  # fmt: skip
+    return tuple(held)
+
+
+def _element_lines(held: HeldElement, half: float) -> Iterator[list[FloatArray]]:
+    """Yield lines that mark an element: a cord, a cross at a pin, a bar on the side from which a rail pushes."""
+    if isinstance(held.action.element, Tie):
+        yield [*held.position]
+        return
+    point, normal = held.position[0], held.outward[0]
+    along = left_of(normal)
+    if isinstance(held.action.element, Rail):
+        sides = (1.0,) if held.action.element.one_sided else (1.0, -1.0)
+        for side in sides:
+            face = point + side * half * normal
+            yield [face - CROSS_MM / 2 * along, face + CROSS_MM / 2 * along]
+            yield [face, face + side * CROSS_MM * normal]
+        return
+    yield [point - CROSS_MM / 2 * along, point + CROSS_MM / 2 * along]
+    yield [point - CROSS_MM / 2 * normal, point + CROSS_MM / 2 * normal]
+
+
 def ends_message(strip: Strip) -> Refusal:
     """Return a sentence with the positions and directions in which to hold the ends."""
     ends = held_ends(strip)
@@ -168,6 +254,8 @@ def holding_template(strip: Strip) -> Drawing:
         for hole in end.holes:
             middle = end.position + hole.at * end.outward
             lines.append((MARK, [middle - CROSS_MM * aside, middle + CROSS_MM * aside]))
+    elements, thick = held_elements(strip), max(strip.end_thicknesses)
+    lines += [(MARK, points) for held in elements for points in _element_lines(held, thick / 2)]
     paths = [LayeredPath(ENGRAVE, Path([Spline(rod.curve)]))]
     paths += [LayeredPath(layer, Path([Line(p, q) for p, q in pairwise(points)])) for layer, points in lines]
     low = min(path.path.bounds[0, 1] for path in paths) - 3 * LETTERS_MM
@@ -181,13 +269,18 @@ def holding_template(strip: Strip) -> Drawing:
             + "".join(f", hole at x {x:z.1f}, y {y:z.1f}" for x, y in holes)
             for name, end, holes in zip((1, 2), ends, hole_places(ends), strict=True)
         ),
-        *(["mm; x along the line from its start"] if first.holes or last.holes else []),
+        *map(str, elements),
+        *(["mm; x along the line from its start"] if first.holes or last.holes or elements else []),
     ]
     texts = [
         Text((left, float(low - 1.8 * LETTERS_MM * row)), line, LETTERS_MM, 0.0, MARK)
         for row, line in enumerate(drawn_text)
     ]
     texts += [_number(str(name), end) for name, end in zip((1, 2), ends, strict=True)]
+    for held in elements:
+        x, y = held.position[0] + (CROSS_MM + LETTERS_MM) * held.outward[0]
+        where = (float(x) - LETTERS_MM / 2, float(y) - LETTERS_MM / 2)
+        texts.append(Text(where, held.name, LETTERS_MM, 0.0, MARK))
     return Drawing(f"{strip.label or 'strip'} template", tuple(paths), tuple(texts))
 
 
