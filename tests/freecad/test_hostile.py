@@ -60,8 +60,8 @@ def test_odd_weights(document, drawn, weights):
 @pytest.mark.parametrize(
     ("name", "value", "says"),
     [
-        ("MaxWidth", 1e12, "kilometre"),
-        ("StartTab", 1e9, "kilometre"),
+        ("MaxWidth", 1e12, "hundred metres"),
+        ("StartTab", 1e9, "hundred metres"),
         ("Thickness", 1e-6, "foil"),
         ("Thickness", 1e3, "would fold there"),
         ("Samples", -5, "1 or more"),

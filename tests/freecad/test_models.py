@@ -446,6 +446,10 @@ def test_a_nest_and_its_files(document, standing, tmp_path):
     files = write_cutting_files([made, plate], tmp_path, kinds=("svg", "csv", "nest", "step"))
     assert sum(file.name.startswith("nest") for file in files) == 1
     assert (tmp_path / "Model.step").exists()
+    in_step = Part.Shape()
+    in_step.read(str(tmp_path / "BasePlate.step"))
+    assert in_step.Volume == pytest.approx(plate.Shape.Volume, rel=1e-6)
+    assert in_step.BoundBox.ZMax == pytest.approx(-2, abs=1e-6)
     change(laid, SheetWidth=100)
     assert "Invalid" in laid.State
 

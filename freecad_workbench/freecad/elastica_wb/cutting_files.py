@@ -16,6 +16,7 @@ from typing import Any
 import FreeCAD as App
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import container, drawn_curve, frame_of
+from freecad.elastica_wb.features.baseplate import plates_of
 from freecad.elastica_wb.features.fixtures import block_shape, blocks_for
 from freecad.elastica_wb.features.flexure import flexure_of
 from freecad.elastica_wb.features.flexure import solids_of as flexure_solids
@@ -109,7 +110,7 @@ def write_cutting_files(
         for file in cutting_files(replace(drawing, name=stem), stem, cutting, sheet)
         if file.name.rpartition(".")[2] in kinds
     ]
-    bodies = [obj for obj in counted(sources) if not is_plate(obj)] if "step" in kinds else []
+    bodies = list(counted(sources)) if "step" in kinds else []
     steps = distinct(file_word(obj.Label) for obj in bodies)
     files += [
         File(f"{word}.step", partial(_write_step, obj)) for word, obj in zip(steps, bodies, strict=True)
@@ -141,7 +142,7 @@ def _listed(cuts: Sequence[Cut], files: Mapping[str, str]) -> str:
 def _write_step(obj: Any, path: Path) -> None:
     """Write named and coloured bodies of an object and the blocks that hold it to a STEP file.
 
-    A strip has its flat part and its bent part on the curve. A model has its bodies.
+    A strip has its flat part and its bent part on the curve. A model has its bodies. Plates are in their places.
     """
     import Import
 
@@ -180,6 +181,9 @@ def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
             (f"{name} {translate('Elastica', form)}", make_solid(solid), world, part.sheet)
             for form, solid in flexure_solids(part)
         ]
+    if is_plate(obj):
+        solids = [(plate, make_solid(plate.solid)) for plate in plates_of(obj)]
+        return [(plate.name, solid, solid.Placement, plate.sheet) for plate, solid in solids]
     strip, name = strip_of(obj), obj.EngravedText or obj.Label
     world = drawn_curve(obj.Curve, obj).world
     lying = FlatSolid.layers(strip, frame_beside(strip, frame_of(world)))

@@ -5,6 +5,7 @@
 
 from typing import Any, ClassVar
 
+import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import container, frame_of
@@ -16,6 +17,7 @@ from freecad.elastica_wb.host.sheet_store import sheet_called
 
 from elastica_cad.declared import Field, declared
 from elastica_cad.geometry.frame import Frame
+from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.plate_pairs import end_plates
 from elastica_cad.model.plates import BasePlate, PlateOptions, RingOptions
 from elastica_cad.strip.outline import ENDS
@@ -90,12 +92,19 @@ class RingsFeature(Feature):
 
 def create(document: Any, sources: list[Any]) -> Any:
     """Make a base plate for a model or for strips; recompute the document to see it."""
-    return added(document, "BasePlate", BasePlateFeature, sources, Sources=sources)
+    return _colored(added(document, "BasePlate", BasePlateFeature, sources, Sources=sources))
 
 
 def create_rings(document: Any, sources: list[Any]) -> Any:
     """Make rings for the ends of a model or of strips; recompute the document to see them."""
-    return added(document, "Rings", RingsFeature, sources, Sources=sources)
+    return _colored(added(document, "Rings", RingsFeature, sources, Sources=sources))
+
+
+def _colored(obj: Any) -> Any:
+    """Return plates, which get the colour of their sheet."""
+    if App.GuiUp:
+        obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
+    return obj
 
 
 def plates_of(obj: Any) -> tuple[BasePlate, ...]:

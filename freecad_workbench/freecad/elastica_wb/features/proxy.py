@@ -40,6 +40,7 @@ from freecad.elastica_wb.host.sheet_store import (
 from freecad.elastica_wb.host.words import report_error
 
 from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.mechanics.sheets import sheet_color
 
 CONTAINERS = Property(
     "LinkListGlobal",
@@ -67,6 +68,7 @@ REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 FOLLOWED = ("Curve", "SecondCurve", "Sources", "Strips")
 """Properties with the objects that a feature depends on."""
 
+SAME_COLOR = 1e-2  # FreeCAD keeps colours in single precision or in 256 steps
 MOST_NAMES = 6  # in one line of the report view
 
 
@@ -109,7 +111,7 @@ class Feature(Unsaved):
             self.chosen = None if is_misread(obj, name) else getattr(obj, name)
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Copy thickness and numbers of a newly chosen sheet into the document."""
+        """Take thickness, numbers and colour of a newly chosen sheet."""
         # called for every result that is written, so the slower checks come last
         if name in self.choices and is_misread(obj, name):
             if getattr(obj, name) is None or self.chosen not in (None, getattr(obj, name)):
@@ -126,6 +128,8 @@ class Feature(Unsaved):
                 put(obj, **{numbers_name: text_of(sheet)})
                 if name == "Sheet" and "Thickness" in obj.PropertiesList:
                     put(obj, Thickness=sheet.thickness)
+            if name == "Sheet" and App.GuiUp:
+                _recolor(obj, self.chosen)
 
     def keep_sheets(self, obj: Any) -> None:
         """Update the list of sheets, and mark the feature for recompute if the user changed its sheet."""
@@ -201,6 +205,17 @@ def added(
     for prop, value in properties.items():
         setattr(obj, prop, value)
     return obj
+
+
+def _recolor(obj: Any, before: str) -> None:
+    """Recolour a feature and the objects made from it, except those with a sheet or with a colour of the user."""
+    with suppress(InputError):  # the sheet may not exist any more
+        old, new = (sheet_color(sheet_called(name)) for name in (before, obj.Sheet))
+        users = [user for user in obj.InList if not getattr(getattr(user, "Proxy", None), "sheets", None)]
+        for view in [user.ViewObject for user in (obj, *users)]:
+            color = getattr(view, "ShapeColor", ())[:3]
+            if color and all(abs(a - b) < SAME_COLOR for a, b in zip(color, old, strict=True)):
+                view.ShapeColor = new
 
 
 def hide(obj: Any) -> None:

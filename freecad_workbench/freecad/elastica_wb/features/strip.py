@@ -39,7 +39,6 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 BODY = "PartDesign::Body"
-SAME_COLOR = 1e-2  # FreeCAD keeps colours in single precision or in 256 steps
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
@@ -62,13 +61,6 @@ class StripFeature(Feature):
         super().onDocumentRestored(obj)
         if lacks_override:
             obj.Anyway = obj.StrainUse >= 100  # such a strip was not refused then
-
-    def onChanged(self, obj: Any, name: str) -> None:
-        """Recolour the strip when its sheet changes."""
-        before = self.chosen
-        super().onChanged(obj, name)
-        if name == "Sheet" and App.GuiUp and before is not None and "Restore" not in obj.State:
-            _recolor(obj, before)
 
     def make(self, obj: Any) -> None:
         """Set the shape and the results."""
@@ -141,16 +133,6 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     if App.GuiUp:
         obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
     return obj
-
-
-def _recolor(strip: Any, before: str) -> None:
-    """Recolour the strip and the objects made from it, except those that the user has coloured."""
-    with suppress(InputError):  # the sheet may not exist any more
-        old, new = (sheet_color(sheet_called(name)) for name in (before, strip.Sheet))
-        for view in [obj.ViewObject for obj in (strip, *strip.InList)]:
-            color = getattr(view, "ShapeColor", ())[:3]
-            if color and all(abs(a - b) < SAME_COLOR for a, b in zip(color, old, strict=True)):
-                view.ShapeColor = new
 
 
 def shown_strips(obj: Any) -> Iterator[Standing]:

@@ -236,7 +236,7 @@ NEAREST = tuple(
 """Options and results of a separate nearest curve."""
 
 
-LONGEST_MM, THINNEST_MM = 1e6, 1e-3  # one kilometre; thinner than any foil
+LONGEST_MM, THINNEST_MM = 1e5, 1e-3  # a hundred metres; thinner than any foil
 BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"
 MASS_LINE, WEIGHT_LINE, TAB_LINE = "at = 90, mass = 3", "alpha = 1, own = true", "length = 12, chamfer = 2"
 LENGTHS = tuple(p.name for p in PROPERTIES if p.kind == "Length" and not p.result)
@@ -386,7 +386,7 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
     for name, value in (lengths | {"the length of the curve": drawn.curve.length}).items():
         if value > LONGEST_MM:
             raise InputError(
-                "{name} is {size}, more than a kilometre. Check its unit.",
+                "{name} is {size}, more than a hundred metres. Check its unit.",
                 name=note(name),
                 size=Length(value),
             )
