@@ -68,7 +68,12 @@ def main():
             frames.append(frame(studio.browser, at))
         studio.mouse("mouseReleased", start, clickCount=1)
     film = [frames[0]] * HOLD + frames + [frames[-1]] * HOLD + frames[::-1]
-    colours = film[0].quantize(128)
+    both = Image.new("RGB", (film[0].width, 2 * film[0].height))
+    both.paste(frames[0])
+    both.paste(frames[-1], (0, film[0].height))
+    colours = both.quantize(
+        256, Image.Quantize.MAXCOVERAGE
+    )  # of the strip that can be made and of the refused one
     film = [picture.quantize(palette=colours, dither=Image.Dither.NONE) for picture in film]
     film[0].save(
         ROOT / "docs/studio/drag.gif",

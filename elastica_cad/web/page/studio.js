@@ -625,8 +625,8 @@ class Studio {
   travel(shape, frame = null) {
     const { t } = this, apart = ({ position }) => Math.hypot(...[0, 1].map((axis) => position.at(-2)[axis] - position[1][axis]));
     const moved = shape?.position && apart(shape) - apart(this.answer), value = (label, text) => html("span", {}, `${t(label)} `, html("b", {}, text));
-    const way = Math.abs(moved) < 0.05 ? "" : ` (${moved > 0 ? "+" : "−"}${Math.abs(moved).toFixed(1)})`;
-    this.forces.replaceChildren(...(shape?.position && !shape.states ? [value("Distance of the ends", `${apart(shape).toFixed(1)} mm${way}`)] : []),
+    const way = Math.abs(moved) < 0.05 ? "" : ` (${moved > 0 ? "+" : "−"}${this.number(+Math.abs(moved).toFixed(1))})`;
+    this.forces.replaceChildren(...(shape?.position && !shape.states ? [value("Distance of the ends", `${this.number(+apart(shape).toFixed(1))} mm${way}`)] : []),
       ...(frame ? [value("Force", `${this.number(frame.force)} N`), value("Moment", `${this.number(frame.moment)} N mm`)] : []),
       ...(frame?.stable === false ? [html("strong", {}, t("it snaps"))] : []));
     this.forces.classList.toggle("snaps", frame?.stable === false);
