@@ -211,7 +211,10 @@ def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[F
         shift -= step
         d, e, info = lapack().dpttrf(diagonal - shift, off)
     if info != 0:
-        raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
+        raise NotConvergedError(
+            "The stability is undecided, because the second variation of the rod has "
+            "numbers that are not finite. Check its stiffness and its load."
+        )
     return d, e, shift
 
 

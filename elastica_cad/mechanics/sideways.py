@@ -533,7 +533,10 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
     It is between the two lowest eigenvalues of A, where <row, (A - mu)^-1 row> vanishes.
     """
     if not np.all(np.isfinite(lower)):
-        raise NotConvergedError("no lower bound of the rod's second variation: its entries are not finite")
+        raise NotConvergedError(
+            "The stability is undecided, because the second variation of the rod has "
+            "numbers that are not finite. Check its stiffness and its load."
+        )
     result = lapack().dsbevx(
         lower, 0.0, 0.0, 1, 2, compute_v=0, range=2, lower=1, overwrite_ab=0, abstol=2 * np.finfo(float).tiny
     )
