@@ -62,7 +62,7 @@ from elastica_cad.mechanics.rod import Rod as Rod
 from elastica_cad.mechanics.stability import Stability as Stability, stability as stability
 from elastica_cad.mechanics.stability_limits import stability_limit as stability_limit
 from elastica_cad.mechanics.least_ratio import optimal_rod as optimal_rod
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium as check_equilibrium
+from elastica_cad.strip.curve_check import check_equilibrium as check_equilibrium
 from elastica_cad.mechanics.theorem1 import (
     EquilibriumCheck as EquilibriumCheck,
     NotRealizable as NotRealizable,

@@ -17,9 +17,10 @@ from elastica_cad.cli.options import (
     smooth_option,
 )
 from elastica_cad.cli.requested_curves import RequestedCurve, curve_options, requested_curves, which_options
-from elastica_cad.cli.suggestions import changed_requests, first_that_holds, suggest_later, typed_line
+from elastica_cad.cli.strip_options import typed_change
+from elastica_cad.cli.suggestions import suggest_later
 from elastica_cad.cli.voice import answer, say_row, say_table, wrote
-from elastica_cad.errors import ElasticaError, InputError
+from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, write_files, write_json, write_text
 from elastica_cad.forming.limits import FAR_SHARE, Limits
@@ -117,14 +118,7 @@ def _made(
     """Return the bow, and its states with shorter cords; after a refusal, suggest the nearest curve."""
     curve = requested.bendable(fields["smooth"]) if "smooth" in fields else requested.curve
 
-    def nearest(problem: ElasticaError) -> str:
-        changes = (change for change in problem.refusal.changes if change.field == "nearest")
-        spec = StripSpec(curve, sheet, supports=ENDS, **fields)
-        return first_that_holds(
-            (f"`{typed_line('--nearest')}`", partial(changed_requests, spec, change)) for change in changes
-        )
-
-    suggest_later(nearest)
+    suggest_later(lambda _: StripSpec(curve, sheet, supports=ENDS, **fields), typed_change, ["nearest"])
     made = bow(curve, sheet, label=requested.label, **fields)
     return made, made.shortened(shares)
 

@@ -1,13 +1,13 @@
 """`elastica check`: check whether a flat strip can take a curve."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import groupby, islice, product
+from itertools import groupby
 from math import ceil
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import click
 import numpy as np
@@ -26,19 +26,16 @@ from elastica_cad.cli.requested_curves import (
 )
 from elastica_cad.cli.suggestions import (
     MOST_REFUSALS,
-    Candidate,
-    changed_requests,
-    first_that_holds,
+    Cure,
+    cures_of,
     listing_note,
     suggest_later,
-    supported,
     typed_length,
-    typed_line,
 )
 from elastica_cad.cli.voice import answer, say, say_row, voice, warn, wrote
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.design.check_report import report_check
-from elastica_cad.errors import Change, ElasticaError, InputError
+from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.fairing_request import Smoothing
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
@@ -50,21 +47,14 @@ from elastica_cad.mechanics.loads import EndName, NaturalCurvature, Supports, re
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, sheets_for_curve
 from elastica_cad.mechanics.stability import stability
-from elastica_cad.mechanics.theorem1 import (
-    EquilibriumCheck,
-    NotRealizable,
-    changes_of,
-    measured_points,
-)
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, measured_points
 from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.report_rows import Row
+from elastica_cad.strip.curve_check import common_request
 
-TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
-"""Common sheets for a curve without a given sheet: wood, plastic, card."""
-
-WIDTHS_MM = (8.0, 120.0)
-"""Limits for the widths of a strip if no width is given."""
-
+if TYPE_CHECKING:
+    from elastica_cad.strip.strip_spec import StripSpec
+    from elastica_cad.strip.suggestions import Suggestion
 
 MOST_SHEETS = 3
 """Largest number of sheets in a row without -v. They are the thickest suitable sheet of each kind. If no sheet is
@@ -148,10 +138,9 @@ def check(
             for row in rows:
                 say_row(row, is_answer=True)
         if not (answered["realizable"] or several or voice().quiet):
-            suggestion = request.suggestion(first)
-            if suggestion:
-                answered |= {"suggestion": suggestion}
-                say_row(Row("Change", suggestion))
+            for cure in request.cures(first):
+                answered.setdefault("cures", []).append(cure)
+                say_row(Row("Change", cure["text"]))
         worst = max(worst, 0 if good else BAD_INPUT if "problem" in answered else NOT_REALIZABLE)
         answers.extend(reports)
     if bad > MOST_REFUSALS:
@@ -208,7 +197,7 @@ class _Request:
                     "advice": f"{str(problem).rstrip('.')}.",
                 }
             if not requested.drawn.problem:
-                suggest_later(partial(self.suggestion, requested))
+                suggest_later(partial(self.request, requested), self.typed)
             raise
 
     def _report(self, requested: RequestedCurve) -> dict[str, Any]:
@@ -240,47 +229,27 @@ class _Request:
             reach=Length(points.reach),
         ),)  # fmt: skip
 
-    def suggestion(self, requested: RequestedCurve, problem: ElasticaError | None = None) -> str:
-        """Return the command `elastica strip` for the strip of a common sheet that is nearest to the curve.
-
-        If none is near, it is the command for a strip on a rail, pin or tie.
-        """
+    def request(self, requested: RequestedCurve, problem: ElasticaError) -> "StripSpec | None":
+        """Return the request for a strip of a common sheet, or None if it cannot have the options of the check."""
         settled = self.natural_curvature or self.smooth is not None or self.between
         if settled or Path("out").exists():
-            return ""
-        # imported here, because these modules import all modules for strips
-        from elastica_cad.cli.strip_options import option_words
-        from elastica_cad.strip.strip_spec import StripSpec
+            return None
+        return common_request(requested.curve, self.supports) if problem.refusal.changes else None
 
-        curve = requested.curve
-        width = float(np.clip(round(curve.length / 12), *WIDTHS_MM))
-        changes = changes_of(curve) if problem is None else problem.refusal.changes
-        candidates = product(
-            TRIED_SHEETS, (change for change in changes if change.field in ("nearest", "smooth"))
-        )
+    def cures(self, requested: RequestedCurve) -> list[Cure]:
+        """Return the changes that make a curve possible that no strip takes."""
+        problem = NotRealizable(self.examined(requested)[2])
+        spec = self.request(requested, problem)
+        return [] if spec is None else cures_of(spec, problem, self.typed)
 
-        def requests(sheet: str, change: Change) -> Sequence[StripSpec]:
-            spec = StripSpec(curve, sheet, max_width=width, supports=self.supports)
-            return changed_requests(spec, change)
+    def typed(self, suggestion: "Suggestion") -> str:
+        """Return the command `elastica strip` for a suggested strip."""
+        from elastica_cad.cli.strip_options import typed_change  # imports all records
 
-        def typed(sheet: str, *words: str) -> str:
-            added = ("--sheet", sheet, "--max-width", typed_length(width), *words, "-o", "out")
-            return typed_line(*added, instead="strip")
-
-        def on_support() -> Iterator[Candidate]:
-            curvature = float(np.abs(curve.survey.curvature).max())
-            thin = (sheet for sheet in TRIED_SHEETS if Sheet.named(sheet).least_radius * curvature <= 1)
-            for sheet in islice(thin, 1):
-                spec = StripSpec(curve, sheet, max_width=width, supports=self.supports)
-                yield from supported(spec, partial(typed, sheet))
-
-        return first_that_holds(
-            (
-                (f"`{typed(sheet, *option_words(change))}`", partial(requests, sheet, change))
-                for sheet, change in candidates
-            ),
-            on_support() if changes else (),
-        )
+        spec = suggestion.requests[0]
+        width = typed_length(cast(float, spec.max_width))
+        words = "--sheet", spec.material.name, "--max-width", width
+        return typed_change(suggestion, *words, "-o", "out", instead="strip")
 
 
 def _rows(report: dict[str, Any]) -> list[Row]:

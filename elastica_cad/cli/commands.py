@@ -12,7 +12,7 @@ import numpy as np
 
 from elastica_cad._text import MADE_BY, command_of_drawings
 from elastica_cad.cli.options import UNITS, Length, option_name
-from elastica_cad.cli.suggestions import TYPED, suggestion_below
+from elastica_cad.cli.suggestions import TYPED, cures_after
 from elastica_cad.cli.voice import echo, progress_shown, remake_on_change, voice, warn
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE, OUTPUT_CLOSED
 from elastica_cad.errors import (
@@ -370,12 +370,12 @@ def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
 
 
 def _refuse(problem: ElasticaError) -> int:
-    """Print an error and a suggestion, and return the exit code."""
+    """Print an error and changes that work, and return the exit code."""
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
     begins, code = next((row for kind, row in EXIT_CODES.items() if isinstance(problem, kind)))
     text, option = f"{begins}{problem}", problem.refusal.where.get("option", "")
     unnamed = [name for name in option.split(", ") if name and name not in text]
     text += f" ({', '.join(unnamed)})" if unnamed else ""
-    voice().refuse(text, problem, code, partial(suggestion_below, problem))
+    voice().refuse(text, problem, code, partial(cures_after, problem))
     return code

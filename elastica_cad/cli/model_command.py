@@ -12,11 +12,11 @@ import click
 from elastica_cad._values import counted
 from elastica_cad.cli.options import output_options
 from elastica_cad.cli.settings import parsed_settings, set_option
-from elastica_cad.cli.suggestions import changed_requests, first_that_holds, suggest_later
+from elastica_cad.cli.suggestions import suggest_later
 from elastica_cad.cli.voice import answer, say, say_row, say_step, voice, warn
 from elastica_cad.design.design_file import Design, read_design
 from elastica_cad.design.model_tables import DesignKeys
-from elastica_cad.errors import Change, ElasticaError, InputError
+from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.drawn_file import CurveList
 from elastica_cad.geometry.path import largest_deviation
@@ -29,6 +29,8 @@ from elastica_cad.refusals import Length, Refusal, is_reported, note
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.pieces import EqualStrips
+from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.suggestions import Suggestion
 from elastica_cad.strip.summary import accuracy_row, size_row
 
 MOST_SHOWN = 6
@@ -99,7 +101,7 @@ def model(
     read = read.nearest() if nearest else read
     read = read.with_limits_ignored() if ignore_limits else read
     check_kit_folder(read.name, output, force=force)
-    suggest_later(partial(_suggestion, read))
+    suggest_later(partial(_refused, read), _as_line, FIELDS)
     strips, files = count(1), count(1)
     made = read.model(lambda label: say_step(f"made strip {label}", next(strips), len(read.entries)))
     say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
@@ -120,23 +122,22 @@ def model(
 KEYS = {"nearest": "limits = {{}}", "lap": "shop = {{ lap = {value:g} }}"}
 """Lines of a design file for changes that are not written as FIELD = VALUE."""
 
+FIELDS = ("nearest", "lap", "max_width", "smooth", "thickness")
+"""Fields that a line in the table of a strip changes."""
 
-def _suggestion(design: Design, problem: ElasticaError) -> str:
-    """Return the command line that makes the rejected strip by itself."""
-    entries = [named for named in design.entries if named.called == problem.refusal.where.get("strip")]
-    if len(entries) != 1:
-        return ""
-    (entry,) = entries
 
-    def line_of(change: Change) -> str:
-        line = KEYS.get(change.field, "{field} = {value:g}").format(field=change.field, value=change.value)
-        return f"`{line}` in the table of strip {entry.called}"
+def _refused(design: Design, problem: ElasticaError) -> StripSpec | None:
+    """Return the request of the refused strip, or None if there is not exactly one."""
+    label = problem.refusal.where.get("strip")
+    specs = [entry.spec for entry in design.entries if entry.called == label]
+    return specs[0] if len(specs) == 1 else None
 
-    tried = ("nearest", "lap", "max_width", "smooth", "thickness")
-    changes = (change for change in problem.refusal.changes if change.field in tried)
-    return first_that_holds(
-        (line_of(change), partial(changed_requests, entry.spec, change)) for change in changes
-    )
+
+def _as_line(suggestion: Suggestion) -> str:
+    """Return the line of the design file that makes a change."""
+    change = suggestion.change
+    line = KEYS.get(change.field, "{field} = {value:g}").format(field=change.field, value=change.value)
+    return f"`{line}` in the table of strip {suggestion.requests[0].label}"
 
 
 def _read_with_note(path: Path, *, unit: str | None = None) -> CurveList:

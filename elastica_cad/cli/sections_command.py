@@ -41,10 +41,10 @@ from elastica_cad.forming.section_spec import (
     Surface,
 )
 from elastica_cad.geometry.plane_curve import PlaneCurve
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
 from elastica_cad.mechanics.least_ratio import optimal_rod
 from elastica_cad.refusals import Refusal
 from elastica_cad.report_rows import Row, warning_row
+from elastica_cad.strip.curve_check import check_equilibrium
 
 ALONG = 10
 """Default number of planes along a path."""

@@ -9,20 +9,14 @@ from pathlib import Path
 from typing import Any
 
 import click
-import numpy as np
 
 from elastica_cad.cli.requested_curves import RequestedCurve, curve_argument, requested_curves
 from elastica_cad.cli.settings import FileKeys
-from elastica_cad.cli.strip_options import grouped, option_words, spec_from_options, strip_options, table_of
+from elastica_cad.cli.strip_options import grouped, spec_from_options, strip_options, table_of, typed_change
 from elastica_cad.cli.suggestions import (
     MOST_REFUSALS,
-    Candidate,
-    changed_requests,
-    first_that_holds,
     listing_note,
     suggest_later,
-    supported,
-    typed_line,
 )
 from elastica_cad.cli.voice import answer, say, say_row, say_step, voice, warn, wrote
 from elastica_cad.declared import kind_of
@@ -33,20 +27,15 @@ from elastica_cad.design.strip_table import PLANE
 from elastica_cad.design.tables import Table
 from elastica_cad.design.toml_text import seen_from, toml_text
 from elastica_cad.errors import (
-    Change,
     ElasticaError,
     InputError,
     NotConvergedError,
-    StrainError,
-    rounded_up,
 )
 from elastica_cad.formats.write_files import File, check_folder, write_files, write_text
 from elastica_cad.forming.rod_solution import solve_rod
-from elastica_cad.geometry.plane_curve import split_at_corners
 from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
-from elastica_cad.mechanics.sheets import Sheet, sheet_names
-from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
+from elastica_cad.mechanics.theorem1 import outlier_message
 from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import is_reported
 from elastica_cad.report_rows import Row, in_order
@@ -60,9 +49,6 @@ STRAYED_SHARE = 3e-4
 
 WORTH_CORRECTING = 0.8
 """Largest expected deviation with corrected widths, as a fraction of the deviation without, that is suggested."""
-
-MOST_PIECES = 8
-"""Largest number of pieces of a curve that is split at its corners for a suggestion."""
 
 MOST_ADVICE = 1
 """Largest number of suggestions after a success; each needs one or two solutions."""
@@ -131,7 +117,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         try:
             spec = spec_from_options(requested.curve, requested.label, table)
             if len(curves) == 1:
-                suggest_later(partial(_suggestion, spec, requested, chosen))
+                suggest_later(partial(_refused, spec, requested, chosen), typed_change)
             result = _made(requested, spec)
             say_step(f"writing the files of {requested.name}")
             kit = result.kit(files)
@@ -206,49 +192,11 @@ def _made(requested: RequestedCurve, spec: StripSpec) -> StripResult:
     return StripResult(spec, rod, spec.make(rod), requested.name, requested.drawn.joints)
 
 
-def _suggestion(
+def _refused(
     spec: StripSpec, requested: RequestedCurve, chosen: Mapping[str, Any], problem: ElasticaError
-) -> str:
-    """Return the command that makes a possible strip with the least change of the request."""
-
-    def requests(change: Change) -> Sequence[StripSpec]:
-        if change.field == "split_corners":
-            pieces = split_at_corners(spec.curve)
-            drawn = spec.curve.degree > 1  # points of degree 1 are not intended as straight strips
-            apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
-            return [spec.changed(curve=piece) for piece in pieces] if apart else []
-        return changed_requests(spec, change)
-
-    if outlier_message(spec.curve) or not problem.refusal.changes or _is_taken(requested, chosen):
-        return ""
-    candidates = ((change, option_words(change)) for change in problem.refusal.changes)
-    return first_that_holds(
-        ((f"`{typed_line(*words)}`", partial(requests, change)) for change, words in candidates if words),
-        _nearest_to_working(spec, problem),
-    )
-
-
-def _nearest_to_working(spec: StripSpec, problem: ElasticaError) -> "Iterator[Candidate]":
-    """Yield, for a strip that would break, the thickest sheet that withstands this curve, and the possible size.
-
-    Sheets of the same kind are first; for an unlisted sheet of the user they are the only ones. For a curve that no
-    strip takes, yield the request with a rail, pin or tie.
-    """
-    if isinstance(problem, NotRealizable):
-        yield from supported(spec, typed_line)
-    if not isinstance(problem, StrainError):
-        return
-    used, own = problem.refusal.values["percent"] / 100, spec.material
-    bears = used * own.max_strain / own.thickness
-    listed = sheet_names()
-    known = (sheet for sheet in map(Sheet.named, listed) if sheet.kind == own.kind or own.name in listed)
-    sheets = sorted(known, key=lambda sheet: (sheet.kind != own.kind, -sheet.thickness))
-    other = next((sheet for sheet in sheets if sheet.max_strain / sheet.thickness >= bears), None)
-    if other is not None:
-        yield f"`{typed_line('--sheet', other.name)}`", lambda: [spec.changed(sheet=other)]
-    scale = rounded_up(1.01 * used, 2)
-    larger = spec.curve.transformed(np.diag([scale, scale, 1.0]))
-    yield f"{own.name} on the same curve drawn {scale:g} times as large", lambda: [spec.changed(curve=larger)]
+) -> StripSpec | None:
+    """Return the refused request, or None if the command fails with any change."""
+    return spec if problem.refusal.changes and not _is_taken(requested, chosen) else None
 
 
 def _is_taken(requested: RequestedCurve, chosen: Mapping[str, Any]) -> bool:

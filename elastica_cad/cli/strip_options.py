@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -16,7 +16,8 @@ from elastica_cad.cli.requested_curves import (
     unit_option,
 )
 from elastica_cad.cli.settings import GROUPS, CommandKeys, parsed_settings, set_option, twice
-from elastica_cad.cli.suggestions import typed_length
+from elastica_cad.cli.suggestions import typed_length, typed_line
+from elastica_cad.declared import REQUIRED, declared
 from elastica_cad.defaults import KERF
 from elastica_cad.design.records import Reader, paths_of, put
 from elastica_cad.design.strip_table import read_request
@@ -26,6 +27,9 @@ from elastica_cad.forming.limits import BOTH_ENDS
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.strip.strip_spec import StripSpec
+
+if TYPE_CHECKING:
+    from elastica_cad.strip.suggestions import Suggestion
 
 CALLED = {
     "style.kind": "style", "style.width": "outer_width", "keep.length": "keep_length", "ends.length": "tab",
@@ -57,16 +61,29 @@ CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split
 """Keys with another name in the suggested changes of a refusal."""
 
 
-def option_words(change: Change) -> tuple[str, ...]:
-    """Return the arguments for a change that an error suggests, or none if there is no such key."""
-    path = CHANGED.get(change.field, change.field)
+def _option_words(change: Change) -> tuple[str, ...]:
+    """Return the arguments for a suggested change, or none if no option makes it."""
+    if change.field == "between":  # the option has the name of the record, and its values are the places
+        record: Any = type(change.value)
+        places = [
+            getattr(change.value, entry.name) for entry in declared(record) if entry.default is REQUIRED
+        ]
+        return f"--{record.__name__.lower()}", *map(typed_length, places)
+    path, value = CHANGED.get(change.field, change.field), change.value
     name = typed_name(path)
     if not name:
         return ()
     if name.startswith("--set "):
-        value = "true" if change.value is True else f"{change.value:g}"
-        return "--set", f"{path}={value}"
-    return (name,) if change.value is True else (name, typed_length(change.value))
+        return "--set", f"{path}={'true' if value is True else f'{value:g}'}"
+    if isinstance(value, str):
+        return name, value
+    return (name,) if value is True else (name, typed_length(value))
+
+
+def typed_change(suggestion: "Suggestion", *options: str, instead: str | None = None) -> str:
+    """Return the running command with a change, or the change as an instruction if no option makes it."""
+    words = _option_words(suggestion.change)
+    return f"`{typed_line(*options, *words, instead=instead)}`" if words else suggestion.title
 
 
 def _common() -> dict[str, str]:

@@ -2,23 +2,20 @@
 
 import shutil
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Sequence
 from contextlib import suppress
-from itertools import islice
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 import click
-import numpy as np
 
 from elastica_cad._text import quote_words
-from elastica_cad.declared import REQUIRED, declared
-from elastica_cad.errors import Change, ElasticaError
-from elastica_cad.forming.rod_solution import solve_rod
-from elastica_cad.mechanics.support_search import suggest_support
+from elastica_cad.errors import ElasticaError
 
 if TYPE_CHECKING:
     from elastica_cad.strip.strip_spec import StripSpec
+    from elastica_cad.strip.suggestions import Suggestion
 
 
 def name_program() -> str:
@@ -66,99 +63,56 @@ def listing_note(refused: int) -> str:
     return f"; the first {MOST_REFUSALS} are listed, all with -v"
 
 
-MOST_TRIED = 3
-"""Largest number of candidates after an error; each takes as long as the request."""
-
-WIDEST_SHARE = 0.5
-"""Largest width of a strip as a fraction of its length; a wider one bends as a plate."""
+Cure: TypeAlias = dict[str, Any]
+"""Change as a table for reports, see `Suggestion.as_dict`; its text is what is printed."""
 
 SUGGEST = "elastica.suggest"
 """Key, in click's `meta`, of the function that searches for a suggestion after an error."""
 
-Candidate: TypeAlias = "tuple[str, Callable[[], Sequence[StripSpec]]]"
-"""Message about a suggestion, and the requests of its strips."""
 
+def suggest_later(
+    request: Callable[[ElasticaError], "StripSpec | None"],
+    spelled: "Callable[[Suggestion], str]",
+    fields: Collection[str] | None = None,
+) -> None:
+    """Register a search for changes that is made after an error of the running command is printed.
 
-def suggest_later(look: Callable[[ElasticaError], str]) -> None:
-    """Register a function that searches for a suggestion after an error of the running command is printed."""
+    `request` returns the refused request, or None. `spelled` returns a change as the user types it.
+    """
+
+    def search(problem: ElasticaError) -> list[Cure]:
+        with suppress(ElasticaError):
+            spec = request(problem)
+            return [] if spec is None else cures_of(spec, problem, spelled, fields)
+        return []
+
     context = click.get_current_context()
-
-    def look_here(problem: ElasticaError) -> str:
-        with context.scope(cleanup=False):
-            return look(problem)
-
-    context.meta[SUGGEST] = look_here
+    context.meta[SUGGEST] = lambda problem: _inside(context, partial(search, problem))
 
 
-def suggestion_below(problem: ElasticaError) -> str:
-    """Return a sentence with a possible request, or "" if none was found."""
-    look = click.get_current_context().meta.get(SUGGEST)
-    return "" if look is None else look(problem)
+def _inside(context: click.Context, search: Callable[[], list[Cure]]) -> list[Cure]:
+    with context.scope(cleanup=False):
+        return search()
 
 
-def changed_requests(spec: "StripSpec", change: Change) -> "Sequence[StripSpec]":
-    """Return the requests after a change of this request, or an empty list if nothing changes."""
-    changed = spec.with_change(change)
-    return [] if changed is None else [changed]
+def cures_after(problem: ElasticaError) -> list[Cure]:
+    """Return the changes that the running command registered for this error."""
+    search = click.get_current_context().meta.get(SUGGEST)
+    return [] if search is None else search(problem)
 
 
-def supported(spec: "StripSpec", typed: Callable[..., str]) -> "Iterator[Candidate]":
-    """Yield the request with the rail, pin or tie that makes the curve possible, if there is one.
+def cures_of(
+    spec: "StripSpec",
+    problem: ElasticaError,
+    spelled: "Callable[[Suggestion], str]",
+    fields: Collection[str] | None = None,
+) -> list[Cure]:
+    """Return the changes that make the request possible, as tables with a printed text; Ctrl-C ends the search."""
+    from elastica_cad.strip.suggestions import suggest
 
-    `typed` returns the command with added options.
-    """
-    if spec.may_change or spec.between or spec.loads or spec.gravity is not None:
-        return
-    support = None
-    with suppress(ElasticaError):
-        support = suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature)
-    if support is None:
-        return
-    # the option has the name of the record, and its values are the places
-    record: Any = type(support)
-    places = [getattr(support, field.name) for field in declared(record) if field.default is REQUIRED]
-    words = f"--{record.__name__.lower()}", *map(typed_length, places)
-    yield f"`{typed(*words)}`", lambda: [spec.changed(between=support)]
-
-
-def first_that_holds(candidates: Iterable[Candidate], nearest: Iterable[Candidate] = ()) -> str:
-    """Return a sentence with the first of `MOST_TRIED` candidates whose strips are stable and strong enough.
-
-    If there is none, the sentence lists all suitable candidates in `nearest`, which change more of the request. It
-    is empty if there are none, or after Ctrl-C.
-    """
-    texts = []
+    found: list[Cure] = []
     with suppress(KeyboardInterrupt, MemoryError):
-        for message, requests in islice(candidates, MOST_TRIED):
-            if held := _held(requests):
-                return f"This works: {message} ({held})."
-        for message, requests in nearest:
-            if held := _held(requests):
-                texts.append(f"{message} ({held})")
-    return f"Possible with a larger change: {'; or '.join(texts)}." if texts else ""
-
-
-def _held(requests: Callable[[], Sequence["StripSpec"]]) -> str:
-    """Return deviation and strain of the strips as a text, empty if a strip is impossible or unsuitable."""
-    from elastica_cad.forming.limits import FAR_SHARE
-    from elastica_cad.forming.nearest_record import NearestRod
-    from elastica_cad.mechanics.stability import stability
-
-    farthest, used, name = 0.0, 0, ""
-    try:
-        for spec in requests():
-            rod = solve_rod(spec.rod_spec)
-            made = spec.make(rod)
-            away = spec.rod_spec.smoothing.moved + (rod.deviation if isinstance(rod, NearestRod) else 0.0)
-            size = float(np.hypot(*np.ptp(spec.curve.bounds, axis=0)))
-            wide = float(made.width.extremes[1]) > WIDEST_SHARE * made.rod.length
-            if wide or away > FAR_SHARE * size or not made.strain_verdict.allowed:
-                return ""
-            if not stability(made.rod).stable:
-                return ""
-            farthest, used = max(farthest, away), max(used, made.strain_verdict.percent)
-            name = made.sheet.name
-    except ElasticaError:
-        return ""
-    near = f"within {farthest:.2g} mm of the drawn curve" if farthest else "the curve as drawn"
-    return f"{near}, {used} % of the allowed strain of {name}" if name else ""
+        for suggestion in suggest(spec, problem, fields):
+            text = f"This works: {spelled(suggestion).rstrip('.')} ({suggestion.effect})."
+            found.append(suggestion.as_dict() | {"text": text})
+    return found

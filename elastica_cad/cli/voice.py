@@ -72,18 +72,20 @@ class Voice:
             written = {"notes": self.notes, "files": self.files}
             _print_json({"schema": self.schema, **read, **self.record, **written})
 
-    def refuse(self, text: str, problem: ElasticaError, code: int, suggest: Callable[[], str]) -> None:
-        """Print the error, then a suggestion; Ctrl-C ends the search for a suggestion."""
+    def refuse(
+        self, text: str, problem: ElasticaError, code: int, suggest: Callable[[], list[dict[str, Any]]]
+    ) -> None:
+        """Print the error, then changes that work; Ctrl-C ends the search for them."""
         _clear_step()
-        suggestion = ""
+        cures: list[dict[str, Any]] = []
         _print_row(Row("Error", text, severity="error"), err=True)
         with suppress(KeyboardInterrupt):
-            suggestion = "" if self.quiet else suggest()
-        if suggestion:
-            _print_row(Row("Change", suggestion), err=True)
+            cures = [] if self.quiet else suggest()
+        for cure in cures:
+            _print_row(Row("Change", cure["text"]), err=True)
         if self.as_json:
             record = problem.refusal.record | {"message": text}
-            extra = {"suggestion": suggestion} if suggestion else {}
+            extra = {"cures": cures} if cures else {}
             _print_json(
                 {
                     "schema": "elastica-error/2",

@@ -22,7 +22,7 @@ from elastica_cad.geometry.control_point_constraints import (
 )
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium
+from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.loads import Supports
 from elastica_cad.mechanics.moment_conditions import BalancedStiffness, RodRequest
 from elastica_cad.mechanics.optimal_balance import balance_without_weight
@@ -79,7 +79,7 @@ class EquilibriumCurve:
                 "the curve is closed, and moving its control points would open it: leave a gap between its ends, "
                 "or cut it in pieces"
             )
-        check = check_equilibrium(curve, supports, tolerance=tolerance)
+        check = examine(curve, supports, tolerance=tolerance)
         if not check.realizable:
             raise NotRealizable(check)
         if check.any_stiffness:

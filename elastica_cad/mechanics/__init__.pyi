@@ -17,7 +17,6 @@ from elastica_cad.mechanics.elements import (
     Rail as Rail,
     Tie as Tie,
 )
-from elastica_cad.mechanics.equilibrium_check import check_equilibrium as check_equilibrium
 from elastica_cad.mechanics.laminated_section import LaminatedSection as LaminatedSection
 from elastica_cad.mechanics.least_ratio import (
     Laminate as Laminate,

@@ -31,9 +31,6 @@ from elastica_cad.mechanics.loads import (
     NaturalCurvature,
     RestCurvature,
     Supports,
-    require_natural_curvature,
-    require_supports,
-    require_tolerance,
 )
 from elastica_cad.mechanics.theorem1 import (
     AT_END_SHARE,
@@ -125,55 +122,6 @@ def _thinned(points: FloatArray, step: int) -> FloatArray:
 def _distance(points: MeasuredPoints, curve: PlaneCurve) -> float:
     """Return the largest distance of the points from a curve, mm."""
     return float(distances(Spline(curve), points.points).max())
-
-
-def check_equilibrium(
-    curve: PlaneCurve,
-    supports: Supports | None = None,
-    natural_curvature: NaturalCurvature = 0.0,
-    *,
-    tolerance: float = 1e-4,
-) -> EquilibriumCheck:
-    """Check whether a weightless flat strip of some admissible width can rest in a curve.
-
-    Condition (1): a line meets the curve exactly at the zeros of its curvature and is not tangent to the curve.
-    Condition (2): the curvature changes sign at each zero with a finite slope. The curvature vanishes at a pinned
-    end, so the line passes through this end too. If an end is free to slide along x (y), the line is vertical
-    (horizontal). If
-    the ends carry no force, no line exists. A natural curvature is subtracted from the curvature. If a closed curve
-    begins at an inflection, its start is moved (`curve`) and a warning is added.
-
-    Parameters
-    ----------
-    supports : Supports
-        By default both ends are clamped.
-    natural_curvature : float or RestCurvature
-        kappa_0, 1/mm, or the curvature of a pre-bent strip.
-    tolerance : float
-        Largest distance of inflections from a line, relative to the length; nearer inflections are moved onto it
-        (`moved`, `curve`). An end that is free to turn and almost unbent is made straight within the same
-        tolerance.
-
-    Raises
-    ------
-    InputError
-        The curve has corners, possibly where it closes.
-
-    References
-    ----------
-    Paper, Theorem 1 and section 4.3.
-
-    Examples
-    --------
-    >>> wave = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 0)], degree=3)
-    >>> check = check_equilibrium(wave)
-    >>> check.realizable, len(check.inflections)
-    (True, 1)
-    """
-    require_natural_curvature(natural_curvature)
-    require_tolerance(tolerance)
-    supports = require_supports(supports)
-    return examine(curve, supports, natural_curvature, tolerance)
 
 
 def examine(

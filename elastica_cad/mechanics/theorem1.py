@@ -384,7 +384,7 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
 
     def __init__(self, check: EquilibriumCheck | PairCheck) -> None:
         self.check = check
-        changes = () if isinstance(check, PairCheck) else changes_of(check.curve)
+        changes = () if isinstance(check, PairCheck) else _changes_of(check.curve)
         super().__init__(str(check), changes=changes)
 
 
@@ -400,7 +400,7 @@ def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
     return () if points is None else points.outlier
 
 
-def changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
+def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
     """Return changes for the nearest strip to a curve that no strip takes; noisy points are smoothed first.
 
     There are none if a point is an outlier, because the outlier is probably a typing error.
@@ -436,7 +436,7 @@ def require_bendable(curve: PlaneCurve) -> None:
     corners = curve.tangent_breaks
     if (corners or curve.has_corners) and (points := measured_points(curve)) is not None:
         message = next(iter(points.outlier), points.noise_message)
-        raise InputError(message, kind="corner", changes=changes_of(curve))
+        raise InputError(message, kind="corner", changes=_changes_of(curve))
     if corners:
         slight = _smoothing(curve)
         apart = Change("split_corners", True), Change("nearest", True)

@@ -13,13 +13,19 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad import write_curves
-from elastica_cad.cli import suggestions
+from elastica_cad.cli.suggestions import cures_of
+from elastica_cad.strip import suggestions
 from tests.command_line import run
 
 CURVES = {
     "wave": [(0, 0), (20, 50), (50, -40), (80, 55), (110, -30), (140, 0)],  # no strip takes it
     "tall": [(0, 0), (30, 120), (70, 130), (120, 60), (150, 0)],  # one does, with a neck of 2.3 mm
 }
+
+
+def suggested_commands(output):
+    """The arguments of all commands that are suggested, in order."""
+    return re.findall(r"^Change +This works: `.*?elastica(?:_cad)? ([^`]*)` \(", output, re.MULTILINE)
 
 
 def ended_by_ctrl_c(words, cwd, first="pass"):
@@ -133,9 +139,7 @@ SUGGESTED = [
 def test_a_suggestion_is_made_as_it_is_printed(words, code, told, desk, monkeypatch):
     monkeypatch.chdir(desk)
     refused = run(words, code=code)
-    *_, last = refused.output.splitlines()
-    (command,) = re.findall(r"^Change +This works: `.*?elastica(?:_cad)? ([^`]*)` \(", last)
-    assert told in command
+    (command,) = (words for words in suggested_commands(refused.output) if told in words)
     made = run(*shlex.split(command))
     shutil.rmtree(desk / "out", ignore_errors=True)
     assert made.exit_code == 0, made.output
@@ -151,10 +155,8 @@ def test_a_suggested_support_is_made_as_it_is_printed(seed, kind, tmp_path, monk
     curve = ec.PlaneCurve.spline(np.column_stack([np.linspace(0, 300, 7), heights]), degree=5)
     write_curves([curve], tmp_path / "wave.json")
     for words in ("strip wave.json --sheet pom-0.5 --max-width 30 -o out", "check wave.json"):
-        *_, last = run(words, code=1).output.splitlines()
-        (command,) = re.findall(
-            r"^Change +Possible with .*?: `.*?elastica(?:_cad)? ([^`]*)` \(the curve as", last
-        )
+        commands = suggested_commands(run(words, code=1).output)
+        (command,) = (command for command in commands if f"--{kind} " in command)
         made = run(*shlex.split(command), "--no-step", "--no-pictures")
         assert re.search(rf"^Between +{kind}", made.output, re.MULTILINE)
         assert "unstable" not in made.output
@@ -165,12 +167,10 @@ def test_what_is_nearest_to_working_is_told_where_no_change_of_the_request_works
     monkeypatch.chdir(tmp_path)
     write_curves([ec.PlaneCurve.arc((0, 0), 60, 0, 3)], tmp_path / "arc.json")
     refused = run("strip", "arc.json", "--sheet", "oak-3", "--max-width", "12", "-o", "out", code=1)
-    *_, last = refused.output.splitlines()
-    sheet, scale = re.fullmatch(
-        r"Change +Possible with a larger change: `.*?elastica(?:_cad)? ([^`]*)` \(.*\); or oak-3 on the same "
-        r"curve drawn ([0-9.]+) times as large \(.*\)\.",
-        last,
-    ).groups()
+    (sheet,) = suggested_commands(refused.output)
+    (scale,) = re.findall(
+        r"^Change +This works: Draw the curve ([0-9.]+) times as large \(", refused.output, re.M
+    )
     run(*shlex.split(sheet), "--no-step", "--no-pictures")
     larger = ec.PlaneCurve.arc((0, 0), 60 * float(scale), 0, 3)
     assert ec.make_strip(larger, "oak-3", max_width=12).strain_verdict.allowed
@@ -192,17 +192,21 @@ def test_nothing_is_suggested_that_does_not_hold(words, desk, monkeypatch):
     assert "This works" not in refused.output
 
 
-def test_only_a_few_candidates_are_tried_and_ctrl_c_ends_the_trials():
-    def request():
-        begun.append(1)
-        if len(begun) == 5:
-            raise KeyboardInterrupt
-        return []
+def test_ctrl_c_ends_the_search_and_keeps_what_was_found(monkeypatch):
+    tried = []
 
-    begun = []
-    for tried in (suggestions.MOST_TRIED, 5):
-        assert suggestions.first_that_holds([("`it`", request)] * 9) == ""
-        assert len(begun) == tried
+    def held_once(spec, change):
+        tried.append(change)
+        if len(tried) == 2:
+            raise KeyboardInterrupt
+        return suggestions.Suggestion(change, (spec,), 1.0, 50)
+
+    monkeypatch.setattr(suggestions, "_held", held_once)
+    spec = ec.StripSpec(ec.PlaneCurve.spline(CURVES["wave"], degree=4), "pom-0.5", max_width=20)
+    with pytest.raises(ec.NotRealizable) as refused:
+        spec.make()
+    (cure,) = cures_of(spec, refused.value, lambda suggestion: "`it`")
+    assert cure["text"].startswith("This works: `it` (within 1 mm of the drawn curve, 50 %")
 
 
 def test_a_mistyped_command_is_told_the_near_one():
@@ -391,8 +395,7 @@ def test_points_that_waver_are_smoothed_first(count, words, tmp_path, monkeypatc
     np.savetxt("points.csv", points, delimiter=",", fmt="%.2f")
     refused = run(words, code=None)
     assert refused.exit_code in (1, 2)
-    *_, last = refused.output.splitlines()
-    (command,) = re.findall(r"^Change +This works: `.*?elastica(?:_cad)? ([^`]*)` \(", last)
+    command, *_ = suggested_commands(refused.output)
     assert "smooth" in command
     made = run(*shlex.split(command), "--no-step", "--no-pictures", "--json")
     assert json.loads(made.stdout)["strips"][0]["ratio"] < 2

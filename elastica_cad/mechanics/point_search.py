@@ -1,0 +1,151 @@
+"""Search for the control point whose smallest move makes an impossible curve possible."""
+
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import ElasticaError
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.loads import ExcessCurvature, NaturalCurvature, Supports
+from elastica_cad.mechanics.moment_conditions import RodRequest
+from elastica_cad.mechanics.optimal_balance import balance_of
+from elastica_cad.mechanics.support_search import MOST_RATIO
+
+MOST_POINTS = 30
+"""Largest number of control points of a curve that is searched."""
+
+DIRECTIONS = 16
+"""Number of directions, evenly spaced, in which a point is moved."""
+
+SHARES = (0.1, 0.25, 0.5, 1.0)
+"""Distances of the moves, as fractions of the largest move."""
+
+ON_LINE = 3
+"""Number of inflections that one point can bring onto a common line."""
+
+TO_LINE, TO_RATIO = 14, 4
+"""Numbers of bisections of a move onto the line, and of a move that makes the ratio small enough."""
+
+ROUNDING = 1e-5
+"""Precision of a moved point, as a fraction of the curve's length."""
+
+
+def move_one_point(
+    curve: PlaneCurve,
+    farthest: float,
+    supports: Supports | None = None,
+    natural_curvature: NaturalCurvature = 0.0,
+) -> Iterator[tuple[int, PlaneCurve]]:
+    """Yield possible curves that differ from an impossible curve in one control point, small moves first.
+
+    Every inner control point is moved in 16 directions by four distances. If three inflections pass a common line
+    between two distances, the move onto this line is found by bisection. A curve is possible if a rod without
+    weight has a ratio up to 8; its stability is not computed.
+
+    Parameters
+    ----------
+    curve : PlaneCurve
+        mm. Nothing is found for a closed curve, a curve that was fitted to points, or more than 30 points.
+    farthest : float
+        Largest distance, mm, from the drawn curve.
+    supports : Supports, optional
+        By default both ends are clamped.
+    natural_curvature : float or RestCurvature
+        1/mm.
+
+    Yields
+    ------
+    index, curve : int, PlaneCurve
+        Index of the control point, from 0, and the possible curve.
+
+    Examples
+    --------
+    >>> points = [(0, 20), (60, 20), (120, 40), (180, -20), (240, 50), (300, -50)]
+    >>> curve = PlaneCurve.spline(points, degree=5)
+    >>> index, moved = next(move_one_point(curve, farthest=10))
+    >>> index, moved.control_points[index].round().tolist()
+    (3, [180.0, 6.0])
+    """
+    points, drawn = curve.control_points, curve.provenance
+    if len(points) > MOST_POINTS or curve.is_closed or (drawn is not None and drawn.measured is not None):
+        return
+
+    def possible(move: _Move, share: float) -> bool:
+        with suppress(ElasticaError):
+            request = RodRequest(
+                move.at(share), supports=supports or Supports(), natural_curvature=natural_curvature
+            )
+            values = balance_of(request).stiffness.extremes
+            return bool(values.max() <= MOST_RATIO * values.min())
+        return False
+
+    angles = 2 * np.pi * np.arange(DIRECTIONS) / DIRECTIONS
+    directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    weights = curve.basis(np.linspace(*curve.domain, 201)).max(
+        axis=0
+    )  # largest share of each point in the curve
+    moves = [
+        _Move(curve, index, direction * farthest / weights[index], natural_curvature)
+        for index in range(1, len(points) - 1)
+        for direction in directions
+    ]
+    before = [(0.0, move.side(0.0)[1]) for move in moves]
+    for share in SHARES:
+        found = []
+        for k, move in enumerate(moves):
+            (last, side), (count, now) = before[k], move.side(share)
+            before[k] = share, now
+            if side * now < 0:
+                least = _bisected(last, share, TO_LINE, partial(move.is_beside, now))
+                if possible(move, least):
+                    found.append((least, move))
+            elif count < ON_LINE and possible(move, share):
+                least = _bisected(last, share, TO_RATIO, partial(possible, move))
+                found.append((least, move))
+        for least, move in sorted(found, key=lambda pair: pair[0]):
+            yield move.index, move.at(least)
+
+
+@dataclass(frozen=True)
+class _Move:
+    """Move of one control point by fractions of `step` (2,), mm."""
+
+    curve: PlaneCurve
+    index: int
+    step: FloatArray
+    natural_curvature: NaturalCurvature
+
+    def at(self, share: float) -> PlaneCurve:
+        """Return the curve with the moved point, whose coordinates are rounded."""
+        points = self.curve.control_points.copy()
+        unit = 10 ** np.floor(np.log10(ROUNDING * self.curve.length))
+        points[self.index] = np.round((points[self.index] + share * self.step) / unit) * unit
+        return self.curve.with_control_points(points)
+
+    def side(self, share: float) -> tuple[int, float]:
+        """Return the number of inflections, and for three of them the area (mm2, with sign) between them."""
+        try:
+            moved = self.at(share)
+            zeros = ExcessCurvature(moved, self.natural_curvature).zeros
+        except ElasticaError:
+            return ON_LINE + 1, 0.0
+        if len(zeros) != ON_LINE:
+            return len(zeros), 0.0
+        a, b, c = moved.evaluate([zero.t for zero in zeros])
+        return ON_LINE, float(np.linalg.det([b - a, c - a])) / 2
+
+    def is_beside(self, side: float, share: float) -> bool:
+        """Return True if the inflections lie on the same side of a common line as those with this `side`."""
+        return self.side(share)[1] * side > 0
+
+
+def _bisected(low: float, high: float, times: int, reached: Callable[[float], bool]) -> float:
+    """Return a value up to `high` at which `reached` is true, close above one at which it is not."""
+    for _ in range(times):
+        middle = (low + high) / 2
+        low, high = (low, middle) if reached(middle) else (middle, high)
+    return high

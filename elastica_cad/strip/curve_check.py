@@ -1,0 +1,140 @@
+"""Verdict on a curve, with changes that make it possible."""
+
+from dataclasses import dataclass, field, fields
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.equilibrium_check import examine
+from elastica_cad.mechanics.loads import (
+    NaturalCurvature,
+    Supports,
+    require_natural_curvature,
+    require_supports,
+    require_tolerance,
+)
+from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
+
+if TYPE_CHECKING:
+    from elastica_cad.strip.strip_spec import StripSpec
+    from elastica_cad.strip.suggestions import Suggestion
+
+TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
+"""Common sheets for a curve without a given sheet, thickest first: wood, plastic, card."""
+
+WIDTHS_MM = (8.0, 120.0)
+"""Limits for the widths of a strip if no width is given."""
+
+THIN_SHARE = 12
+"""Length of a curve divided by the largest width of its strip if no width is given."""
+
+
+def common_request(
+    curve: PlaneCurve, supports: Supports | None = None, natural_curvature: NaturalCurvature = 0.0
+) -> "StripSpec":
+    """Return the request for a strip of usual width from the first common sheet that is thin enough."""
+    from elastica_cad.strip.strip_spec import StripSpec
+
+    curvature = float(np.abs(curve.survey.curvature).max())
+    thin = (name for name in TRIED_SHEETS if Sheet.named(name).least_radius * curvature <= 1)
+    width = float(np.clip(round(curve.length / THIN_SHARE), *WIDTHS_MM))
+    return StripSpec(
+        curve,
+        next(thin, TRIED_SHEETS[-1]),
+        max_width=width,
+        supports=supports or Supports(),
+        natural_curvature=natural_curvature,
+    )
+
+
+@dataclass(frozen=True)
+class CurveCheck(EquilibriumCheck):
+    """Verdict of Theorem 1 on a drawn curve; `cures` are changes that make it possible.
+
+    Attributes
+    ----------
+    drawn : PlaneCurve
+        The drawn curve.
+    supports : Supports
+    natural_curvature : float or RestCurvature
+        1/mm.
+    """
+
+    drawn: PlaneCurve = field(kw_only=True, repr=False)
+    supports: Supports = field(kw_only=True, repr=False)
+    natural_curvature: NaturalCurvature = field(kw_only=True, repr=False)
+
+    @cached_property
+    def cures(self) -> "tuple[Suggestion, ...]":
+        """At most four changes that make an impossible curve possible.
+
+        Each was made for a strip of a common sheet, which is stable and strained within the limit of its sheet.
+
+        Examples
+        --------
+        >>> points = [(0, 20), (60, 20), (120, 40), (180, -20), (240, 50), (300, -50)]
+        >>> for suggestion in check_equilibrium(PlaneCurve.spline(points, degree=5)).cures:
+        ...     print(suggestion.change.field, round(suggestion.deviation, 1))
+        point 9.0
+        nearest 0.3
+        """
+        from elastica_cad.strip.suggestions import suggest
+
+        if self.realizable:
+            return ()
+        request = common_request(self.drawn, self.supports, self.natural_curvature)
+        return tuple(suggest(request, NotRealizable(self)))
+
+
+def check_equilibrium(
+    curve: PlaneCurve,
+    supports: Supports | None = None,
+    natural_curvature: NaturalCurvature = 0.0,
+    *,
+    tolerance: float = 1e-4,
+) -> CurveCheck:
+    """Check whether a weightless flat strip of some admissible width can rest in a curve.
+
+    Condition (1): a line meets the curve exactly at the zeros of its curvature and is not tangent to the curve.
+    Condition (2): the curvature changes sign at each zero with a finite slope. The curvature vanishes at a pinned
+    end, so the line passes through this end too. If an end is free to slide along x (y), the line is vertical
+    (horizontal). If
+    the ends carry no force, no line exists. A natural curvature is subtracted from the curvature. If a closed curve
+    begins at an inflection, its start is moved (`curve`) and a warning is added.
+
+    Parameters
+    ----------
+    supports : Supports
+        By default both ends are clamped.
+    natural_curvature : float or RestCurvature
+        kappa_0, 1/mm, or the curvature of a pre-bent strip.
+    tolerance : float
+        Largest distance of inflections from a line, relative to the length; nearer inflections are moved onto it
+        (`moved`, `curve`). An end that is free to turn and almost unbent is made straight within the same
+        tolerance.
+
+    Raises
+    ------
+    InputError
+        The curve has corners, possibly where it closes.
+
+    References
+    ----------
+    Paper, Theorem 1 and section 4.3.
+
+    Examples
+    --------
+    >>> wave = PlaneCurve.spline([(0, 0), (40, 60), (80, -60), (120, 0)], degree=3)
+    >>> check = check_equilibrium(wave)
+    >>> check.realizable, len(check.inflections)
+    (True, 1)
+    """
+    require_natural_curvature(natural_curvature)
+    require_tolerance(tolerance)
+    supports = require_supports(supports)
+    check = examine(curve, supports, natural_curvature, tolerance)
+    values = {entry.name: getattr(check, entry.name) for entry in fields(check)}
+    return CurveCheck(**values, drawn=curve, supports=supports, natural_curvature=natural_curvature)

@@ -1,0 +1,254 @@
+"""Changes that make a refused strip possible, each made before it is suggested."""
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import asdict, dataclass, field
+from itertools import islice
+from typing import Any
+
+import numpy as np
+
+from elastica_cad.errors import Change, ElasticaError, StrainError, rounded_up
+from elastica_cad.forming.limits import FAR_SHARE
+from elastica_cad.forming.nearest_record import NearestRod
+from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.geometry.measured_points import Provenance
+from elastica_cad.geometry.plane_curve import split_at_corners
+from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie
+from elastica_cad.mechanics.equilibrium_check import largest_move
+from elastica_cad.mechanics.point_search import move_one_point
+from elastica_cad.mechanics.sheets import Sheet, sheet_names
+from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.support_search import suggest_support
+from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
+from elastica_cad.refusals import FieldName, Length, Refusal, note
+from elastica_cad.strip.held_shape import about
+from elastica_cad.strip.strip_spec import StripSpec
+
+MOST = 4
+"""Largest number of suggestions."""
+
+FIRST = ("smooth", "split_corners", "nearest")
+"""Fields that are tried before others that a refusal names."""
+
+MOST_TRIED = 3
+"""Largest number of changes of one field that are tried; each takes as long as the request."""
+
+WIDEST_SHARE = 0.5
+"""Largest width of a strip as a fraction of its length; a wider one bends as a plate."""
+
+MOST_PIECES = 8
+"""Largest number of strips into which a curve is split at its corners."""
+
+
+@dataclass(frozen=True)
+class Suggestion:
+    """A change of a request that was made, and makes the strip possible, stable and strong enough.
+
+    `str()` returns the change and its effect; `as_dict()` a table for reports.
+
+    Attributes
+    ----------
+    change : Change
+        Field and value. In addition to fields of a request: "point" moves a control point, value (index from 0,
+        (x, y)); "size" is the scale of the drawing.
+    requests : tuple of StripSpec
+        Requests with this change; several only if the curve is split at its corners.
+    deviation : float
+        Largest distance from the drawn curve, mm.
+    used : int
+        Strain, % of what the sheet allows for long.
+    """
+
+    change: Change
+    requests: tuple[StripSpec, ...] = field(repr=False)
+    deviation: float
+    used: int
+
+    @property
+    def title(self) -> Refusal:
+        """The change as an instruction, for a button or a line of text."""
+        value = self.change.value
+        match self.change.field, value:
+            case "point", (index, place):
+                drawn = self.requests[0].curve.provenance or Provenance()
+                return note(
+                    "Move control point {number} to {place}.", number=index + 1, place=drawn.shown(place)
+                )
+            case "smooth", _:
+                return note("Smooth the curve by {distance}.", distance=Length(value))
+            case "nearest", _:
+                return note("Take the nearest curve that a strip can take.")
+            case "split_corners", _:
+                return note("Cut one strip from corner to corner.")
+            case "between", Rail(float(at)):
+                return note("Rest the strip on a rail at {at}.", at=Length(at))
+            case "between", Pin(float(at)):
+                return note("Hold the strip with a pin at {at}.", at=Length(at))
+            case "between", Tie(float(start), float(end)):
+                return note("Tie the strip from {start} to {end}.", start=Length(start), end=Length(end))
+            case "sheet", _:
+                return note("Cut it from {sheet}.", sheet=value)
+            case "size", _:
+                return note("Draw the curve {scale} times as large.", scale=f"{value:g}")
+        return note("Set {field} to {value}.", field=FieldName(self.change.field), value=Length(value))
+
+    @property
+    def effect(self) -> Refusal:
+        """Distance from the drawn curve and strain."""
+        return note(
+            "within {distance} of the drawn curve, {used} % of the allowed strain of {sheet}"
+            if self.deviation
+            else "the curve as drawn, {used} % of the allowed strain of {sheet}",
+            distance=about(self.deviation),
+            used=self.used,
+            sheet=self.requests[0].material.name,
+        )
+
+    def __str__(self) -> str:
+        return f"{self.title} ({self.effect})"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return field, value, deviation (mm), used strain (%) and text, for a report."""
+        value = self.change.value
+        table = (
+            {"kind": NOUNS[type(value)], **asdict(value)} if isinstance(value, Rail | Pin | Tie) else value
+        )
+        return {
+            "field": self.change.field, "value": table, "deviation": self.deviation, "used": self.used,
+            "text": str(self),
+        }  # fmt: skip
+
+
+def suggest(
+    spec: StripSpec, problem: ElasticaError, fields: Collection[str] | None = None
+) -> Iterator[Suggestion]:
+    """Yield at most four changes of a refused request, in a fixed order; each is made and holds.
+
+    The order is: a moved control point, smoothing, separate strips between corners, the nearest curve, a rail, pin
+    or tie, other fields that the refusal names, another sheet, another size. A change holds if the strip is stable,
+    strained within its sheet's limit and at most 3 % of the curve's size from the drawn curve.
+
+    Parameters
+    ----------
+    spec : StripSpec
+        The refused request.
+    problem : ElasticaError
+        Its refusal.
+    fields : collection of str, optional
+        Fields that may change; all by default.
+
+    Examples
+    --------
+    >>> from elastica_cad import PlaneCurve
+    >>> spec = StripSpec(PlaneCurve.arc((0, 0), 60, 0, 3), "oak-3", max_width=12)
+    >>> try:
+    ...     strip = spec.make()
+    ... except StrainError as problem:
+    ...     print([suggestion.change.field for suggestion in suggest(spec, problem)])
+    ['sheet', 'size']
+    """
+    if outlier_message(spec.curve):
+        return
+    count = 0
+    for changes in _changes(spec, problem):
+        tried = (change for change in changes if fields is None or change.field in fields)
+        held = (_held(spec, change) for change in islice(tried, MOST_TRIED))
+        if (suggestion := next(filter(None, held), None)) is not None:
+            yield suggestion
+            count += 1
+        if count == MOST:
+            return
+
+
+def _changes(spec: StripSpec, problem: ElasticaError) -> Iterator[Iterable[Change]]:
+    """Yield the changes of each field, the most promising first; the first that holds is suggested."""
+    named = problem.refusal.changes
+    fields = dict.fromkeys((*FIRST, *(change.field for change in named)))
+    exact = isinstance(problem, NotRealizable) and not (spec.may_change or spec.between or spec.loads)
+    exact = exact and spec.gravity is None
+    if exact:
+        yield _moved_points(spec)
+    for name in fields:
+        yield [change for change in named if change.field == name]
+        if exact and name == FIRST[-1]:
+            yield _supports(spec)
+    if isinstance(problem, StrainError):
+        share = problem.refusal.values["percent"] / 100
+        yield _sheets(spec, share)
+        yield [Change("size", rounded_up(1.01 * share, 2))]
+
+
+def _moved_points(spec: StripSpec) -> Iterator[Change]:
+    if spec.run_ins or spec.smooth:
+        return
+    farthest = FAR_SHARE * _size(spec)
+    for index, curve in move_one_point(spec.curve, farthest, spec.supports, spec.natural_curvature):
+        yield Change("point", (index, tuple(curve.control_points[index].tolist())))
+
+
+def _supports(spec: StripSpec) -> Iterator[Change]:
+    with suppress(ElasticaError):
+        element = suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature)
+        if element is not None:
+            yield Change("between", element)
+
+
+def _sheets(spec: StripSpec, share: float) -> Iterator[Change]:
+    """Yield the thickest sheet that withstands the curve, of the same kind first; `share` is the used strain.
+
+    For an unlisted sheet of the user only sheets of its kind are considered.
+    """
+    own, listed = spec.material, sheet_names()
+    bears = share * own.max_strain / own.thickness
+    known = (sheet for sheet in map(Sheet.named, listed) if sheet.kind == own.kind or own.name in listed)
+    for sheet in sorted(known, key=lambda sheet: (sheet.kind != own.kind, -sheet.thickness)):
+        if sheet.max_strain / sheet.thickness >= bears:
+            yield Change("sheet", sheet.name)
+            return
+
+
+def _requests(spec: StripSpec, change: Change) -> Sequence[StripSpec]:
+    """Return the requests after a change, or none if it does not apply."""
+    match change.field, change.value:
+        case "point", (index, place):
+            points = spec.curve.control_points.copy()
+            points[index] = place
+            moved = spec.curve.with_control_points(points)
+            return [spec.changed(curve=moved.drawn_as(spec.curve.provenance))]
+        case "size", scale:
+            return [spec.changed(curve=spec.curve.transformed(np.diag([scale, scale, 1.0])))]
+        case "split_corners", _:
+            pieces = split_at_corners(spec.curve)
+            drawn = spec.curve.degree > 1  # points of degree 1 are not intended as straight strips
+            apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
+            return [spec.changed(curve=piece) for piece in pieces] if apart else []
+    changed = spec.with_change(change)
+    return [] if changed is None else [changed]
+
+
+def _held(spec: StripSpec, change: Change) -> Suggestion | None:
+    """Return the suggestion, or None if a strip is impossible or unsuitable."""
+    farthest, used = 0.0, 0
+    try:
+        requests = tuple(_requests(spec, change))
+        for request in requests:
+            rod = solve_rod(request.rod_spec)
+            made = request.make(rod)
+            away = request.rod_spec.smoothing.moved + (rod.deviation if isinstance(rod, NearestRod) else 0.0)
+            if change.field == "point":
+                away = largest_move(spec.curve, request.curve)
+            wide = float(made.width.extremes[1]) > WIDEST_SHARE * made.rod.length
+            if wide or away > FAR_SHARE * _size(request) or not made.strain_verdict.allowed:
+                return None
+            if not stability(made.rod).stable:
+                return None
+            farthest, used = max(farthest, away), max(used, made.strain_verdict.percent)
+    except ElasticaError:
+        return None
+    return Suggestion(change, requests, farthest, used) if requests else None
+
+
+def _size(spec: StripSpec) -> float:
+    """Return the diagonal of the curve, mm."""
+    return float(np.hypot(*np.ptp(spec.curve.bounds, axis=0)))
