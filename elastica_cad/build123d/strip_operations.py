@@ -218,7 +218,7 @@ class Elastica(bd.BaseLineObject):
     --------
     >>> line = Elastica((0, 0), (70, 0), 100, angles=(0, 0))
     >>> round(line.length, 3), str(line.branch)
-    (100.0, 'the strip bulges to the left of its chord, with 2 inflections (mode 1)')
+    (100.0, 'the strip bulges to the left of the line between its ends, with 2 inflections (mode 1)')
     """
 
     def __init__(

@@ -50,7 +50,7 @@ def common_request(
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class CurveCheck(EquilibriumCheck):
     """Verdict of Theorem 1 on a drawn curve; `cures` are changes that make it possible.
 

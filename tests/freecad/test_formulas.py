@@ -144,7 +144,6 @@ def test_a_formula_whose_spreadsheet_is_gone(document, made):
     with pytest.raises(InputError, match=r"The formula of Style cannot be computed \(Cells.A1\). Correct or"):
         strip.strip_of(made)
     assert strip.is_stale(made, {made.Name})
-    assert not strip.could_follow_another(made)
 
 
 def test_another_sheet_library_while_a_formula_gives_no_sheet(document, made, monkeypatch):
