@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import partial
 from itertools import count
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -30,7 +31,9 @@ from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.suggestions import Suggestion
+
+if TYPE_CHECKING:
+    from elastica_cad.strip.suggestions import Suggestion
 from elastica_cad.strip.summary import accuracy_row, size_row
 
 MOST_SHOWN = 6
@@ -133,7 +136,7 @@ def _refused(design: Design, problem: ElasticaError) -> StripSpec | None:
     return specs[0] if len(specs) == 1 else None
 
 
-def _as_line(suggestion: Suggestion) -> str:
+def _as_line(suggestion: "Suggestion") -> str:
     """Return the line of the design file that makes a change."""
     change = suggestion.change
     line = KEYS.get(change.field, "{field} = {value:g}").format(field=change.field, value=change.value)
