@@ -215,8 +215,8 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
         moves=sentences(texts, ", "),
     )  # fmt: skip
     details = note(
-        "The error is that of the place of a rail along its normal or of a pin, or that of the length of a cord. "
-        "The largest displacement of the strip is given."
+        "A rail is misplaced across the strip, a pin in any direction, and a cord is too long or too short. "
+        "The figure is the largest displacement of the strip."
     )
     yield Row(note("Mounting"), text, (details,))
 
