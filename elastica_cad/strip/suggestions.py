@@ -14,7 +14,7 @@ from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import split_at_corners
-from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie
+from elastica_cad.mechanics.elements import NOUNS, Element, Pin, Rail, Tie
 from elastica_cad.mechanics.equilibrium_check import largest_move
 from elastica_cad.mechanics.point_search import move_one_point
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
@@ -165,14 +165,14 @@ def _changes(spec: StripSpec, problem: ElasticaError) -> Iterator[Iterable[Chang
     """Yield the changes of each field, the most promising first; the first that holds is suggested."""
     named = problem.refusal.changes
     fields = dict.fromkeys((*FIRST, *(change.field for change in named)))
-    exact = isinstance(problem, NotRealizable) and not (spec.may_change or spec.between or spec.loads)
-    exact = exact and spec.gravity is None
+    exact = isinstance(problem, NotRealizable) and _is_bare(spec)
     if exact:
         yield _moved_points(spec)
     for name in fields:
         yield [change for change in named if change.field == name]
         if exact and name == FIRST[-1]:
-            yield _supports(spec)
+            element = find_support(spec)
+            yield [] if element is None else [Change("between", element)]
     if isinstance(problem, StrainError):
         share = problem.refusal.values["percent"] / 100
         yield _sheets(spec, share)
@@ -187,11 +187,21 @@ def _moved_points(spec: StripSpec) -> Iterator[Change]:
         yield Change("point", (index, tuple(curve.control_points[index].tolist())))
 
 
-def _supports(spec: StripSpec) -> Iterator[Change]:
-    with suppress(ElasticaError):
-        element = suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature)
-        if element is not None:
-            yield Change("between", element)
+def find_support(spec: StripSpec) -> Element | None:
+    """Return the rail, pin or tie that makes the curve of a refused request possible, or None.
+
+    The strip is not made. There is no search for a request with weight, loads, elements, or a curve that may
+    change.
+    """
+    if _is_bare(spec):
+        with suppress(ElasticaError):
+            return suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature)
+    return None
+
+
+def _is_bare(spec: StripSpec) -> bool:
+    """Return True for a drawn curve without weight, loads and elements."""
+    return not (spec.may_change or spec.between or spec.loads) and spec.gravity is None
 
 
 def _sheets(spec: StripSpec, share: float) -> Iterator[Change]:

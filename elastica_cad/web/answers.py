@@ -31,7 +31,6 @@ from elastica_cad.mechanics.loads import PointMass, Weight
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
 from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
-from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.mechanics.thrust_line import thrust_sides
 from elastica_cad.model.assembly import assembly_parts
@@ -45,6 +44,7 @@ from elastica_cad.strip.solids import FlatSolid, PrismSolid
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.styles import Bends
+from elastica_cad.strip.suggestions import find_support
 from elastica_cad.strip.summary import strip_rows
 from elastica_cad.strip.travel import bend_strip
 from elastica_cad.web.saved_design import (
@@ -415,9 +415,7 @@ def _nearest(request: Mapping[str, Any]) -> Record:
 def _support(request: Mapping[str, Any]) -> Record:
     """Return the rail, pin or tie that makes a strip possible, stable and strong enough, or an empty record."""
     spec = _spec(request)
-    if spec.may_change or spec.between or spec.loads or spec.gravity is not None:
-        return {}
-    element = suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature)
+    element = find_support(spec)
     if element is None:
         return {}
     strip = spec.changed(between=element).make()

@@ -12,7 +12,7 @@ import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 from freecad.elastica_wb.features.proxy import CONTAINERS, Feature, added
-from freecad.elastica_wb.features.strip_properties import sheet_of, value_of_field
+from freecad.elastica_wb.features.strip_properties import SHEET_PROPERTIES, sheet_of, value_of_field
 from freecad.elastica_wb.host.progress import in_background
 from freecad.elastica_wb.host.property_table import Property, declared_property, put, result
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
@@ -73,14 +73,7 @@ class FlexureFeature(Feature):
         Property("LinkSubGlobal", "SecondCurve", "Curve", "Sketch or edges with the second state"),
         Property("Enumeration", "Form", "Curve", "What the feature shows", FORMS),
         Property("Enumeration", "Sheet", "Sheet", "Material the part is cut from"),
-        Property("Length", "Thickness", "Sheet", "Thickness of the sheet; measure yours", 1.0),
-        Property(
-            "String",
-            "SheetData",
-            "Sheet",
-            "Data of the sheet, so that the file opens on every computer",
-            hidden=True,
-        ),
+        *SHEET_PROPERTIES,
         Property("Integer", "Quantity", "Part", "Number of copies to cut", 1),
         *(declared_property(field, "Part", name) for name, (_, field) in FIELDS.items()),
         result("String", "Verdict", "Verdict on the part and its curves"),

@@ -92,11 +92,7 @@ def _one_to_one() -> Iterator[tuple[str, Field]]:
 FIELDS = dict(_one_to_one())
 """Fields of the keys that match a single property, by their paths."""
 
-PROPERTIES = (
-    Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
-    Property("Length", "JoinGaps", "Curve", "Largest gap between ends of edges that is closed"),
-    Property("Enumeration", "Form", "Curve", "Shape of the feature: the strip as bent or as cut", FORMS),
-    Property("Enumeration", "Sheet", "Sheet", "Material the strip is cut from"),
+SHEET_PROPERTIES = (
     Property("Length", "Thickness", "Sheet", "Thickness of the sheet; measure yours", 1.0),
     Property(
         "String",
@@ -105,6 +101,15 @@ PROPERTIES = (
         "Data of the sheet, so that the file opens on every computer",
         hidden=True,
     ),
+)
+"""Thickness and stored data of the sheet from which a feature is cut."""
+
+PROPERTIES = (
+    Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
+    Property("Length", "JoinGaps", "Curve", "Largest gap between ends of edges that is closed"),
+    Property("Enumeration", "Form", "Curve", "Shape of the feature: the strip as bent or as cut", FORMS),
+    Property("Enumeration", "Sheet", "Sheet", "Material the strip is cut from"),
+    *SHEET_PROPERTIES,
     Property("Bool", "Compensate", "Width", "Compensate slots, narrow tabs and holes in the widths"),
     Property(
         "Bool",

@@ -19,11 +19,11 @@ from elastica_cad.forming.fairing_request import outline_steps
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.mechanics.elements import Element
 from elastica_cad.mechanics.section_limits import StrainVerdict, judge_strain
-from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 from elastica_cad.refusals import Length, Refusal, Span, note, sentences
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.suggestions import find_support as find_element
 
 SLENDER = 2.0
 """Smallest ratio of length to width for which a strip bends as a rod."""
@@ -139,10 +139,8 @@ def quick_answer(
 @remembered
 def find_support(spec: StripSpec) -> Element | None:
     """Return the rail, pin or tie with which a refused strip has no faults, or None."""
-    if spec.may_change or spec.between or spec.loads or spec.gravity is not None:
-        return None
+    support = find_element(spec)
     with suppress(ElasticaError):
-        support = suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature)
         if support is not None and not any(strip_faults(solve_strip(spec.changed(between=support)))):
             return support
     return None
