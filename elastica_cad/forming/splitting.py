@@ -77,6 +77,10 @@ def split(
 ) -> Splitting:
     """Return the fewest supports along a curve that make every piece realizable, with the least ratios.
 
+    The pieces are separate strips, each clamped at both of its ends: a support holds position and angle. Places are
+    arc lengths from the start of the whole curve. For one strip that slides over a rail, or that a pin or cord
+    holds, pass `between` to `optimal_rod` instead.
+
     A part of a realizable curve is realizable, with the same line and no larger ratio. So the fewest pieces result
     if each piece is as long as possible. The same search from the other end gives the
     first possible place of each support. Between its first and last place, each support is placed for the least sum
