@@ -386,6 +386,7 @@ def test_the_card_over_an_open_sketch(tmp_path):
     assert "laid&nbsp;flat" not in found["legend"], "what is not shown is not explained"
     assert found["wheel goes through"]
     assert found["kept off"]
+    assert found["covered"] == []
     assert found["folded"] == [True, False, False]
     assert found["unfolded"] == [True, True]
     poles, shown, verdict = found["drawn"]

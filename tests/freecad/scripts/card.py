@@ -8,6 +8,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 import FreeCADGui as Gui
 from inside import (
     QtCore,
+    QtWidgets,
     answers,
     begun,
     click,
@@ -30,6 +31,20 @@ BAD = [(0, 0), (40, 60), (80, -60), (120, 60), (160, -10), (200, 90)]
 def at_the_card(card):
     """The middle of its words on the screen."""
     return card.words.mapToGlobal(card.words.rect().center())
+
+
+def covering(card):
+    """Panels of FreeCAD 1.1 that lie over the card."""
+
+    def on_the_screen(widget):
+        return QtCore.QRect(widget.mapToGlobal(QtCore.QPoint(0, 0)), widget.size())
+
+    panels = [
+        one
+        for one in Gui.getMainWindow().findChildren(QtWidgets.QTabWidget)
+        if one.metaObject().className() == "Gui::OverlayTabWidget" and one.isVisible() and one.count()
+    ]
+    return [one.objectName() for one in panels if on_the_screen(one).intersects(on_the_screen(card.frame))]
 
 
 def is_hidden(card, place):
@@ -57,6 +72,7 @@ def work():
     answers["searching"] = [searching, card.button.text(), card.button.isEnabled()]
     live_at_rest()
     answers["legend"] = card.legend.text()
+    answers["covered"] = covering(card)
     answers["found"] = [card.button.text(), card.button.isEnabled()]
     picture("card.png")
     # the wheel over the words of the card zooms the view below it

@@ -22,7 +22,7 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.preview import Place, Preview
 from freecad.elastica_wb.live.sketches import edited_sketch
-from freecad.elastica_wb.live.verdict_card import GAP_PX, STYLE, heading_style
+from freecad.elastica_wb.live.verdict_card import GAP_PX, STYLE, free_part, heading_style
 from freecad.elastica_wb.recording import record_call, record_end_of_step, record_step, recorded
 from freecad.elastica_wb.solving.verdicts import Verdict
 
@@ -250,7 +250,7 @@ class LengthCard(QtCore.QObject):
         # do not delete a button while it is pressed
         self.done.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, done))
         self.frame.setFixedWidth(WIDE_PX)
-        self.frame.move(GAP_PX, GAP_PX)
+        self.frame.move(free_part(over).topLeft() + QtCore.QPoint(GAP_PX, GAP_PX))
         self.frame.show()
 
     def show_message(self, sentence: str, *, good: bool) -> None:

@@ -135,7 +135,9 @@ class VerdictCard(QtCore.QObject):
         self.legend.setVisible(bool(self.legend.text()) and not folded)
         layout, room = self.frame.layout(), self.button.height() + GAP_PX if self.button.isVisible() else 0
         layout.setContentsMargins(0, 0, 0, room + (0 if folded else GAP_PX // 2))
-        width = FOLDED_PX if folded else max(min(WIDEST_PX, round(SHARE * over.width())), FOLDED_PX)
+        width = (
+            FOLDED_PX if folded else max(min(WIDEST_PX, round(SHARE * free_part(over).width())), FOLDED_PX)
+        )
         self.frame.setFixedWidth(width)
         layout.activate()
         tall = self.heading.sizeHint().height() if folded else layout.totalHeightForWidth(width)
@@ -152,8 +154,11 @@ class VerdictCard(QtCore.QObject):
         The present corner is kept if no other hides fewer.
         """
         over, size = self._over, self.frame.size()
-        right, bottom = over.width() - size.width() - CUBE_PX, over.height() - size.height() - GAP_PX
-        corners = [(GAP_PX, bottom), (GAP_PX, GAP_PX), (right, GAP_PX), (right, bottom)]
+        part = free_part(over)
+        start, above = part.left() + GAP_PX, part.top() + GAP_PX
+        end = part.left() + part.width() - size.width() - CUBE_PX
+        below = part.top() + part.height() - size.height() - GAP_PX
+        corners = [(start, below), (start, above), (end, above), (end, below)]
         scale = self._view.getSize()[1] / over.height()
         seen = [
             (x / scale, over.height() - y / scale) for x, y in map(self._view.getPointOnScreen, self._places)
@@ -166,6 +171,28 @@ class VerdictCard(QtCore.QObject):
 
         self._corner = min(range(len(corners)), key=lambda corner: (hidden(corner), corner != self._corner))
         return corners[self._corner]
+
+
+def free_part(over: Any) -> Any:
+    """Return the rectangle of a view that no panel covers. FreeCAD 1.x shows panels over the edges of views."""
+    free = over.rect()
+    for panel in Gui.getMainWindow().findChildren(QtWidgets.QTabWidget):
+        if panel.metaObject().className() == PANELS and panel.isVisible() and panel.count():
+            covered = free.intersected(
+                QtCore.QRect(over.mapFromGlobal(panel.mapToGlobal(NOWHERE)), panel.size())
+            )
+            if covered.isEmpty():
+                continue
+            if covered.height() > covered.width():
+                at_left = covered.center().x() < free.center().x()
+                free.setLeft(covered.right() + 1) if at_left else free.setRight(covered.left() - 1)
+            else:
+                at_top = covered.center().y() < free.center().y()
+                free.setTop(covered.bottom() + 1) if at_top else free.setBottom(covered.top() - 1)
+    return free
+
+
+PANELS, NOWHERE = "Gui::OverlayTabWidget", QtCore.QPoint(0, 0)
 
 
 def _legend(counts: Mapping[str, int]) -> str:
