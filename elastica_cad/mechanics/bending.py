@@ -54,7 +54,7 @@ from elastica_cad.mechanics.newton_continuation import (
 )
 from elastica_cad.mechanics.rod import Rod, resample
 from elastica_cad.mechanics.rod_system import RodState, RodSystem
-from elastica_cad.refusals import Length, Refusal, note
+from elastica_cad.refusals import Length, Point, Refusal, note
 
 Keep = Literal["keep"]
 
@@ -181,6 +181,7 @@ def bend(
     system = system_of(wanted, rod, start, end, angles, force=force, moment=moment)
     require_flag(settle, "settle")
     if elements:
+        _require_reach(elements, system)
         return _bent_on_elements(wanted, rod, system, guess, settle=settle)
     state = state_of(rod, system) if guess is None else _guess_state(guess, system)
     rest, at = _rest(reach(state, side, mode), settle=settle)
@@ -268,6 +269,44 @@ def _on_the_way(before: ElementForce, after: ElementForce, part: float) -> Eleme
     return replace(element, at=(x, y))
 
 
+def _require_reach(elements: Sequence[ElementForce], system: RodSystem) -> None:
+    """Refuse a pin that is farther from an end or another pin than the strip between them is long."""
+    held = [
+        (s, np.asarray(place))
+        for s, place, end in zip(
+            (0.0, system.length), (system.start, system.end), system.supports.ends, strict=True
+        )
+        if end.x and end.y
+    ]
+    held += [
+        (float(action.s[0]), np.array(action.mounting.point))
+        for action in elements
+        if isinstance(action.element, Pin)
+    ]
+    for (s, place), (next_s, next_place) in pairwise(sorted(held, key=lambda item: item[0])):
+        apart = float(np.hypot(*(next_place - place)))
+        if apart > (next_s - s) * (1 + MEETS_SHARE) + MEETS_SHARE * system.length:
+            raise InputError(
+                "The places {first} and {second} at which the strip is held are {apart:.6g} apart, but the strip "
+                "between them is only {length:.6g} long. Move the pin closer.",
+                first=Point(tuple(place)), second=Point(tuple(next_place)), apart=Length(apart),
+                length=Length(next_s - s),
+            )  # fmt: skip
+
+
+def _refuse_straight(elements: Sequence[ElementForce], state: RodState) -> None:
+    """Refuse a straight strip under a shorter cord, because it may bend to either side."""
+    shape = shape_of(state)
+    shorter = any(
+        isinstance(action.element, Tie) and violation(action, shape) > MEETS_SHARE * shape.length
+        for action in elements
+    )
+    if shorter and is_straight(state):
+        raise InputError(
+            "The strip is straight, so a shorter cord could bend it to either side. Bend it with its ends first."
+        )
+
+
 ROUNDS = 12
 """Largest number of changes in the set of taut elements, for each one-sided element."""
 
@@ -293,6 +332,7 @@ def _bent_on_elements(
             state = _guess_state(guess, system)
         else:
             state = state_of(present, system)
+            _refuse_straight(elements, state)
         reached = reach(state, None, 1, partial(_needs_change, elements, taut))
         state = reached.state
         changed = None if reached.arrived else _other_set(elements, taut, state)

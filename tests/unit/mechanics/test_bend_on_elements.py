@@ -176,3 +176,19 @@ def test_a_strip_that_is_pulled_off_its_rail_snaps_where_the_rail_lets_go():
     assert has_snapped(snapped)
     assert ec.stability(snapped).stable
     assert snapped.warnings[0].values["percent"] == pytest.approx(50.0, abs=1.0)
+
+
+def test_a_pin_out_of_reach_is_refused():
+    rod = ec.optimal_rod(WAVE, between=ec.Pin(200.0), samples=201)
+    point = WAVE.at([200.0]).position[0]
+    tangent = np.array([np.cos(WAVE.at([200.0]).angle[0]), np.sin(WAVE.at([200.0]).angle[0])])
+    slack = 200.0 - np.hypot(*point)
+    assert ec.bend(rod, between=ec.Pin(tuple(point + 0.5 * slack * tangent))).between_forces.size
+    with pytest.raises(InputError, match=r"are 205 mm apart, but the strip between them is only 200 mm long"):
+        ec.bend(rod, between=ec.Pin(tuple(205 * point / np.hypot(*point))))
+
+
+def test_a_straight_strip_under_a_shorter_cord_is_refused():
+    slides = ec.Supports("pinned", ec.End(x=False, angle=False))
+    with pytest.raises(InputError, match="could bend it to either side"):
+        ec.bend(ec.Rod.straight(300.0, samples=101, supports=slides), between=ec.Tie(0, 300, length=280))
