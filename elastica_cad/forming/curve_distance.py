@@ -79,7 +79,7 @@ class TargetCurve:
         return np.asarray(s)
 
     def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
-        """1 - kappa d of Newton's method for feet, kept away from the evolute."""
+        """Return 1 - kappa d, the slope in Newton's method for nearest places; it is kept away from 0."""
         i = np.rint(s * (self.position.shape[0] - 1)).astype(int)
         direction = self._directions[i]
         off = points - position

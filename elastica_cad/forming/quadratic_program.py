@@ -158,7 +158,7 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
         system = matrix.copy()
         system.flat[:: n + m + 1] += ratio[0] + ratio[1]
         factors, pivots, info = lapack().dgetrf(system)
-        # a pair has become zero by rounding, and no step can change it
+        # rounding has made a slack or its multiplier 0, and further steps cannot change this pair
         if info != 0 or not min(u.min(), v.min()) > 0:
             break
         # predictor towards mu = 0, then a corrector towards a value of mu that depends on the predictor

@@ -564,7 +564,7 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
 
 
 def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
-    """Return bad spans and much wider spans next to them, which a narrow span cannot compensate."""
+    """Return the bad spans, and spans next to them that are much wider, because a narrow span cannot mend these."""
     cut = bad.copy()
     cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
     cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])

@@ -148,7 +148,7 @@ def _numbers_ends(model: Model, spec: KitSpec) -> bool:
 
 
 def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> FabricationLimits:
-    """Return the requested workshop, with its stock limited to a nested sheet without its borders."""
+    """Return the limits of the workshop, with a stock no larger than the nested sheets without their borders."""
     shop = requests[strip.label].shop if strip.label in requests else spec.shop
     if shop.lap is None:
         return shop

@@ -159,7 +159,7 @@ class PolynomialLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw`; exact, because the slope has the roots of a quadratic."""
+        """See `MaterialLaw`. The result is exact, because the slope is 0 at the roots of a quadratic polynomial."""
         roots = np.roots([5 * self.quartic, 3 * self.quadratic, 1.0])
         real = [float(z.real) for z in roots if z.real > 0 and abs(z.imag) <= _ROUNDING_SHARE * abs(z)]
         return self.curvature_scale * float(np.sqrt(min(real))) if real else float("inf")

@@ -563,7 +563,8 @@ def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, fl
 def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: Cuts) -> Text:
     """Return the label across one of the `tabs` (start x, end x and width), clear of all cuts.
 
-    It is smaller or beside the middle if necessary, and in the middle of the first tab without a free place.
+    If there is little room, the label is smaller, or beside the middle of the tab. If no place is clear, it is in
+    the middle of the first tab.
     """
 
     def text(tab: tuple[float, float, float], share: float, place: float, side: float) -> Text:
