@@ -89,7 +89,8 @@ class ElementCut:
         A hole adds the compliance of its net section and that of the idle corners beside it. In a wide Kirchhoff
         plate both together are pi / 4 d^2 / width times the concentration 1 + 2 (1 + nu) / (3 + nu) of the stress.
         In a narrower strip the part of the corners is divided by 1 + d / width, which agrees with plate elements
-        within 3 %. Notches count as slots; plate elements are up to 12 % softer or stiffer.
+        within 3 %. Notches count as slots. The result is up to 19 % more
+        than that of plate elements, for notches of up to 0.3 widths.
         """
         from elastica_cad.strip.as_made import CUT
 
