@@ -1,4 +1,4 @@
-"""Files in and out: curve readers, drawings, reports."""
+"""Readers and writers of files: curves, drawings, surfaces and meshes."""
 
 from elastica_cad._exports import exports
 

@@ -1,4 +1,4 @@
-"""GLB files of bodies that change their shape: every frame is a morph target, and all are keyed in order."""
+"""Writer of GLB files with animated meshes. Every frame is a morph target, played in order."""
 
 import json
 import struct
@@ -14,7 +14,7 @@ GLB_MAGIC, GLB_VERSION, JSON_CHUNK, BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x
 FLOAT, UNSIGNED_INT, ARRAY_BUFFER, ELEMENT_BUFFER = 5126, 5125, 34962, 34963
 METRES_PER_MM = 1e-3
 Y_UP = [-np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)]
-"""Quaternion from z up, as in this package, to y up, as in glTF."""
+"""Rotation (quaternion x, y, z, w) from coordinates with z upward to those of glTF, with y upward."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +40,7 @@ class MovingMesh:
 
 
 def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
-    """Encode meshes as a GLB file that plays their frames forward and backward in `seconds`, with interpolation.
+    """Encode meshes as a GLB file. Its animation runs forward and backward through the frames in `seconds`.
 
     Examples
     --------
@@ -96,13 +96,13 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
 
 
 def _linear(color: tuple[float, ...]) -> list[float]:
-    """Return a screen colour as linear light for glTF (the sRGB transfer function, IEC 61966-2-1)."""
+    """Convert an sRGB colour to linear values for glTF (the sRGB transfer function, IEC 61966-2-1)."""
     c = np.asarray(color)
     return [float(v) for v in np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)]
 
 
 class _Buffers:
-    """The binary part of an incomplete file, and the records of its pieces."""
+    """Binary chunk of a GLB file, with the buffer views and accessors that describe its parts."""
 
     def __init__(self) -> None:
         self.binary = bytearray()

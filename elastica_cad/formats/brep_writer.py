@@ -1,6 +1,6 @@
-"""Writer of boundary records as OpenCASCADE's binary BREP, which OCP and FreeCAD's Part read.
+"""Writer of bodies in OpenCASCADE's binary BREP format, which OCP and FreeCAD's Part read.
 
-All numbers are exactly those of the record; nothing is projected, fitted or sewn.
+Curves and surfaces are written exactly; nothing is projected, fitted or sewn.
 """
 
 from collections.abc import Iterable, Sequence
@@ -32,15 +32,16 @@ from elastica_cad.strip.bent_boundary import (
 from elastica_cad.strip.flat_pattern import on_segment
 
 EDGE_TOLERANCE_MM = 1e-7  # default tolerance of edges and faces in OpenCASCADE
-VERTEX_TOLERANCE_MM = 1e-6  # largest gap between edges in records
+VERTEX_TOLERANCE_MM = 1e-6  # largest gap between the ends of consecutive edges
 
-_HEAD = b"\nOpen CASCADE Topology V3 (c)\n"  # the first version that contains the ends of edges in (u, v)
+# first version of the format that stores the ends of edges in (u, v)
+_HEAD = b"\nOpen CASCADE Topology V3 (c)\n"
 _SOLID, _SHELL, _FACE, _WIRE, _EDGE, _VERTEX = range(2, 8)
 _LINE, _CIRCLE, _SPLINE_CURVE = 1, 2, 7
 _PLANE, _CYLINDER, _EXTRUSION, _SPLINE_SURFACE = 1, 2, 6, 9
 _KNOT = np.dtype([("place", "<f8"), ("count", "<i4")])
 
-# free, modified, checked, orientable, closed, infinite, convex
+# bits of a flag: free, modified, checked, orientable, closed, infinite, convex
 _FLAGS = {
     (_VERTEX, False): bytes((0, 1, 0, 1, 1, 0, 1)),
     (_EDGE, False): bytes((0, 1, 0, 1, 0, 0, 0)),
@@ -55,12 +56,12 @@ _FLAGS = {
 
 @dataclass(frozen=True)
 class BinaryBrep:
-    """A shape in the format of OpenCASCADE's BinTools; FreeCAD ends the file in a different way.
+    """A shape in the format of OpenCASCADE's BinTools. FreeCAD's files differ in their last numbers.
 
     Attributes
     ----------
     tables : bytes
-        Curves, surfaces and shapes; the last shape is the whole.
+        Curves, surfaces and shapes. The last shape contains all others.
     count : int
         Number of shapes.
     """
@@ -70,18 +71,23 @@ class BinaryBrep:
 
     @property
     def for_bintools(self) -> bytes:
-        """Return the bytes for BinTools, which end with the orientation, number (from the last shape) and place of
-        the whole."""
+        """Return the file for BinTools. It ends with the orientation, number and location of the last shape."""
         return self.tables + pack("<B2i", 0, 1, 0)
 
     @property
     def for_freecad(self) -> bytes:
-        """Return the bytes for `Part.Shape.importBinary`, which end with number, place, orientation."""
+        """Return the file for `Part.Shape.importBinary`.
+
+        It ends with the number, location and orientation of the last shape.
+        """
         return self.tables + pack("<3i", self.count, 0, 0)
 
 
 def boundary_brep(boundary: Boundary, gap: float = VERTEX_TOLERANCE_MM) -> BinaryBrep:
-    """Encode a closed boundary as a solid, an open boundary as a shell; vertices have the tolerance `gap`, mm."""
+    """Encode a closed boundary as a solid and an open boundary as a shell.
+
+    The tolerance of vertices is `gap`, mm.
+    """
     tables = _Tables()
     traces: list[list[bytes]] = [[] for _ in boundary.edges]
     surfaces = [_added(tables.surfaces, _surface(face.surface)) for face in boundary.faces]
@@ -117,7 +123,7 @@ def face_brep(outline: Path, holes: Sequence[Path], frame: Frame, surface: Frame
     outline, holes : Path
         Closed loops in either direction; mm in the frame.
     surface : Frame, optional
-        The same plane with the axes of the surface.
+        The plane of the face with other axes, which become the axes of its surface.
     """
     loops = [path if (path.area > 0) == (path is outline) else path.reversed() for path in (outline, *holes)]
     corners, edges, uses = _drawn(loops, frame)
@@ -135,14 +141,14 @@ def wire_brep(path: Path, frame: Frame) -> BinaryBrep:
 
 
 def _gap(paths: Iterable[Path]) -> float:
-    """Return the largest distance of edges from their vertices, mm."""
+    """Return the largest distance, mm, between the end of an edge and its vertex."""
     return max(EDGE_TOLERANCE_MM, *(path.widest_gap for path in paths))
 
 
 def _drawn(
     paths: Sequence[Path], frame: Frame
 ) -> tuple[FloatArray, tuple[Edge, ...], list[tuple[EdgeUse, ...]]]:
-    """Return vertices (k, 3), an edge for every segment of the paths, and the edge uses of each path."""
+    """Place paths in space: return vertices (k, 3), an edge for every segment, and the edge uses of each path."""
     corners: list[FloatArray] = []
     edges: list[Edge] = []
     loops = []
@@ -152,7 +158,7 @@ def _drawn(
         uses = []
         for i, segment in enumerate(path.segments):
             start, end = first + i, first + ((i + 1) % count if path.closed else i + 1)
-            # arcs of OpenCASCADE turn to the left
+            # OpenCASCADE stores arcs anticlockwise
             forward = not (isinstance(segment, Arc) and segment.sweep < 0)
             placed = PlacedSegment(segment if forward else segment.reversed(), frame)
             uses.append(EdgeUse(len(edges), forward))
@@ -181,7 +187,10 @@ class _Tables:
     def shape(
         self, kind: int, geometry: bytes, parts: Sequence[tuple[int, bool]] = (), *, closed: bool = False
     ) -> int:
-        """Add a shape of earlier shapes, each with its orientation, and return its number."""
+        """Add a shape and return its number.
+
+        `parts` contains the number and orientation of each of its sub-shapes.
+        """
         self.shapes.append((bytes([kind]) + geometry + _FLAGS[kind, closed], parts))
         return len(self.shapes)
 
@@ -201,7 +210,7 @@ class _Tables:
         return self.shape(_WIRE, b"", [(edges[use.edge], use.forward) for use in loop], closed=closed)
 
     def written(self) -> BinaryBrep:
-        """Return all tables; shapes refer to each other by their number from the end."""
+        """Return all tables. A shape refers to its sub-shapes by their number counted from the last shape."""
         count = len(self.shapes)
         shapes = [
             head + b"".join(pack("<B2i", not forward, count - number + 1, 0) for number, forward in parts)
@@ -297,7 +306,7 @@ def _turned(turn: FloatArray, place: Sequence[float]) -> tuple[float, float]:
 
 
 def _trace_ends(trace: StraightTrace | Segment, first: float, last: float) -> Sequence[Sequence[float]]:
-    """Return the start and end of an edge in (u, v)."""
+    """Return the (u, v) coordinates of the start and end of an edge on its surface."""
     if isinstance(trace, StraightTrace):
         (x, y), (dx, dy) = trace.origin, trace.direction
         return (x + first * dx, y + first * dy), (x + last * dx, y + last * dy)

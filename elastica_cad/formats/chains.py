@@ -1,4 +1,4 @@
-"""Joining of loose edges of a file to chains, and of each chain to a curve."""
+"""Join the separate edges of a file to chains, and the edges of each chain to a curve."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -23,32 +23,36 @@ from elastica_cad.geometry.splines import bezier_spans, interpolation_sites, kno
 from elastica_cad.geometry.tangent_healing import heal_tangents
 from elastica_cad.refusals import Length
 
-JOIN_TOLERANCE = 0.01  # tolerance, mm, of joints; files have three or four decimals
-# distance of ends that may belong together: mm, and fraction of the smaller curve
+JOIN_TOLERANCE = 0.01  # largest gap, mm, between joined ends; many files have three or four decimals
+# largest gap that is reported as a possible joint: in mm, and as a fraction of the smaller curve
 NEAR_MM, NEAR_SHARE = 3.0, 0.1
-DIGIT_MM, DIGIT_SHARE = 0.5, 0.01  # largest rounding gap to close: mm, and fraction of the smaller curve
-_ALONGSIDE = np.cos(np.radians(160.0))  # cosine of the turn above which two curves run side by side
+# largest gap from rounding that is closed: in mm, and as a fraction of the smaller curve
+DIGIT_MM, DIGIT_SHARE = 0.5, 0.01
+# if the direction turns by more than 160 degrees at two ends, the curves run side by side
+_ALONGSIDE = np.cos(np.radians(160.0))
 HOLE_ASIDE = 0.1  # largest distance of a hole's centre from its straight end, as a fraction of the diameter
 SAME_POINT = 1e-13  # rounding distance of points, as a fraction of the largest coordinate
-# turn, degrees, of a corner of points, and of a corner of sides without a smooth curve
+# smallest turn, degrees, that counts as a corner: of a curve through points, and of straight sides for which
+# no smooth curve was found
 LARGEST_TURN, LEAST_TURN = 50.0, 5.0
 _STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the largest turn at which two ends share a tangent
-_LONG = 20.0  # length, in tolerances, above which a side of a polyline is intended to be straight
+_LONG = 20.0  # a polyline side longer than this many tolerances is intended to be straight
 _DIGIT = 1.1 * np.sqrt(
     2.0
-)  # largest error of an end in units of coordinate rounding, with an allowance for angles
+)  # largest error of an end point, in units of the coordinate rounding, with an allowance for rounded angles
 _DENSE = 50  # number of inner knots above which a spline was interpolated through points
-# second difference at knots, as a fraction of the largest curvature, above which points are noisy
+# points are noisy if the second difference of the curvature at knots exceeds this fraction of the largest
+# curvature
 _ROUGH = 0.2
-_REFINED = 10  # rounds of the search for the nearest point, each four times as fine
-_CROWD = 50  # largest number of ends at a point, on all layers, that are joined
-# number of `_CROWD` in the cells around an end, above which the end is not compared with other ends
+_REFINED = 10  # rounds of the search for the nearest point; each round divides the interval by four
+_CROWD = 50  # if more ends than this meet at a point, on all layers, they are not joined
+# if the cells around an end contain more ends than this multiple of `_CROWD`, the end is not compared
 _CROWDED_CELLS = 4
 
 _Joints: TypeAlias = dict[
     tuple[int, int], tuple[int, int]
-]  # end (run, 0 start or 1 end) -> the end it touches
-_Place: TypeAlias = tuple[int, float]  # number of an edge in a run, and its parameter
+]  # from an end to the end that it touches; an end is (number of the run, 0 for start or 1 for end)
+_Place: TypeAlias = tuple[int, float]  # position in a run: number of the edge, and parameter on it
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,13 +63,14 @@ class JoinedRuns:
     ----------
     chains : list of Run
     overlaps : tuple of (Source, Source, str)
-        Shapes that coincide with another shape of at least their length: the shape, the other shape, and "left out"
-        if both have the same layer and name, else "kept". If they overlap in part, "joined" to their union, or
-        "in part" if they have different layers or names, or if a third shape meets them there.
+        Each shape that coincides with a shape of the same or larger length, with that shape and the result. A
+        shape of the same layer and name is "left out", else it is "kept". Shapes that overlap in part are
+        "joined" to their union. They remain ("in part") if layers or names differ, or if a third shape meets
+        them there.
     closed : tuple of float
-        Widths, mm, of the gaps that were closed because the digits of the file explain them.
+        Widths, mm, of the closed gaps that are explained by the rounding of coordinates in the file.
     widest : float
-        Largest width, mm, of a gap that is closed.
+        Width, mm, of the widest closed gap.
     """
 
     chains: list[Run]
@@ -82,12 +87,12 @@ def join_runs(
     A chain has the direction of its first edge in the file. Ends are not joined where three or more meet,
     because the path of the strip is ambiguous there, and not across layers. A named shape is not joined to
     other shapes. Of coinciding edges, the longer edge is used. Edges shorter than the tolerance are ignored.
-    The chains are joined again across gaps of one unit of the last digit.
+    At last, chains are joined across gaps of one unit of the last digit in the file.
 
     Parameters
     ----------
     corners : bool
-        If True, join ends at which the direction turns by more than 1 degree, too.
+        If True, also join ends where the direction turns by more than 1 degree.
     """
     check_tolerance(tolerance, "tolerance for joining")
     long = [tuple(run) for run in runs if sum(e.size for e in run) > tolerance]
@@ -101,7 +106,7 @@ def join_runs(
 
 
 def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
-    """Return the distance (2 n,), mm, by which the file's last digit may have moved each end of the chains."""
+    """Return the rounding error (2 n,), mm, of the two end points of each of n chains."""
     known = [edge.source.rounding for run in chains for edge in run if edge.source and edge.source.rounding]
     sizes = np.repeat([sum(edge.size for edge in run) for run in chains], 2)
     digit = _DIGIT * min(known, default=0.0)
@@ -109,7 +114,7 @@ def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
 
 
 def _chained(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> tuple[list[Run], tuple[float, ...]]:
-    """Join runs whose ends are within the sum of their reaches (2 n,), mm; return chains and the gaps between."""
+    """Join ends of runs closer than the sum of their `reach` (2 n,), mm. Return the chains and the closed gaps."""
     partner = _partners(runs, reach, corners=corners)
     ends = _ends(runs).reshape(len(runs), 2, -1)
     chains, used, gaps = [], [False] * len(runs), []
@@ -125,14 +130,14 @@ def _chained(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> tuple[
 
 
 def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
-    """Separate drawn holes from curves: circles about a point of a straight first or last edge of an open chain.
+    """Separate drawn holes from curves. A hole is a circle around a point of a straight end of an open chain.
 
     Returns
     -------
     chains : list of runs
         The chains that are not holes.
     holes : list of lists of runs
-        The circles on each chain.
+        The holes of each chain.
     """
     ended = [
         i
@@ -161,7 +166,9 @@ def _is_line(edge: Edge) -> bool:
 
 
 def _is_on(centre: FloatArray, diameter: float, edge: Edge) -> bool:
-    """Return True if the centre of a circle is on a straight edge, and the circle is between its ends."""
+    """Return True if a circle has its centre on a straight edge and does not extend beyond the ends of the
+    edge.
+    """
     if not _is_line(edge):
         return False
     chord, out = edge.end - edge.start, centre - edge.start
@@ -184,10 +191,13 @@ def _circle(run: Run) -> tuple[FloatArray, float] | None:
 
 
 def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int, int, FloatArray]]:
-    """Find unjoined ends of two chains on a layer that nearly meet: distance (mm), both chains, position.
+    """Find unjoined ends that nearly meet on a layer.
 
-    The distance is at most 3 mm and a tenth of the smaller chain. The smallest distance is first. Ends of
-    chains that run side by side are not listed. Ends within `tolerance` are listed if a name keeps them apart.
+    Return the distance (mm), both chain numbers, and the position.
+
+    The distance is at most 3 mm and at most a tenth of the length of the smaller chain. The list is sorted by
+    distance. Ends of chains that run side by side are not listed. Ends within `tolerance` are listed if they
+    were not joined because a shape has a name.
     """
     if len(chains) < 2:
         return []
@@ -210,7 +220,10 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
 
 
 def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
-    """Return the runs joined to the end `side` (0 start, 1 end) of `first`, each with the end away from `first`."""
+    """Follow the joints from the end `side` (0 start, 1 end) of the run `first`.
+
+    Return each run with its far end.
+    """
     used[first] = True
     path: list[tuple[int, int]] = []
     here = (first, side)
@@ -235,7 +248,7 @@ def _ends(runs: Sequence[Run]) -> FloatArray:
 
 
 def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Joints:
-    """Return the partner of each end (run, side) that touches exactly one other end."""
+    """Return a mapping from each end (run, side) that touches exactly one other end to that other end."""
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]
     groups = [(source.layer, source if source.is_named else None) for source in sources]
@@ -246,7 +259,7 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
     crowd = np.bincount(i[apart <= reach[i] + reach.max()], minlength=len(ends))
     touching = (apart <= reach[i] + reach[j]) & (group[i] == group[j]) & (crowd[i] <= _CROWD)
     i, j = i[touching], j[touching]
-    paired = np.bincount(i, minlength=len(ends)) == 2  # the end itself and another end
+    paired = np.bincount(i, minlength=len(ends)) == 2  # each end also finds itself
     partners = {}
     for k, other in zip(i.tolist(), j.tolist(), strict=True):
         end_a, end_b = divmod(k, 2), divmod(other, 2)
@@ -256,25 +269,27 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
 
 
 def _goes_on(runs: Sequence[Run], first: tuple[int, int], other: tuple[int, int]) -> bool:
-    """Return True if the direction turns by at most 1 degree between two ends (run, side)."""
+    """Return True if the direction turns by at most 1 degree where two ends (run, side) meet."""
     return bool(_onward(runs, first, other) > _STRAIGHT_ON)
 
 
 def _onward(runs: Sequence[Run], first: tuple[int, int], other: tuple[int, int]) -> float:
-    """Return the cosine of the turn between two ends (run, side)."""
+    """Return the cosine of the change of direction where two ends (run, side) meet."""
     out, into = (_outward(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (first, other))
     return float(-out @ into)
 
 
 def _outward(run: Run) -> FloatArray:
-    """Return the unit tangent out of the run at its end."""
+    """Return the unit tangent (d,) at the end of a run, in its direction."""
     low, high = run[-1].spans.edges[-2:]
     before, end = run[-1].at([high - 1e-4 * (high - low), high])
     return np.asarray((end - before) / max(float(np.linalg.norm(end - before)), 1e-300), dtype=float)
 
 
 class _RunIndex:
-    """Runs with their ends and boxes, sorted along the longer axis of the drawing."""
+    """Index to find overlapping runs: their ends and bounding boxes, sorted along the longer axis of the
+    drawing.
+    """
 
     def __init__(self, runs: Sequence[Run], tolerance: float) -> None:
         self.runs, self.tolerance = runs, tolerance
@@ -292,7 +307,11 @@ class _RunIndex:
         self.rank = np.argsort(self.by_length)
 
     def touching(self, j: int) -> Iterator[tuple[int, bool, bool]]:
-        """Yield the shorter runs that touch run j: with both ends, and with a part that may lie on it."""
+        """Yield shorter runs that touch run j.
+
+        With each number: True if both its ends are on run j, and True if a part of it may coincide with run
+        j.
+        """
         ends, low, high = self.ends, self.lows[j], self.highs[j]
         reach = (dist(low, high) + self.sizes[j]) / 2
         middle = (low + high)[self.axis] / 2
@@ -355,7 +374,11 @@ def _without_overlaps(
 def _common_parts(
     run: Run, longer: Run, tolerance: float, least: float
 ) -> list[tuple[int, _Place, FloatArray]]:
-    """Return the parts of a run, longer than `least` mm, from an end (0 or 1) to an end of a longer run."""
+    """Return the end parts of a run, longer than `least` mm, that coincide with the end of a longer run.
+
+    Each part is given by the end of the run (0 or 1), the position of the end of the longer run, and that end
+    (d,).
+    """
     parts = []
     on_run = [(place, end) for end in _ends([longer]) if (place := _place_of(end, run, tolerance))]
     for side in (0, 1):
@@ -374,7 +397,9 @@ def _whole(run: Run) -> tuple[_Place, _Place]:
 
 
 def _place_of(point: FloatArray, run: Run, tolerance: float) -> _Place | None:
-    """Return the position in the run nearest to a point (d,), or None if it is not within `tolerance` mm."""
+    """Return the position in a run that is nearest to a point (d,), or None if it is farther than `tolerance`
+    mm.
+    """
     nearest = [(*_nearest(edge, point[None]), k) for k, edge in enumerate(run)]
     away, t, k = min((float(away[0]), float(t[0]), k) for away, t, k in nearest)
     return (k, t) if away <= tolerance else None
@@ -394,7 +419,7 @@ def _part(run: Run, first: _Place, last: _Place) -> Run:
 
 
 def _on_run(points: FloatArray, run: Run, tolerance: float) -> BoolArray:
-    """Return which points (n, d) are within `tolerance` mm of the run."""
+    """Return a mask (n,) of the points (n, d) that are within `tolerance` mm of the run."""
     is_near = np.zeros(len(points), dtype=bool)
     for edge in run:
         low, high = edge.points.min(axis=0) - tolerance, edge.points.max(axis=0) + tolerance
@@ -404,7 +429,9 @@ def _on_run(points: FloatArray, run: Run, tolerance: float) -> BoolArray:
 
 
 def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return distances (n,), mm, of points (n, d) from an edge, and the parameters (n,) there."""
+    """Return distances (n,), mm, of points (n, d) from an edge, and the parameters (n,) of the nearest points
+    of the edge.
+    """
     if not len(points):
         return np.zeros(0), np.zeros(0)
     stations = edge.stations()
@@ -443,9 +470,9 @@ def curve_from_run(
     Parameters
     ----------
     shown : Provenance, optional
-        How the drawing program displays points; the record of the curve is based on it.
+        Template for the provenance of the curve: it describes how the drawing program displays points.
     holes : sequence of runs
-        Circles drawn on the straight ends, in the same plane.
+        Circles drawn on the straight ends of the curve, in its plane.
 
     Raises
     ------
@@ -487,9 +514,11 @@ def curve_from_run(
 
 
 def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:
-    """Return the points that a dense spline interpolates, if its curvature changes abruptly from knot to knot.
+    """Return the points that a dense spline interpolates, or None if its curvature does not jump from knot to
+    knot.
 
-    Its noise is invisible in the drawing, but the noise or an end without curvature affects the widths.
+    The noise of the points is invisible in the drawing, but the noise, or zero curvature at an end, affects
+    the widths of a strip.
     """
     knots = edge.spans.edges
     inner = edge.knots[edge.degree + 1 : -edge.degree - 1]
@@ -512,10 +541,10 @@ def curve_from_points(
     """Return the line through points (n, 2) if they are collinear, else a curve within `tolerance` mm of them.
 
     Corners stay corners, see `PlaneCurve.tangent_breaks`. A corner is a turn by more than 50 degrees between
-    two straight pieces that are long compared with the tolerance and the noise. The record of the curve
-    includes the noise of the points, at least `noise` mm. If no smooth curve follows noisy points, the curve is
-    a polyline. With `sides`, the straight sides between the points are drawn. A curve that leaves them by more
-    than `allowed_distance` is then cut at every turn of more than 5 degrees.
+    two straight pieces that are long compared with the tolerance and the noise. The provenance of the curve
+    states the noise of the points, at least `noise` mm. If no smooth curve follows noisy points, the curve is
+    a polyline. `sides` means that the straight sides between the points belong to the drawing. If the curve
+    is then more than `allowed_distance` from the sides, it is cut at every turn of more than 5 degrees.
 
     Raises
     ------
@@ -574,7 +603,7 @@ def _require_distance(distance: float, allowed: float) -> None:
 
 
 def _polyline(points: FloatArray) -> PlaneCurve:
-    """Return the straight pieces between points (n, 2) as a curve."""
+    """Return the polyline through points (n, 2) as a curve."""
     knots = np.repeat(lengths_along(points), 2)
     control = np.insert(points, slice(1, None), (points[:-1] + points[1:]) / 2, axis=0)
     return PlaneCurve(np.concatenate([knots[:1], knots, knots[-1:]]), control, 2)
@@ -603,20 +632,24 @@ def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list
 
 
 _AWAY = 0.0214
-"""Largest distance between the parabola with control points a, c, d and the cubic with a, a, c, d, as a
-fraction of the distance of d from the line through a and c."""
+"""Largest distance between two curves, as a fraction of the distance of d from the line through a and c.
+
+The curves are the parabola with control points a, c, d and the cubic with control points a, a, c, d.
+"""
 
 
 _OFF_MM, _OFF_SHARE = 0.004, 2e-5
-"""Largest distance by which a curve moves to limit its curvature, in mm and as a fraction of its size."""
+"""Largest distance that a curve is moved to make its end curvature finite: in mm, and as a fraction of its
+size.
+"""
 
 
 def _with_handles(edge: Edge) -> list[Edge]:
-    """Add missing end handles to a cubic Bezier piece, within 0.004 mm of the drawn curve.
+    """Replace ends of infinite curvature of a cubic Bezier piece, within 0.004 mm of the drawn curve.
 
-    If the first two control points coincide in a, the tangent points towards the third control point c, but the
-    curvature is infinite. The first part of the curve, with control points a, a, c, d, is replaced by the
-    parabola with a, c, d, which has the same ends and end tangents.
+    If the first two control points of a piece are equal, the end curvature is infinite. The first part of the
+    curve has control points a, a, c, d. It is replaced by the parabola a, c, d, which has the same ends and
+    end tangents.
 
     Examples
     --------
@@ -653,7 +686,10 @@ def _exact(edge: Edge, fit_tolerance: float) -> Edge:
 
 
 def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
-    """Return the edges joined to one B-spline, with knots of multiplicity degree at the joints and speed near 1."""
+    """Join edges to a single B-spline.
+
+    At joints the knot multiplicity is the degree; the parameter is close to arc length.
+    """
     degree = max(2, *(edge.degree for edge in edges))
     knots, homogeneous = np.zeros(1), np.empty((0, 3))
     for edge in edges:
@@ -678,10 +714,13 @@ def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
 def _clamped(
     edge: Edge, degree: int, low: float = -np.inf, high: float = np.inf
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the edge between two parameters, clamped and of a degree no lower: knots, homogeneous control points.
+    """Return the part of an edge between two parameters as a clamped spline of the given degree or a higher
+    degree.
 
-    The raised spline space holds the edge, so interpolation at its Greville abscissae returns the edge
-    itself.
+    The result is the knot vector and the homogeneous control points.
+
+    The spline space of the higher degree contains the edge, so interpolation at the Greville abscissae is
+    exact.
     """
     first, last = np.clip(edge.spans.edges[[0, -1]], low, high)
     inner = edge.knots[(edge.knots > first) & (edge.knots < last)]

@@ -1,4 +1,4 @@
-"""Curves written to files that `read_curves` and CAD programs read again."""
+"""Writer of curves to files that `read_curves` and CAD programs can read."""
 
 import os
 import warnings
@@ -30,10 +30,10 @@ from elastica_cad.strip.drawing import MARK, Drawing, LayeredPath
 WRITTEN_SUFFIXES = (".dxf", ".svg", ".json", ".csv")
 
 _TOLERANCE_MM = 1e-3
-"""Largest distance of cubics and arcs from the curve that they replace, mm."""
+"""Largest distance, mm, between a curve and the cubics or arcs that replace it in a file."""
 
 _MOST_POINTS = 1001
-"""Largest number of points in a CSV file; shorter curves have a point every mm."""
+"""Largest number of points in a CSV file; a shorter curve has a point every mm."""
 
 _WIDTH_PLACES = 401
 """Number of positions along a strip where widths are compared."""
@@ -52,19 +52,17 @@ def write_curves(
 ) -> Path:
     """Write drawn curves, mm, as .dxf, .svg, .json or .csv.
 
-    DXF keeps degree, knots and weights of every spline. JSON keeps every bit, and SVG keeps cubics to 1e-12 mm. In
-    SVG, weighted splines and higher degrees become cubics. In DXF R12, curves become arcs. Both are accurate to
-    0.001 mm. CSV contains points. For such replaced curves, a `FitWarning` reports the distance from the drawn
-    curve and the largest change of the width of a strip. Two curves of a DXF or SVG whose ends meet are read back
-    as a single curve.
+    DXF keeps degree, knots and weights of every spline. JSON stores the exact numbers, and SVG stores cubics
+    to 1e-12 mm. In SVG, weighted splines and higher degrees become cubics. In DXF R12, curves become arcs.
+    Both replacements are accurate to 0.001 mm. CSV contains points. If a curve is replaced, a `FitWarning`
+    reports its distance from the drawn curve and the largest change of strip width. Two curves of a DXF or
+    SVG whose ends meet are read back as a single curve.
 
     Parameters
     ----------
     curves : sequence of PlaneCurve
     path : path-like
-        Its suffix is the format.
-    version : str
-        DXF version, R12 to R2018.
+        The suffix selects the format. version : str DXF version, R12 to R2018.
     force : bool
         Overwrite a file of that name.
 
@@ -127,7 +125,7 @@ def _points_csv(points: FloatArray) -> str:
 
 
 def _read_again(chain: Chain) -> PlaneCurve:
-    """Return the curve that `read_curves` reads from a written path."""
+    """Return the curve that `read_curves` would read from a chain in a file."""
     if len(chain.segments) == 1 and isinstance(chain.segments[0], Spline):
         return chain.segments[0].curve
     return curve_from_run([_edge(segment) for segment in chain.segments])
@@ -161,7 +159,7 @@ def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> 
 
 
 def _widths(curve: PlaneCurve) -> FloatArray | None:
-    """Return widths (n,), mm, at equal distances along the strip of a curve, or None if a strip is not possible."""
+    """Return the strip widths (n,), mm, at equal distances along a curve, or None if no strip has this shape."""
     try:
         rod = optimal_rod(smooth_curve(curve).curve)
     except ElasticaError:

@@ -1,4 +1,4 @@
-"""Drawings as files: SVG in mm, and DXF or SVG by the suffix of the file."""
+"""Writers of drawings: SVG files in mm, and DXF or SVG by the suffix of the file name."""
 
 import os
 from collections.abc import Callable, Mapping
@@ -28,8 +28,10 @@ _LETTERS = {2: "Q", 3: "C"}
 
 
 _DECIMALS, _EXACT_DECIMALS = 6, 12
-"""Decimals of mm in a drawing for a machine, and of a curve that is read again. The curvature, and so the width
-of a strip, depends on second differences of the coordinates."""
+"""Decimals of coordinates, mm: in a drawing for a machine, and in a curve that is read again.
+
+A curve needs more decimals because strip widths depend on the second differences of its coordinates.
+"""
 
 
 def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
@@ -39,16 +41,16 @@ def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
     ----------
     path : Path
     origin : (2,) array
-        The upper left corner of the sheet, mm; y runs downward there.
+        The upper left corner of the sheet, mm. In SVG, y points downward.
     decimals : int
-        Decimals of its coordinates.
+        Number of decimals of the coordinates.
 
     Examples
     --------
     >>> path_data(Path.rectangle(40, 10), np.array([-1.0, 11.0]))
     'M1,11L41,11L41,1L1,1Z'
     """
-    # Z draws the closing line
+    # the SVG command Z draws the closing line
     closing = path.closed and isinstance(path.segments[-1], Line)
     drawn = path.segments[:-1] if closing else path.segments
 
@@ -72,8 +74,8 @@ def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
         return f"L{place(segment.end.tolist())}"
     if isinstance(segment, Arc):
         radius, turns = _format_length(segment.radius), "0" if segment.sweep > 0 else "1"
-        # split arcs of more than 180 degrees: a full circle has no ends, and an almost full arc is badly
-        # conditioned
+        # split arcs of more than 180 degrees, because an SVG arc is defined by its ends: a full circle has
+        # none, and an almost full arc is badly conditioned
         long = abs(segment.sweep) > np.pi * (1 + 1e-9)
         ends = segment.at(np.array([0.5, 1.0] if long else [1.0])).tolist()
         return "".join(f"A{radius} {radius} 0 0 {turns} {place(end)}" for end in ends)
@@ -84,7 +86,7 @@ def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
 
 
 _MARGIN_MM = 1.0
-"""Space around the drawing, mm, so that a stroke on its border is visible."""
+"""Space around the drawing, mm, so that strokes at its edge are visible."""
 
 _STROKE_MM = 0.1
 """Width of strokes, mm; laser programs cut along thin strokes."""
@@ -99,19 +101,18 @@ def encode_svg(
 ) -> bytes:
     """Return the bytes of an SVG file in mm; the same drawing and command give the same bytes.
 
-    Each layer is a group, in working order, and each loop is a <path>, with y upward on the sheet. Arcs and
-    polynomial splines up to degree 3 are exact.
+    Each layer is a group, in the order of machining, and each loop is a <path>. On the sheet, y points
+    upward. Arcs and polynomial splines up to degree 3 are exact.
 
     Parameters
     ----------
     drawing : Drawing
     curves : str
-        "spline" and "bezier" write Bezier curves (weighted splines and degrees above 3 to the tolerance but at most
-        0.001 mm), "arc" arcs, "polyline" lines.
+        "spline" and "bezier" write Bezier curves, "arc" writes arcs, and "polyline" writes lines. Bezier
+        curves approximate weighted splines and degrees above 3 to the tolerance, at most 0.001 mm.
     tolerance : float
-        Largest distance, mm, of a replaced curve from the true one.
-    layers : mapping, optional
-        Names and colours, see `style_layers`.
+        Largest distance, mm, between a curve and its replacement. layers : mapping, optional Names and
+        colours, see `style_layers`.
 
     Raises
     ------
@@ -184,19 +185,16 @@ def write_drawing(
     ----------
     drawing : Drawing
     path : path-like
-        Its suffix is the format.
-    kerf : float
-        Width of the cut, mm. Closed outer loops grow by half of it, and inner loops shrink. Cutting services often
-        compensate the kerf themselves, so the default is 0. It may be negative.
+        The suffix selects the format. kerf : float Width of the cut, mm. Closed outer loops grow by half the
+        kerf, and inner loops shrink by half the kerf. Cutting services often compensate the kerf themselves,
+        so the default is 0. It may be negative.
     curves : str
         "spline", "bezier", "arc" or "polyline".
     tolerance : float
-        Largest distance, mm, of a replaced curve from the true one.
-    version : str
-        DXF version, R12 to R2018.
+        Largest distance, mm, between a curve and its replacement. version : str DXF version, R12 to R2018.
     layers : mapping or str, optional
-        Mapping from a layer to a name, or to a name and a colour "#rrggbb"; or a colour scheme: "boxes",
-        "lightburn".
+        Mapping from a layer to a name, or to a name and a colour "#rrggbb". Or the name of a colour scheme:
+        "boxes", "lightburn".
     holding : HoldingTabs, optional
         Bridges that hold parts in the sheet; none by default.
     marks : bool

@@ -16,17 +16,17 @@ from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MA
 CURVES = ("spline", "bezier", "arc", "polyline")
 
 EXACT = "exact"
-"""Curve style that keeps splines of any degree, for curves that a CAD program reads."""
+"""Curve style that writes splines of any degree unchanged, for CAD programs."""
 
 _SPLINE_TOLERANCE_MM = 1e-3
-"""Tolerance of approximated splines, mm, even if a coarser tolerance is given, because splines need few bytes."""
+"""Largest tolerance of approximated splines, mm. A coarser tolerance would hardly make files smaller."""
 
 FINEST_MM = 1e-5
-"""Finest tolerance of arcs and polylines, mm; a finer tolerance only makes larger files."""
+"""Smallest tolerance of arcs and polylines, mm. A smaller tolerance would only make larger files."""
 
 
 def check_curve_style(curves: str) -> str:
-    """Return the name of a curve style, and refuse it unless it is in `CURVES` or `EXACT`."""
+    """Return the name of a curve style, and refuse names that are neither in `CURVES` nor `EXACT`."""
     if not isinstance(curves, str) or curves not in (*CURVES, EXACT):
         raise InputError(
             "curves is {curves!r}: use one of {curves_2}", curves=curves, curves_2=", ".join(CURVES)
@@ -35,9 +35,10 @@ def check_curve_style(curves: str) -> str:
 
 
 def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rational: bool = True) -> list[Path]:
-    """Return the paths in a curve style: splines of degree 3 at most, joined Bezier curves, arcs, or lines.
+    """Convert paths to a curve style: splines of degree 3 at most, joined Bezier curves, arcs, or lines.
 
-    Splines have weights only if `rational` is True. With `EXACT` and `rational`, splines keep any degree.
+    Splines have weights only if `rational` is True. With the style `EXACT` and `rational`, splines of any
+    degree are unchanged.
     """
     if not is_number(tolerance):
         raise InputError(
@@ -117,7 +118,7 @@ SCHEMES: dict[str, dict[str, LayerStyle]] = {
         MARK: LayerStyle(MARK, "#00ffff"),
         SHEET: LayerStyle(SHEET, "#ff0000"),
     },
-    "lightburn": {  # layers C00 to C03 of its palette, and its tool layer T1, which is never cut
+    "lightburn": {  # colours of LightBurn's layers C00 to C03, and of its tool layer T1, which is never cut
         CUT_OUTER: LayerStyle(CUT_OUTER, "#ff0000"),
         CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
         ENGRAVE: LayerStyle(ENGRAVE, "#000000"),
@@ -125,7 +126,7 @@ SCHEMES: dict[str, dict[str, LayerStyle]] = {
         SHEET: LayerStyle(SHEET, "#f36926"),
     },
 }
-"""Colour schemes of other programs, which select the operation by the colour of a line."""
+"""Colour schemes for other programs, in which the colour of a line selects the operation."""
 
 
 def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict[str, LayerStyle]:

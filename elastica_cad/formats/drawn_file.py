@@ -1,4 +1,4 @@
-"""Curves of a file, and the report on what was read."""
+"""The curves of a file, and the report on reading it."""
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -23,16 +23,18 @@ from elastica_cad.geometry.plane_points import near_pairs
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
-_SLENDER = 12.0  # smallest ratio of perimeter to width; a stroke is at least five times as long as wide
+# smallest ratio of perimeter to width of a stroke, which is at least five times as long as wide
+_SLENDER = 12.0
 _MOST_SAMPLES = 8000
 _EACH_SIDE = 4  # samples per width
-_ACROSS = 3.0  # largest distance of the opposite side of a stroke, in widths
-_EVEN = 0.05  # largest variation of the width along a stroke, as a fraction
-_CAPS = 6.0  # length of the outline without an opposite side, at both ends of the stroke together, in widths
+_ACROSS = 3.0  # largest distance to the opposite side of a stroke, in stroke widths
+_EVEN = 0.05  # largest relative variation of the width along a stroke
+# largest total length of the outline at the two ends of a stroke, without an opposite side, in stroke widths
+_CAPS = 6.0
 
 
 def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
-    """Return the width, mm, of the stroke whose outline is a closed run of edges, or None for any other run.
+    """Return the width, mm, if a closed run of edges is the outline of a stroke of constant width, else None.
 
     Examples
     --------
@@ -46,7 +48,7 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
     drawn -= drawn[0]
     s = np.append(0.0, np.cumsum(np.hypot(*np.diff(drawn, axis=0).T)))
     area = abs(float(drawn[:-1, 0] @ drawn[1:, 1] - drawn[1:, 0] @ drawn[:-1, 1])) / 2
-    # width of a rectangle of this length and area
+    # width of a rectangle with this perimeter and area
     width = (s[-1] - np.sqrt(max(s[-1] ** 2 - 16 * area, 0.0))) / 4
     if not _EACH_SIDE * s[-1] / _MOST_SAMPLES < width < s[-1] / _SLENDER:
         return None
@@ -65,7 +67,7 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
 
 
 EXACT_MM = 1e-3
-"""Distance from the drawing, mm, up to which a curve counts as exact."""
+"""Largest distance from the drawing, mm, at which a curve counts as exact."""
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,7 @@ class ReadUnit:
     known : str
         "stated" by the file or by an option, "guessed" from the program that wrote the file, or "assumed".
     source : str
-        Place of the statement, such as "$INSUNITS"; empty if the unit is assumed.
+        What states the unit, such as the header variable "$INSUNITS"; empty if the unit is assumed.
     note : str
         Message on how to change the unit if it is not stated; else empty.
     """
@@ -91,7 +93,7 @@ class ReadUnit:
 
     @classmethod
     def requested(cls, name: str) -> "ReadUnit":
-        """Return the unit that an option gives."""
+        """Return the record of a unit that the user has set by an option."""
         return cls(name, "stated", "the option unit")
 
     def __str__(self) -> str:
@@ -148,7 +150,9 @@ class ReadReport:
 
 
 def kinds_of(chain: Run) -> Counter[str]:
-    """Return the number of shapes of each kind in a chain; edges of a kind that belong to one shape count once."""
+    """Return the number of shapes of each kind in a chain; edges of a kind that belong to the same shape are
+    counted once.
+    """
     shapes = {
         (id(edge.source) if edge.source else number, _kind(edge.degree, len(edge.points), edge.weights))
         for number, edge in enumerate(chain)
@@ -169,21 +173,20 @@ class DrawnCurve:
     Attributes
     ----------
     number : int
-        Counted from 1 in the order of the file.
-    name, layer : str
-        Its label, id or handle, and its layer, as the drawing program displays them; empty if the file has none.
+        Number of the curve in the file, from 1. name, layer : str Label, id or handle of the curve, and its
+        layer, as displayed by the drawing program. Empty if the file does not name them.
     make : callable
         Function that computes the curve.
     id : str
-        Its id, or the handle in "SPLINE 2F".
+        Id of the curve, or the handle (2F for a shape named "SPLINE 2F").
     piece, pieces : int
         Number of the piece, from 1, and number of pieces of a curve that was cut at its corners.
     joints : (str, str)
-        Names of the corners at its ends that join it to another piece, "J1"; empty at other ends.
+        Names, such as "J1", of the corners at its start and end that join it to another piece. Empty for
+        other ends.
     kinds : mapping
-        Number of its shapes in the file, by kind: {"spline": 1}.
-    chain : Run
-        Its edges as drawn; empty if it was not drawn as edges.
+        Number of shapes of each kind that form the curve: {"spline": 1}. chain : Run Edges of the curve as
+        drawn; empty if it was not drawn as edges.
     flatten : callable, optional
         Function that maps edges in space to the plane of the curve.
     """
@@ -207,7 +210,7 @@ class DrawnCurve:
         Raises
         ------
         InputError, NotConvergedError
-            Its numbers do not define a curve.
+            The numbers in the file do not define a curve.
         """
         return self.make()
 
@@ -248,16 +251,14 @@ class DrawnCurve:
 
 @dataclass(frozen=True, eq=False)
 class DrawnFile:
-    """The curves of a file, and what was left out.
+    """Curves of a file, with a record of skipped shapes.
 
     Attributes
     ----------
     path : Path
     curves : sequence of DrawnCurve
     skipped : mapping
-        Number of skipped things by name: {"TEXT": 3}.
-    unit : ReadUnit
-        Its unit and the source of the unit.
+        Number of skipped items of each kind: {"TEXT": 3}. unit : ReadUnit Unit of the file, and its source.
     remarks : tuple of str
         Messages on curves that were not joined, look different in the drawing, or are probably not strips.
 
@@ -284,7 +285,7 @@ class DrawnFile:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Messages on the unit and on skipped items, and the remarks."""
+        """Messages on the unit and on skipped items, followed by the remarks."""
         left_out = note("left out because they are not curves: {things}", things=list_things(self.skipped))
         return (*filter(None, [self.unit.note, left_out if self.skipped else ""]), *self.remarks)
 
@@ -294,11 +295,11 @@ class DrawnFile:
         return tuple(curve for curve in self.curves if curve.problem)
 
     def report(self, curves: Sequence[DrawnCurve] | None = None) -> ReadReport | None:
-        """Return the report on some curves (by default all), or None if no curve is valid."""
+        """Return the report on `curves` (by default all), or None if none of them is valid."""
         return report_on(self.curves if curves is None else curves, self.unit)
 
     def chosen(self, which: str | None = None, layer: str | None = None) -> tuple[DrawnCurve, ...]:
-        """Return the curves with that number or id, and on that layer; by default all curves."""
+        """Return the curves selected by number or id (`which`) and by layer; by default all curves."""
         curves = [curve for curve in self.curves if layer is None or curve.layer == layer]
         if which is not None:
             named = [curve for curve in curves if which and curve.name == which]
@@ -307,10 +308,10 @@ class DrawnFile:
         return tuple(curves)
 
     def one(self, which: str | None, layer: str | None, how: str) -> DrawnCurve:
-        """Return the single curve that `which` and `layer` select.
+        """Return the curve that `which` and `layer` select.
 
-        `how` is the part of the error message about selecting; {count} in it becomes the number of curves that
-        matched.
+        `how` is the part of the error message that explains how to select a curve. In it, {count} is replaced
+        by the number of selected curves.
 
         Raises
         ------
@@ -355,7 +356,7 @@ class DrawnFile:
 
 
 class CurveList(list[PlaneCurve]):
-    """The curves of a file, and what was left out.
+    """List of the valid curves of a file.
 
     Attributes
     ----------
@@ -403,18 +404,18 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
     )
 
 
-_MOST_POINTS = 200  # largest number of points of the drawing whose distance is measured
-_TURNED = 1e-3  # smallest slope of a drawing's plane that counts as turned
+_MOST_POINTS = 200  # largest number of points of the drawing whose distance from the curve is computed
+_TURNED = 1e-3  # a drawing counts as turned if its plane has at least this slope
 
 
 def _is_turned(chain: Run, flat: Run) -> bool:
-    """Return True if x and y of a flattened chain differ from the drawing."""
+    """Return True if a chain, mapped to its plane, has other x and y coordinates than in the drawing."""
     drawn, read = (np.concatenate([edge.points[:, :2] for edge in run]) for run in (chain, flat))
     return bool(np.abs(drawn - read).max() > _TURNED * np.ptp(read, axis=0).max())
 
 
 def _distance(curve: PlaneCurve, flat: Run) -> float:
-    """Return the largest distance, mm, of the drawing (edges in the plane, or points) from the curve."""
+    """Return the largest distance, mm, between a curve and the drawing (edges in its plane, or points)."""
     record = curve.provenance
     if flat:
         if len(flat) == 1 and np.array_equal(flat[0].points, curve.control_points):

@@ -1,4 +1,4 @@
-"""Curves drawn in a DXF file, exact where the file is exact."""
+"""Reader of curves in DXF files. Curves that the file defines exactly stay exact."""
 
 import re
 import struct
@@ -33,26 +33,28 @@ if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
 
-DEEPEST_BLOCK = 20  # levels of nested blocks; deeper nesting is an error or an attack
+DEEPEST_BLOCK = 20  # largest number of nested blocks; deeper nesting means an error or an attack
 
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
 """Exceptions that ezdxf raises for truncated or corrupt entities."""
 
-MODEL_SPACE = np.eye(4)  # placement of entities outside of blocks
+MODEL_SPACE = np.eye(4)  # identity placement, of entities outside of blocks
 
 _CURVES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX", "LWPOLYLINE", "POLYLINE"}
 
-FLAT_HELIX = 1e-6  # largest ratio of height and radius of a HELIX that is a flat spiral
+FLAT_HELIX = 1e-6  # a HELIX with a smaller ratio of height to radius counts as a flat spiral
 
 _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
 _UNDECODED = re.compile("[\udc80-\udcff]")
 _SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
 _MOST_NUMBERS = 20_000  # largest number of coordinates whose digits are examined
-_COUNTLESS = 10**9  # largest number of insertions that is counted
+_COUNTLESS = 10**9  # upper limit of the count of inserted entities
 
 
 def _dxf_rounding(path: Path) -> float:
-    """Return half a unit of the last digit of coordinates (group codes 10 to 28, 40), or 0 if there are none."""
+    """Return half a unit of the last decimal of the coordinates (group codes 10 to 28 and 40), or 0 without
+    coordinates.
+    """
     data = path.read_bytes()
     if data.startswith(b"AutoCAD Binary DXF"):
         return 0.0
@@ -117,10 +119,10 @@ _NAMES = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
 """Names of the usual unit numbers of $INSUNITS."""
 
 _OWN_UNIT = b"all lengths in mm"
-"""Comment at the top of R12 files of this program, which have no $INSUNITS."""
+"""Comment at the top of R12 files written by this package; R12 has no $INSUNITS."""
 
 _INCHES_BELOW = 40.0
-"""Size in drawing units below which a drawing with $MEASUREMENT = 0 is in inches."""
+"""A drawing with $MEASUREMENT = 0 that is smaller than this, in drawing units, is in inches."""
 
 _ASSUMED = (
     "its unit is assumed to be {unit}, because {reason}; if that is wrong, set {field} to the right unit, "
@@ -163,7 +165,7 @@ def read_dxf_drawing(
 
 
 def _on_paper(document: "Drawing") -> Counter[str]:
-    """Return the number of curves, which are not read, on each paper layout."""
+    """Return the number of curves on each paper layout; these curves are not read."""
     papers = (layout for layout in document.layouts if layout.is_any_paperspace)
     return Counter(
         f"on paper layout {layout.name}"
@@ -174,7 +176,7 @@ def _on_paper(document: "Drawing") -> Counter[str]:
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
-    """Return the edges of every entity, mm; count other entities and unreadable entities."""
+    """Yield the edges, mm, of every entity that is a curve. Count other and unreadable entities in `skipped`."""
     from ezdxf.lldxf.const import DXFError
 
     bad: list[InputError] = []
@@ -212,7 +214,7 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
 
 
 def _readable(name: str) -> str:
-    """Return a name whose bytes are not UTF-8, in the encoding of Western Windows."""
+    """Return a name with bytes that are not UTF-8 decoded as Windows-1252."""
     return (
         name.encode("utf-8", "surrogateescape").decode("cp1252", "replace")
         if _UNDECODED.search(name)
@@ -231,7 +233,7 @@ def _opened(path: Path) -> "Drawing":
     with path.open("rb") as opened:
         if re.match(rb"AC10\d\d", opened.read(6)):
             raise InputError("This is a DWG file, not a DXF file. Save the drawing as DXF.")
-    # errors of ezdxf in truncated or corrupt files
+    # errors that ezdxf reports for truncated or corrupt files
     damage = (
         DXFError,
         OSError,
@@ -266,7 +268,7 @@ def _opened(path: Path) -> "Drawing":
 
 
 def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
-    """Return the millimetres in a drawing unit, and the source of the unit."""
+    """Return the drawing unit in millimetres, and the record of its source."""
     code = _unit_code(document)
     with file.open("rb") as opened:
         if code:
@@ -303,20 +305,23 @@ def _unit_code(document: "Drawing") -> int:
 
 @dataclass(frozen=True)
 class _Hidden:
-    """Lower-case names of hidden layers (off or frozen), and of frozen layers."""
+    """Lower-case names of the hidden layers (off or frozen), and of the frozen layers alone."""
 
     layers: frozenset[str]
     frozen: frozenset[str]
 
     @classmethod
     def of(cls, document: "Drawing") -> "_Hidden":
-        """Return the layers of a drawing."""
+        """Return the hidden layers of a drawing."""
         frozen = frozenset(str(layer.dxf.name).lower() for layer in document.layers if layer.is_frozen())
         off = (str(layer.dxf.name).lower() for layer in document.layers if layer.is_off())
         return cls(frozen.union(off), frozen)
 
     def hides(self, entity: Any, layer: str) -> bool:
-        """Return True if an entity is hidden; frozen layers hide blocks, but layers that are off do not."""
+        """Return True if an entity is hidden.
+
+        A frozen layer hides the blocks inserted on it; a layer that is off does not.
+        """
         layers = self.frozen if entity.dxftype() == "INSERT" else self.layers
         if layer.lower() in layers:
             return True
@@ -333,8 +338,9 @@ def _entities(
 ) -> Iterator[tuple[Any, FloatArray, str]]:
     """Yield the entities of a layout and of its blocks with their placement (4, 4) and layer.
 
-    An entity on layer 0 of a block is on the layer of the insertion. Hidden entities are counted. Placements of
-    nested blocks are multiplied, because unequal scales and rotations make a shear, which an insertion cannot have.
+    An entity on layer 0 of a block takes the layer of the insertion. Hidden entities are counted in
+    `skipped`. Placements of nested blocks are multiplied as matrices, because unequal scales and rotations
+    combine to a shear, which a DXF insertion cannot represent.
     """
     from ezdxf.lldxf.const import DXFError
 
@@ -383,7 +389,7 @@ def _run(entity: Any) -> Run | None:
     if kind == "POLYLINE" and (entity.is_2d_polyline or entity.is_3d_polyline):
         vertices = [
             v for v in entity.vertices if not v.dxf.flags & 16
-        ]  # 16: frame of a spline, not on the curve
+        ]  # flag 16 marks control points of a spline, which are not on the curve
         places = [(v.dxf.location, v.dxf.get("bulge", 0.0)) for v in vertices]
         if entity.is_3d_polyline:
             return _polyline([(*p, 0.0) for p, _ in places], closed=entity.is_closed, to_world=np.asarray)
@@ -407,7 +413,7 @@ def _ellipse(entity: Any) -> Edge:
 
 
 def _turn(angles: FloatArray) -> tuple[float, float]:
-    """Return the start and end angle, rad, anticlockwise over at most one turn, as in DXF."""
+    """Return the start and end angle, rad, of an anticlockwise arc of at most one turn, as DXF defines it."""
     start, end = float(angles[0]), float(angles[1])
     sweep = (end - start) % (2 * np.pi)
     return start, start + (sweep if sweep > 1e-12 else 2 * np.pi)
@@ -428,7 +434,7 @@ def _spline(entity: Any) -> Edge:
     if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):  # knots written with too few decimals
         knots = knots + backwards
     if weights is not None and len(weights) != len(points):
-        return Edge(knots, points, degree, weights)  # Edge refuses these weights
+        return Edge(knots, points, degree, weights)  # the constructor refuses these weights
     poles = points if weights is None else np.column_stack([points, weights])
     knots, poles = _without_doubled_poles(*_unwound(knots, poles, degree, entity.closed), degree)
     return Edge(knots, poles[:, :3], degree, None if weights is None else poles[:, 3])
@@ -442,7 +448,7 @@ def _is_flat(helix: Any) -> bool:
 def _unwound(
     knots: FloatArray, poles: FloatArray, degree: int, closed: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return full knots and control points of a periodic spline that contains one period only, as in OpenCASCADE.
+    """Return full knots and control points of a periodic spline stored with a single period, as OpenCASCADE does.
 
     The first control points are repeated after the last control points. Other splines are returned unchanged.
     """
@@ -457,7 +463,7 @@ def _unwound(
 def _without_doubled_poles(
     knots: FloatArray, poles: FloatArray, degree: int
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the spline without inner knots of multiplicity degree + 1 whose two control points coincide."""
+    """Remove inner knots of multiplicity degree + 1 at which two control points coincide."""
     if knots.size != len(poles) + degree + 1:
         return knots, poles
     inner = range(degree + 1, len(poles))
@@ -466,7 +472,9 @@ def _without_doubled_poles(
 
 
 def _fitted(entity: Any, points: FloatArray) -> Edge:
-    """Return the cubic through points (n, 3) with the given end tangents, or else end curvature 0."""
+    """Return the cubic spline through points (n, 3), with the end tangents of the entity, or else zero
+    curvature at the ends.
+    """
     ends: list[list[tuple[int, Any]]] = []
     for name in ("start_tangent", "end_tangent"):
         along = np.array(tuple(entity.dxf.get(name) or (0.0, 0.0, 0.0)), dtype=float)
@@ -476,13 +484,13 @@ def _fitted(entity: Any, points: FloatArray) -> Edge:
 
 
 def _ring(points: FloatArray) -> Edge:
-    """Return the closed cubic through points (n, 3), as smooth at its seam as at the other points."""
+    """Return the closed cubic spline through points (n, 3), with continuous curvature at every point."""
     around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
     return _through(around, "periodic")
 
 
 def _through(points: FloatArray, ends: Any) -> Edge:
-    """Return the cubic through points with chord length parameters; `ends` is scipy's `bc_type`."""
+    """Return the cubic spline through points, with chord lengths as parameters; `ends` is scipy's `bc_type`."""
     from scipy.interpolate import make_interp_spline
 
     chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
@@ -498,7 +506,7 @@ def _through(points: FloatArray, ends: Any) -> Edge:
 
 
 def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to_world: Any) -> Run:
-    """Return a single polyline edge without bulges, else a line or arc for each side."""
+    """Return a polyline without bulges as a single edge, and any other polyline as a line or arc for each side."""
     if closed and len(rows) > 1:
         rows = [*rows, rows[0]]
     if len(rows) < 2:
@@ -522,7 +530,8 @@ def _bulged(p: FloatArray, q: FloatArray, bulge: float) -> Edge:
     chord = q - p
     left = np.array([-chord[1], chord[0], 0.0])
     sweep = 4 * np.arctan(bulge)
-    if abs(sweep) <= np.pi / 2:  # use the tangents, because the centre of a flat arc is far away
+    # use the tangents, because the centre of a flat arc is too far away to be accurate
+    if abs(sweep) <= np.pi / 2:
         middle = (p + q) / 2 - left * np.tan(sweep / 2) / 2
         knots = np.repeat([0.0, 1.0], 3)
         return Edge(knots, np.array([p, middle, q]), 2, np.array([1.0, np.cos(sweep / 2), 1.0]))

@@ -1,4 +1,4 @@
-"""Drawings as DXF files: R2000 to R2018 with ezdxf, R12 without a library."""
+"""Writer of drawings as DXF files: R2000 to R2018 with ezdxf, R12 without a library."""
 
 import io
 import logging
@@ -29,7 +29,7 @@ from elastica_cad.strip.drawing import SHEET, Drawing
 DxfVersion: TypeAlias = Literal["R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018"]
 DXF_VERSIONS: tuple[DxfVersion, ...] = get_args(DxfVersion)
 
-_CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # flags of a SPLINE
+_CLOSED, _RATIONAL, _PLANAR = 1, 4, 8  # bits of the flags of a SPLINE
 _OPTIONS = Lock()
 
 LONGEST_COMMENT = 250
@@ -53,23 +53,24 @@ def encode_dxf(
     """Return the bytes of a DXF file in mm; the same drawing and command give the same bytes.
 
     A loop of lines and arcs is a closed polyline, or a CIRCLE. A loop that is a single spline is a closed
-    SPLINE. A loop with splines and other segments is a GROUP of LINE, ARC and SPLINE in order, whose ends meet.
-    With `curves` "arc" or "polyline" it is a closed LWPOLYLINE. In R12 every loop is a chain of LINE and ARC in
-    order, because OpenSCAD and old machines read only these. The order is engraving, marks, inner cuts, outer
-    cuts.
+    SPLINE. A loop with splines and other segments is a GROUP of LINE, ARC and SPLINE in order, whose ends
+    meet. With `curves` "arc" or "polyline", such a loop is a closed LWPOLYLINE. In R12 every loop is a chain
+    of LINE and ARC in order, because OpenSCAD and old machines read only these. Entities are written in the
+    order of machining: engraving, marks, inner cuts, outer cuts.
 
     Parameters
     ----------
     drawing : Drawing
     curves : str
-        "spline" keeps splines up to degree 3 exactly, and writes higher degrees as cubics to the tolerance but at
-        most 0.001 mm. "bezier" writes splines with Bezier knots, which more programs read exactly. "exact" keeps
-        all splines. "arc" writes splines as tangent arcs. "polyline" writes splines and arcs as lines. R12 has no
-        splines, so the first three mean "arc".
+        "spline" writes splines up to degree 3 exactly. Higher degrees become cubics, within the tolerance and
+        within 0.001 mm. "bezier" writes splines with Bezier knots, which more programs read exactly. "exact"
+        writes splines of all degrees unchanged. "arc" writes splines as tangent arcs. "polyline" writes
+        splines and arcs as lines. R12 has no splines, so the first three mean "arc".
     tolerance : float
-        Largest distance, mm, of a replaced curve from the true one.
+        Largest distance, mm, between a curve and its replacement.
     version : str
-        One of `DXF_VERSIONS`. R12 has no units in its header; a comment states mm. It is written without ezdxf.
+        One of `DXF_VERSIONS`. R12 has no units in its header; a comment states mm. R12 is written without
+        ezdxf.
     layers : mapping, optional
         Names and colours, see `style_layers`.
 
@@ -107,13 +108,13 @@ def _made_by() -> list[str]:
     return wrap(MADE_BY.get(), LONGEST_COMMENT)
 
 
-# --- R2000 and later ---
+# --- versions R2000 and later ---
 
 
 def _through_ezdxf(
     paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray, version: str
 ) -> bytes:
-    """Return the bytes of a file with paths on named layers."""
+    """Return the bytes of a DXF file of version R2000 or later, with each path on its layer."""
     with _plain_ezdxf() as ezdxf:
         document = ezdxf.new(version, setup=False, units=ezdxf.units.MM)
         for layer, style in styles.items():
@@ -124,7 +125,8 @@ def _through_ezdxf(
         for layer, path in paths:
             entities = [*_entities(space, path, {"layer": layer})]
             if len(entities) > 1:
-                # `document.groups.new` compares the name with all names, which takes minutes for thousands of holes
+                # `document.groups.new` compares a name with all others, which takes minutes for thousands of
+                # holes
                 group = document.objects.add_dxf_object_with_reactor("GROUP", {"owner": groups.dxf.handle})
                 groups.add(f"LOOP_{len(groups) + 1}", group)
                 group.set_data(entities)
@@ -143,7 +145,7 @@ def _through_ezdxf(
 
 
 def _entities(space: Any, path: Path, on: dict[str, Any]) -> Iterator[Any]:
-    """Return the entities that draw a path."""
+    """Yield the entities that draw a path."""
     if circle := _circle(path):
         yield space.add_circle(circle.center, circle.radius, on)
     elif not path.has_splines:
@@ -187,7 +189,9 @@ def _plain_ezdxf() -> Iterator[Any]:
 
 
 def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
-    """Return the bytes of a file with paths on named layers, as pairs of lines: a code and its value."""
+    """Return the bytes of an R12 file with each path on its layer: pairs of lines with a group code and its
+    value.
+    """
     tags: list[tuple[int, object]] = [(999, line) for line in ("all lengths in mm", *_made_by())]
     tags += [(0, "SECTION"), (2, "HEADER")]
     tags += [(9, "$ACADVER"), (1, "AC1009")]
@@ -245,20 +249,22 @@ def _circle(path: Path) -> Arc | None:
 
 
 def _angles(arc: Arc) -> tuple[float, float]:
-    """Return the start and end angle of an arc run anticlockwise, degrees."""
+    """Return the start and end angle, degrees, of an arc traversed anticlockwise."""
     first, last = sorted((degrees(arc.start_angle), degrees(arc.end_angle)))
     return first, last
 
 
 def _bulges(path: Path) -> list[tuple[float, float, float]]:
-    """Return the vertices of a path of lines and arcs as x, y and bulge of the next segment."""
+    """Return x, y and the bulge of the next segment for every vertex of a path of lines and arcs."""
     segments = [piece for segment in path.segments for piece in _up_to_half_turns(segment)]
     rows = [(*part.start.tolist(), float(part.bulge) if isinstance(part, Arc) else 0.0) for part in segments]
     return rows if path.closed else [*rows, (*path.end.tolist(), 0.0)]
 
 
 def _up_to_half_turns(segment: Segment) -> list[Segment]:
-    """Return the segment, or two halves of an arc of more than 180 degrees, whose bulge would be large."""
+    """Divide an arc of more than 180 degrees into halves, because its bulge would be large; keep other
+    segments.
+    """
     if isinstance(segment, Arc) and abs(segment.sweep) > pi * (1 + 1e-9):
         return [trim_segment(segment, 0.0, 0.5), trim_segment(segment, 0.5, 1.0)]
     return [segment]

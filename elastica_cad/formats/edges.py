@@ -1,4 +1,4 @@
-"""A piece of a drawing as in its file: a NURBS of any degree from 1, in the plane or in space."""
+"""Edges of a drawing as stored in its file: NURBS of any degree from 1, in the plane or in space."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,17 +13,15 @@ from elastica_cad.geometry.splines import Spans, bezier_spans, knot_runs, unit_c
 
 @dataclass(frozen=True, eq=False)
 class Source:
-    """The shape of a file that edges belong to: its name, layer and digits. Equal sources are one shape.
+    """The shape in a file to which edges belong. Edges with equal sources belong to the same shape.
 
     Attributes
     ----------
     name : str
-        Its label, id or handle, as the drawing program displays it.
+        Label, id or handle of the shape, as displayed by the drawing program.
     layer : str
     rounding : float
-        Half a unit of the last digit of its coordinates, mm.
-    id : str
-        Its id or handle.
+        Half a unit of the last digit of the coordinates, mm. id : str Id or handle of the shape.
     is_named : bool
         True if a person chose the name, False if a program made it.
     """
@@ -50,12 +48,13 @@ class Edge:
     weights : (m,) array, optional
         Rational weights, positive.
     source : Source, optional
-        The shape of a file that it belongs to.
+        The shape in the file to which the edge belongs.
 
     Raises
     ------
     InputError
-        Numbers that are not finite, weights that are not positive, a knot vector that does not fit.
+        Numbers are not finite, weights are not positive, or the knot vector does not match the control
+        points.
     """
 
     knots: FloatArray
@@ -108,7 +107,7 @@ class Edge:
 
     @classmethod
     def polyline(cls, vertices: ArrayLike) -> "Edge":
-        """Make a polyline through vertices (n, d), mm; two of them make a line."""
+        """Make a polyline through vertices (n, d), mm; two vertices make a line."""
         vertices = np.asarray(vertices, dtype=float)
         inner = np.arange(len(vertices), dtype=float)
         return cls(np.concatenate([inner[:1], inner, inner[-1:]]), vertices, 1)
@@ -133,12 +132,12 @@ class Edge:
 
     @cached_property
     def spans(self) -> Spans:
-        """The edge as Bezier pieces."""
+        """The Bezier pieces of the edge."""
         return bezier_spans(self.knots, self.degree)
 
     @cached_property
     def homogeneous(self) -> FloatArray:
-        """Control points (m, d + 1) times their weights, weights last."""
+        """Homogeneous control points (m, d + 1): coordinates times weight, then the weight."""
         weights = np.ones(len(self.points)) if self.weights is None else self.weights
         return np.column_stack([self.points * weights[:, None], weights])
 
@@ -163,12 +162,12 @@ class Edge:
 
     @cached_property
     def size(self) -> float:
-        """Length of the control polygon, mm: no less than the length of the curve."""
+        """Length of the control polygon, mm, which is an upper bound of the length of the curve."""
         return float(np.linalg.norm(np.diff(self.points, axis=0), axis=1).sum())
 
     @cached_property
     def length(self) -> float:
-        """Length of the curve, mm, by chords of two sizes."""
+        """Length of the curve, mm, extrapolated from chords of two sizes."""
         if self.degree == 1:
             return self.size
         points = self.at(self.stations())
@@ -176,10 +175,10 @@ class Edge:
         return float(4 * fine - coarse) / 3
 
     def stations(self, each: int = 17) -> FloatArray:
-        """Return parameters along the edge, `each` to a span, both ends and all knots included."""
+        """Return parameters along the edge, `each` for every span, with both ends and all knots."""
         edges = self.spans.edges
         places = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0, 1, each)
-        # used instead of `np.unique`, which loads all of numpy.ma
+        # `np.unique` is not used because it loads all of numpy.ma
         return knot_runs(np.sort(places, axis=None))[0]
 
     def reversed(self) -> "Edge":
@@ -199,7 +198,7 @@ class Edge:
         source = source or self.source
         if not np.isfinite(points).all():
             return Edge(self.knots, points, self.degree, self.weights, source)
-        edge = object.__new__(Edge)  # the other fields are checked already
+        edge = object.__new__(Edge)  # skip the checks of the constructor, because `self` has passed them
         parts = {"knots": self.knots, "points": points, "degree": self.degree, "weights": self.weights}
         vars(edge).update(parts, source=source)
         return edge

@@ -19,7 +19,7 @@ CURVES_SCHEMA = "elastica-curves/1"
 
 
 def curve_record(curve: PlaneCurve) -> dict[str, Any]:
-    """Return the curve as plain data for JSON, without any rounding; `weights` is None for a polynomial spline."""
+    """Return the curve as a dict for JSON, without rounding; `weights` is None for a polynomial spline."""
     require_record(curve, PlaneCurve, "a curve to write", "a PlaneCurve")
     return {
         "degree": curve.degree,
@@ -30,7 +30,7 @@ def curve_record(curve: PlaneCurve) -> dict[str, Any]:
 
 
 def curves_json(curves: Sequence[PlaneCurve]) -> str:
-    """Return the text of a JSON file that holds the curves; `read_json_drawing` reads them bit by bit."""
+    """Return the text of a JSON file of curves, from which `read_json_drawing` reads exactly equal curves."""
     data = {
         "schema": CURVES_SCHEMA,
         "units": "mm",
@@ -40,7 +40,7 @@ def curves_json(curves: Sequence[PlaneCurve]) -> str:
 
 
 def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
-    """Read the curves of a JSON file, which `curves_json` wrote or which is the report of a strip.
+    """Read the curves of a JSON file: a file written by `curves_json`, or the report of a strip.
 
     Raises
     ------
@@ -51,7 +51,7 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
         data = json.loads(file.read_bytes())
     except RecursionError as error:
         raise InputError("has lists or records nested too deeply: give a file that elastica wrote") from error
-    except ValueError as error:  # raised for an integer of thousands of digits, too
+    except ValueError as error:  # also raised for an integer of thousands of digits
         raise InputError(
             "is not JSON ({partition}): export it again", partition=str(error).partition(";")[0]
         ) from error

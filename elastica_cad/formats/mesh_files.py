@@ -1,4 +1,4 @@
-"""Surface files: points and plane sections, and triangle meshes (OBJ, STL, PLY) read by trimesh."""
+"""Reader of surfaces in files; triangle meshes (OBJ, STL, PLY) are read by trimesh."""
 
 from collections.abc import Callable, Sequence
 from io import BytesIO
@@ -18,7 +18,7 @@ from elastica_cad.refusals import Length, note
 MESH_SUFFIXES = (".obj", ".stl", ".ply")
 
 LIKELY_SIZES_MM = (50.0, 20000.0)
-"""Likely sizes of a model made of strips: its diagonal, mm."""
+"""Range of likely sizes (diagonals of the bounding box), mm, of a model made of strips."""
 
 GUESSES = ("um", "cm", "in", "m")
 """Units that are tried for a file without a unit."""
@@ -35,12 +35,13 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
         Unit of the file: "mm", "cm", "m", "um", "in", "ft". These formats do not contain a unit. By default it is
         mm, and unlikely sizes are refused.
     scale : float
-        Factor from the file to the model, in addition to the unit.
+        Factor by which the model is larger than the object in the file, in addition to the unit.
 
     Raises
     ------
     InputError
-        The file is missing or unknown, it has no triangles, or its size is unlikely without `unit`.
+        The file is missing or its format is unknown, it has no triangles, or its size is unlikely and `unit`
+        is not given.
     MissingDependencyError
         trimesh is not installed.
 
@@ -76,7 +77,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
                 source = _counted_from_the_start(path.read_bytes()) if suffix == ".obj" else path
                 mesh = load(source, file_type=suffix[1:], force="mesh", process=False)
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
-        except Exception as error:  # parsers of trimesh raise any exception
+        except Exception as error:  # the parsers of trimesh raise exceptions of many kinds
             raise InputError(
                 "is not a readable {upper} mesh: export it again", upper=suffix[1:].upper()
             ) from error
@@ -94,7 +95,7 @@ _OBJ_LISTS = {b"v": 0, b"vt": 1, b"vn": 2}
 def _counted_from_the_start(data: bytes) -> BytesIO:
     """Return the OBJ file with positive indices.
 
-    A negative index counts back from the line it is on. trimesh counts back from the end of the file.
+    A negative index counts back from its own line, but trimesh counts back from the end of the file.
     """
     counts = [0, 0, 0]
     lines = []
@@ -109,7 +110,7 @@ def _counted_from_the_start(data: bytes) -> BytesIO:
 
 
 def _positive(corner: bytes, counts: Sequence[int]) -> bytes:
-    """Return the indices v/vt/vn of a corner with negative indices replaced by positive indices."""
+    """Return the indices v/vt/vn of a corner of a face, with negative indices replaced by positive indices."""
     indices = corner.split(b"/")
     return b"/".join(
         b"%d" % (count + 1 + int(index)) if index.startswith(b"-") else index
@@ -131,7 +132,7 @@ def _asking(size: float) -> str:
 
 
 LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6
-"""Smallest and largest size of a surface; other sizes mean that the unit is wrong."""
+"""Smallest and largest size, mm, of a surface. A size outside this range means that the unit is wrong."""
 
 
 SurfaceReader: TypeAlias = Callable[..., Surface]
@@ -139,7 +140,7 @@ SurfaceReader: TypeAlias = Callable[..., Surface]
 
 
 def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:
-    """Read a mesh file as a surface to be cut by planes; see `read_mesh`."""
+    """Read a mesh file as a surface that planes can cut; see `read_mesh`."""
     mesh = read_mesh(path, unit=unit, scale=scale)
     return Surface(
         mesh.vertices, lambda planes, half: mesh_sections(mesh.vertices, mesh.faces, planes, half=half)
@@ -149,12 +150,13 @@ def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
 def read_sized_surface(
     read_surface: SurfaceReader, path: Path, *, unit: str | None = None, scale: float | None = None
 ) -> Surface:
-    """Read the surface of a file in mm; the unit is not needed if the scale is given.
+    """Read a surface from a file, in mm. If `scale` is given, `unit` is not needed.
 
     Raises
     ------
     InputError
-        The size of the surface is impossible for a model made of strips; also the errors of `read_surface`.
+        The surface is too small or too large for a model made of strips. Errors of `read_surface` are passed
+        on.
     """
     unit = "mm" if unit is None and scale is not None else unit
     surface = read_surface(path, unit=unit, scale=1.0 if scale is None else scale)

@@ -1,4 +1,4 @@
-"""Edges in space as plane curves: their plane, and the curve in this plane."""
+"""Plane curves from edges in space: find the plane of the edges, and the curve in this plane."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -15,12 +15,14 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import Length, Point, note
 
-NOISE_MM, NOISE_SHARE = 0.05, 1e-3  # largest distance of a drawing from its plane: mm, and relative
-HORIZONTAL = np.cos(np.radians(1.0))  # z of the unit normal of a plane that counts as horizontal
+# largest distance of a drawing from its plane: in mm, and as a fraction of its size
+NOISE_MM, NOISE_SHARE = 0.05, 1e-3
+# a plane counts as horizontal if the z component of its unit normal is at least this
+HORIZONTAL = np.cos(np.radians(1.0))
 
 
 def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
-    """Return the run of edges (m, 3) in the coordinates of its plane (m, 2).
+    """Map a run of edges from space to the coordinates of its plane.
 
     The axes are those of `drawing_plane`.
 
@@ -33,13 +35,15 @@ def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
 
 
 def in_plane(run: Sequence[Edge], frame: Frame) -> Run:
-    """Return the run of edges (m, 3) in the coordinates of a plane (m, 2)."""
+    """Map a run of edges from space to the coordinates of a plane."""
     axes = frame.axes[:2]
     return tuple(edge.mapped(axes, -axes @ frame.origin) for edge in run)
 
 
 def drawing_plane(run: Sequence[Edge], tolerance: float = 0.0) -> Frame:
-    """Return the plane of a run of edges (m, 3), with its origin next to the origin of space.
+    """Return the plane of a run of edges in space.
+
+    Its origin is the point of the plane nearest to the origin of space.
 
     In a plane within a degree of horizontal, x and y are the axes of the drawing. In all other planes, x is along
     the horizontal line of the plane, towards positive x (or y). The y axis is along the steepest line, upwards.
@@ -63,7 +67,7 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
     centred = points - points.mean(axis=0)
     _, sizes, directions = np.linalg.svd(centred, full_matrices=False)
     normal = directions[-1]
-    if len(sizes) < 3 or sizes[1] <= 1e-9 * sizes[0]:  # collinear points: use the upright plane
+    if len(sizes) < 3 or sizes[1] <= 1e-9 * sizes[0]:  # collinear points: use the vertical plane
         normal = np.cross(directions[0], (0.0, 0.0, 1.0))
         if np.linalg.norm(normal) < 1e-9:
             normal = np.array([0.0, 1.0, 0.0])
@@ -90,9 +94,10 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
 
 JOIN = 1e-4  # largest gap, mm, between ends of edges that meet
 TANGENT = 1e-3  # rad
-EVEN = 1e-6  # least total turn, rad, of a curve that determines the side of its plane
-MEANT = 0.05  # largest distance of ends that are intended to meet, as a fraction of the extent of all edges
-JOINED_MM = 0.5  # largest gap, mm, that may be closed by moving an edge
+EVEN = 1e-6  # a curve with a smaller total turn, rad, does not determine the side of its plane
+# largest distance of ends that are probably intended to meet, as a fraction of the extent of all edges
+MEANT = 0.05
+JOINED_MM = 0.5  # largest gap, mm, that is closed by moving an edge
 AS_DRAWN = np.eye(3)
 
 
@@ -103,12 +108,12 @@ def placed_curve(
     turned: ArrayLike | None = None,
     join: float = JOIN,
 ) -> tuple[PlaneCurve, Frame]:
-    """Join edges (m, 3) end to end, and return the curve and its plane in space.
+    """Join edges in space end to end, and return the curve and its plane.
 
-    The curve has the direction of the first edge; a closed curve starts there. If the plane is parallel to xy,
-    the axes of the frame are parallel to the axes of space. In any other plane, the y axis of the frame points
-    towards z as far as possible. Its z axis points to the side from which the curve turns anticlockwise on the
-    whole. If edges are rotated, the frame rotates with them.
+    The curve has the direction of the first edge; a closed curve starts there. If the plane is horizontal,
+    the axes of the frame are parallel to the axes of space. In any other plane, the y axis of the frame
+    points towards z as far as possible. Its z axis points to the side from which the total turn of the curve
+    is anticlockwise. If edges are rotated, the frame rotates with them.
 
     Parameters
     ----------
@@ -117,7 +122,7 @@ def placed_curve(
     plane : Frame, optional
         The plane in which the edges are drawn, if it is known.
     turned : (3, 3) array, optional
-        Rotation of the edges since they were drawn; the side of the frame is chosen before the rotation.
+        Rotation of the edges since they were drawn. The side of the frame is determined before this rotation.
     join : float
         Largest gap between ends of edges that is closed, mm. Edges are moved as a whole, so tangents do not turn.
 
@@ -146,15 +151,15 @@ def placed_curve(
 
 
 def edge_chains(edges: Sequence[Edge], join: float = JOIN) -> list[Run]:
-    """Join edges across gaps of at most `join` mm, and return all chains; `place_chain` makes a curve of each."""
+    """Join edges across gaps of at most `join` mm to chains, for `place_chain`."""
     return join_runs([(edge,) for edge in edges], join).chains
 
 
 def place_chain(
     run: Run, frame_of: Callable[[Run], Frame], holes: Sequence[Run] = (), join: float = JOIN
 ) -> tuple[PlaneCurve, Frame]:
-    """Return the curve of a chain of edges and its frame; refuse corners."""
-    # in a closed wire, the first edge follows the last
+    """Return the curve of a chain of edges and its frame. A chain with corners is refused."""
+    # in a closed chain, the first edge follows the last
     closed = dist(run[0].start.tolist(), run[-1].end.tolist()) <= join
     for before, after in pairwise((*run, *run[:1]) if closed else run):
         out, onward = before.points[-1] - before.points[-2], after.points[1] - after.points[0]
@@ -181,9 +186,10 @@ def place_chain(
 
 
 def _why_not_one(runs: Sequence[Run]) -> str:
-    """Return a message about several chains, with the ends that nearly meet, if any."""
+    """Return the message that edges form several chains, with the ends that nearly meet, if any."""
     ends = np.array([(run[0].start, run[-1].end) for run in runs])
-    between = np.linalg.norm(ends[:, :, None, None] - ends, axis=-1)  # run, its end; other run, its end
+    # axes: run, end of the run, other run, end of the other run
+    between = np.linalg.norm(ends[:, :, None, None] - ends, axis=-1)
     between[np.arange(len(runs)), :, np.arange(len(runs))] = np.inf
     run, side = np.unravel_index(between.argmin(), between.shape)[:2]
     gap, place = between.min(), Point(ends[run, side])
@@ -209,7 +215,7 @@ def _why_not_one(runs: Sequence[Run]) -> str:
 
 
 def _within(run: Sequence[Edge], plane: Frame) -> Frame:
-    """Return the given plane, and refuse it if the edges are not in it; its origin is as in other planes."""
+    """Return the given plane with its origin next to the origin of space; refuse it if the edges are not in it."""
     points = np.concatenate([edge.at(edge.stations()) for edge in run])
     off = (points - plane.origin) @ plane.z_axis
     if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):
@@ -221,7 +227,7 @@ def _within(run: Sequence[Edge], plane: Frame) -> Frame:
 
 
 def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
-    """Return the plane of the edges, with its side as in `placed_curve`."""
+    """Return the plane of the edges, with the z axis that `placed_curve` describes."""
     points = np.concatenate([edge.points for edge in run])
     heights = points[:, 2]
     if heights.max() - heights.min() <= JOIN and turned is AS_DRAWN:
@@ -240,7 +246,7 @@ def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
 
 
 def _turning(points: FloatArray, normal: FloatArray) -> float:
-    """Return the total turn, rad, of points (m, 3) about a normal, or the first bend if the total is 0."""
+    """Return the total turn, rad, of a polyline (m, 3) about a normal, or its first turn if the total is 0."""
     chords = np.diff(points, axis=0)
     chords = chords[np.linalg.norm(chords, axis=1) > 0]
     before, after = chords[:-1], chords[1:]

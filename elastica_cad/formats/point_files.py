@@ -1,4 +1,4 @@
-"""Curves from text files of numbers: tables of measured points, and control points of a uniform spline."""
+"""Readers of curves from text files: tables of measured points, and control points of a uniform spline."""
 
 import csv
 import re
@@ -32,10 +32,10 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import Length, note
 
 ALONG = ("distance", "station")
-"""Names of the common x column in a table of offsets; the first name that is in the heading is used."""
+"""Headings of the common x column of a table of offsets, in order of preference."""
 
 NOTHING = ("", "-", "\u2013", "\u2014")
-"""Cells of a table of offsets outside the range of a curve."""
+"""Contents of cells in a table of offsets at which a curve has no point."""
 
 _MINUS = "\u2212"
 """Typographic minus sign, which spreadsheets in Nordic languages write."""
@@ -44,7 +44,7 @@ _VULGAR = re.compile("[\u00bc-\u00be\u2150-\u215e]")
 """Single characters for fractions, such as five eighths."""
 
 _SMALL = 20.0
-"""Size, mm, of the smallest drawing of a strip."""
+"""Smallest likely size, mm, of a drawing of a strip."""
 
 _CONTROL = re.compile("[\x00-\x08\x0e-\x1f]")
 _SEP = re.compile(r'"?sep=(.)"?', re.IGNORECASE)
@@ -59,25 +59,26 @@ _SURVEY = {
     **dict.fromkeys(("northing", "north", "n", "hochwert", "nordwert"), "y"),
     **dict.fromkeys(("elevation", "elev", "height", "h\u00f6he"), "z"),
 }
-"""Axes by their names in surveying."""
+"""Axis for each name of a coordinate in surveying."""
 
 _STATED = re.compile(
     r"""\b(?:units?|einheit(?:en)?)\s*(?:[:=]|are|in)\s*["(\[]?([^\W\d_]+)|
     (?:\b(?:all|dimensions|measurements|coordinates|values)\s+in\s+|[(\[])([^\W\d_]+)""",
     re.IGNORECASE | re.VERBOSE,
 )
-"""Statements of a unit in a remark or a title, "Units: inches", and possible statements, "all in mm",
-"(inches)"."""
+"""Patterns for a unit stated in a remark or a title ("Units: inches"), and possibly stated ("all in mm",
+"(inches)").
+"""
 
 _NUMBER = re.compile(r"[-+]?[\d.,]*\d[\d.,]*(?:[eE][-+]?\d+)?")
 _SPACES = re.compile("[ '\u2019]")
 _APART = re.compile(r"[-+]?[1-9]\d{0,2}(?:([ '\u2019])\d{3})(?:\1\d{3})*(?:[.,]\d*)?")
-"""A number with blanks or apostrophes between thousands."""
+"""Pattern for a number with blanks or apostrophes as separators of thousands."""
 
 _UNIT_BEHIND = re.compile(rf"({_NUMBER.pattern}|[-+]?\d+[ -]\d+/\d+)\s*([^\W\d_]+\.?)")
 
 Row = tuple[int, list[str]]
-"""Number of a row in its file, and its cells."""
+"""Number of a row in the file, and the cells of the row."""
 
 
 class Column(NamedTuple):
@@ -86,9 +87,9 @@ class Column(NamedTuple):
     Attributes
     ----------
     name : str
-        As in the heading; "" if the table is a single curve.
+        Heading of the curve; "" if the table is a single curve.
     rows : list
-        Number and coordinates of each row; no coordinates in a row that separates blocks.
+        Number and coordinates of each row. A row that separates blocks has no coordinates.
     """
 
     name: str
@@ -105,9 +106,8 @@ class PointTable:
     unit : str or None
         Unit named in the table.
     note : str
-        Message on how ambiguous numbers were read.
-    is_offsets : bool
-        True if every column is a curve over the same other column.
+        Message on how ambiguous numbers were interpreted. is_offsets : bool True for a table of offsets, in
+        which every column is a curve over a common column.
     """
 
     columns: list[Column]
@@ -117,14 +117,13 @@ class PointTable:
 
     @classmethod
     def read(cls, file: Path, *, unit: str | None) -> "PointTable":
-        """Read a table; `unit` overrides the unit that it names.
+        """Read a table; `unit` overrides the unit that the table names.
 
         Raises
         ------
         InputError
-            The file is not text; the heading has two units or an unknown unit; or separators of thousands may be
-            decimal
-            signs.
+            The file is not text. The heading has two units or an unknown unit. Or separators of thousands may
+            be decimal signs.
         """
         rows, remarks, separator = _parted(read_text(file))
         layout = _Layout.of(rows)
@@ -160,7 +159,7 @@ def read_text(path: Path) -> str:
 
 
 def _parted(text: str) -> tuple[list[Row], list[str], str]:
-    """Return rows with their cells, without quotes, remarks, and the separator (blank if none)."""
+    """Return the rows with unquoted cells, the remarks, and the separator of cells (a blank by default)."""
     lines = text.splitlines()
     stated = _SEP.fullmatch(lines[0].strip(" ")) if lines else None
     kept = [(n, line.strip(" ")) for n, line in enumerate(lines, 1) if not line.lstrip().startswith("#")]
@@ -191,7 +190,7 @@ def _parted(text: str) -> tuple[list[Row], list[str], str]:
 
 
 class _Head(NamedTuple):
-    """A cell of a heading: its axis or "", its name, and a possible unit or ""."""
+    """A cell of a heading: its axis (or ""), its name, and its unit, if any (or "")."""
 
     axis: str
     name: str
@@ -256,7 +255,7 @@ class _Layout:
     def _of_axes(
         cls, heads: Sequence[_Head], above: list[Row], below: list[Row], units: list[str]
     ) -> "_Layout":
-        """Return the layout with a curve for every pair of x and y, and z if there is a z column."""
+        """Return the layout with a curve for every pair of columns x and y, or triple x, y and z."""
         places = {axis: [k for k, head in enumerate(heads) if head.axis == axis] for axis in "xyz"}
         count = max(len(places["x"]), len(places["y"]))
         for axis, indices in places.items():
@@ -276,7 +275,7 @@ class _Layout:
         units = [
             *units,
             *(unit_name for unit_name in stated if len(names) < 2 or unit_name not in names),
-        ]  # several unknown names in a heading are names of curves
+        ]  # several unknown names in a heading are the names of curves
         if count == 1:
             last = max(curves[0])
             rows = [(n, [cells[k] for k in curves[0]] if len(cells) > last else cells) for n, cells in below]
@@ -309,7 +308,7 @@ class _Layout:
 
 
 def _filled(cells: list[str], places: Sequence[int]) -> list[str]:
-    """Return the cells of a curve; empty if they are blank or missing."""
+    """Return the cells of a row that belong to a curve; an empty list if all are blank or missing."""
     cells_of_curve = [cells[k] if k < len(cells) else "" for k in places]
     return cells_of_curve if any(cell not in NOTHING for cell in cells_of_curve[:2]) else []
 
@@ -319,7 +318,7 @@ def _words(rows: list[Row]) -> list[str]:
 
 
 def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
-    """Return the units of a row that contains only units, and the other rows."""
+    """Return the units if the first row contains only units, and the other rows."""
     for k, (_, cells) in enumerate(rows):
         if cells:
             bare = [cell.strip(" []()") for cell in cells]
@@ -365,7 +364,9 @@ def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
 
 
 def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple[list[Column], str]:
-    """Return numbers with decimal points and no separators of thousands, and a note on how they were read."""
+    """Return columns with decimal points and no separators of thousands, and a message on how they were
+    interpreted.
+    """
     columns = _mapped(
         columns,
         lambda cell: _SPACES.sub("", cell) if _SPACES.search(cell) and _APART.fullmatch(cell) else cell,
@@ -376,11 +377,11 @@ def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple
 
 
 def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) -> tuple[str, str]:
-    """Return the separator of thousands ("" if none), and a message if it is a guess.
+    """Return the separator of thousands ("" if none), and a message if the separator is a guess.
 
-    Three digits after a single separator may be thousands or decimals, and the other cells decide. If they do
-    not, a quoted comma in comma-separated cells separates thousands. Other signs are decimal points, unless the
-    curve would then be smaller than any strip.
+    A single separator before three digits may separate thousands or decimals; the other cells decide. If they
+    are ambiguous too, a quoted comma in comma-separated cells separates thousands. Other signs are decimal
+    points, unless the curve would then be smaller than any strip.
 
     Raises
     ------
@@ -431,7 +432,7 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
 
 
 def _first_data(rows: list[Row]) -> int:
-    """Return the index of the first row with two numbers (or one), or else of the row below the heading."""
+    """Return the index of the first row with two numbers, or else with one number, or else of the second row."""
     filled = [k for k, (_, cells) in enumerate(rows) if cells]
     for least in (2, 1):
         for k in filled:
@@ -441,12 +442,12 @@ def _first_data(rows: list[Row]) -> int:
 
 
 def _looks_like_number(cell: str) -> bool:
-    """Return True if the cell is a number in any style, with a unit or without."""
+    """Return True if the cell is a number in any notation, with or without a unit."""
     return any(form.fullmatch(cell) for form in (_NUMBER, _APART, _UNIT_BEHIND)) or is_in_inches(cell)
 
 
 def _in_mm(cell: str, scale: float) -> float:
-    """Return the length of a cell, mm, whose unit is `scale` mm unless it is of feet and inches.
+    """Return the length, mm, in a cell. Its unit is `scale` mm, except for feet and inches.
 
     Raises
     ------
@@ -496,28 +497,30 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
     return values
 
 
-RULER_MM = 0.25  # rounding, mm, of a ruler with half millimetres: such points are measured by hand
+# rounding error, mm, of a ruler divided into half millimetres: coarser points count as measured by hand
+RULER_MM = 0.25
 _DIGITS = 20_000  # largest number of numbers whose digits are examined
 
 
 def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
-    """Fit curves to measured points, "x, y" in each row; blank rows separate curves.
+    """Fit curves to measured points. Each row has a point "x, y"; blank rows separate curves.
 
-    Columns are separated by commas, semicolons, tabs or blanks, or by the sign that Excel's `sep=;` defines.
-    Rows that start with # are remarks. Titles, a heading and a row of units may precede the numbers. Decimal
-    commas are allowed in quotes, or if commas do not separate columns. A third column must be constant, for
-    points of a plane z = const.
+    Columns are separated by commas, semicolons, tabs or blanks, or by the sign defined in a row such as
+    Excel's `sep=;`. Rows that start with # are remarks. Titles, a heading and a row of units may precede the
+    numbers. Decimal commas are allowed in quotes, or if commas do not separate columns. A third column, z,
+    must be constant.
 
-    A heading that names x and y (or Easting and Northing) selects these columns, several times for several
-    curves. It also names the unit, unless `unit` is given: "x (in)", "y [mm]", "x_mm", "x in inches". A heading
-    with a column "distance" or "station" starts a table of offsets. Every other column is then a curve over
-    that column, with the name of its column. Cells may be fractions, "3 1/2", feet and inches, 3' 4 5/8", or
-    feet, inches and eighths, "3-4-5". Without a unit, these are inches.
+    A heading that names x and y (or Easting and Northing) selects these columns; it may name several pairs
+    for several curves. The heading may also state the unit, as in "x (in)", "y [mm]", "x_mm" or "x in
+    inches"; `unit` overrides it. A heading with a column "distance" or "station" starts a table of offsets.
+    Every other column is then a curve over that column, named by its heading. Cells may be fractions (3 1/2),
+    feet and inches (3' 4 5/8"), or feet, inches and eighths (3-4-5). Without a unit, they are in inches.
 
     Raises
     ------
     InputError
-        A row is not two or three finite numbers, there are too few points, or the heading has two units.
+        A row does not contain two or three finite numbers, there are too few points, or the heading has two
+        units.
     """
     check_tolerance(fit_tolerance, "tolerance for fitting")
     table = PointTable.read(file, unit=unit)
@@ -582,14 +585,14 @@ def _fitted(points: FloatArray, tolerance: float, digits: Provenance, noise: flo
 
 
 def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
-    """Read a control point file: a line "degree count", then `count` lines "x y".
+    """Read a file of control points: a line "degree count", then `count` lines "x y".
 
     The knots are the integers from -degree to count: a uniform spline, not clamped at its ends.
 
     Raises
     ------
     InputError
-        The first line is not degree and count, or it is not followed by `count` valid points.
+        The first line does not contain degree and count, or `count` valid points do not follow it.
     """
     scale = look_up_unit(unit or "mm")
     rows = [(n, line.split()) for n, line in enumerate(read_text(file).splitlines(), 1) if line.strip()]
@@ -629,7 +632,7 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
 
 
 def _blocks(rows: Sequence[Row], scale: float) -> list[FloatArray]:
-    """Return the points (n, 2) of each block of rows, mm."""
+    """Return the points (n, 2), mm, of each block of rows between blank rows."""
     blocks: list[list[FloatArray]] = [[]]
     for n, cells in rows:
         if not any(cells):

@@ -1,4 +1,4 @@
-"""Checks of files and numbers that are read: size, text, and bounds."""
+"""Checks of input files and their numbers: size of the file, range of the numbers, count of shapes."""
 
 import os
 import re
@@ -16,14 +16,14 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.refusals import FieldName, Length
 
 FileMark: TypeAlias = tuple[int, int, int] | None
-"""Fingerprint of a file: modification time, size and number on the disk, or None for a missing file."""
+"""Fingerprint of a file: modification time, size and inode number, or None for a missing file."""
 
 _read: ContextVar[dict[Path, FileMark] | None] = ContextVar("files read", default=None)
 
 _below: ContextVar[tuple[Path, ...]] = ContextVar("folders that may be read", default=())
 
 UNIT = FieldName("unit")
-"""Name by which messages call the option or key that sets the unit of a file."""
+"""Name, in messages, of the option or key that sets the unit of a file."""
 
 LARGEST_FILE = 64 * 2**20
 """Largest size of a file of curves, bytes."""
@@ -31,11 +31,11 @@ LARGEST_FILE = 64 * 2**20
 LARGEST_OF_KIND = {".toml": 2 * 2**20} | dict.fromkeys(
     (".obj", ".stl", ".ply", ".step", ".stp", ".brep", ".brp"), 256 * 2**20
 )
-"""Largest sizes, bytes, of designs, which are read slowly, and of meshes and bodies, which are large."""
+"""Largest sizes, bytes, of other kinds of files: designs are parsed slowly, and meshes and bodies are large."""
 
 
 def require_file(path: str | Path) -> Path:
-    """Return the path, and refuse it unless it is a readable file that is not empty.
+    """Return the path of a file, and refuse it if the file is missing, empty, too large or not readable.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def require_file(path: str | Path) -> Path:
 
 
 def require_below(path: Path) -> None:
-    """Refuse a file outside of the folders of `read_below`, links followed."""
+    """Refuse a file outside of the folders allowed by `read_below`, after following symbolic links."""
     folders, real = _below.get(), Path(os.path.realpath(path))
     if folders and not any(real.is_relative_to(folder) for folder in folders):
         raise InputError(
@@ -87,7 +87,7 @@ def require_below(path: Path) -> None:
 
 @contextmanager
 def read_below(*folders: str | os.PathLike[str]) -> Iterator[None]:
-    """Allow the block to read only files in these folders and their subfolders."""
+    """Restrict the code in a `with` block to reading files in these folders and their subfolders."""
     token = _below.set(tuple(Path(os.path.realpath(folder)) for folder in folders))
     try:
         yield
@@ -96,7 +96,7 @@ def read_below(*folders: str | os.PathLike[str]) -> Iterator[None]:
 
 
 def mark_file(path: Path) -> FileMark:
-    """Return a mark of the file's contents: equal marks mean equal contents."""
+    """Return a fingerprint of a file; equal fingerprints mean equal contents."""
     try:
         status = path.stat()
     except OSError:
@@ -106,7 +106,9 @@ def mark_file(path: Path) -> FileMark:
 
 @contextmanager
 def note_reads() -> Iterator[dict[Path, FileMark]]:
-    """Collect the files for which the block calls `require_file`, with fingerprints from just before each call."""
+    """Collect the files that a `with` block passes to `require_file`, with fingerprints from just before each
+    call.
+    """
     noted: dict[Path, FileMark] = {}
     token = _read.set(noted)
     try:
@@ -117,7 +119,7 @@ def note_reads() -> Iterator[dict[Path, FileMark]]:
 
 @contextmanager
 def quiet_log(name: str) -> Iterator[None]:
-    """Silence a library's log during the block, unless the program handles it."""
+    """Silence the log of a library during a `with` block, unless the program has set up logging."""
     import logging
 
     logger, silence = logging.getLogger(name), logging.NullHandler()
@@ -130,7 +132,7 @@ def quiet_log(name: str) -> Iterator[None]:
 
 @contextmanager
 def name_source(path: str | Path) -> Iterator[Path]:
-    """Check a file as `require_file` does, and add its name to errors of the block about its contents."""
+    """Check a file as `require_file` does, and add its name to the errors that the `with` block raises."""
     path = require_file(path)
     try:
         yield path
@@ -143,13 +145,16 @@ SMALLEST_SIZE, LARGEST_SIZE = 1e-3, 1e6
 """Smallest and largest size of curves that are read, mm."""
 
 FARTHEST = 1e10
-"""Largest coordinate, mm, such as in maps in metres with a distant origin."""
+"""Largest coordinate, mm. Maps in metres with a distant origin have such coordinates."""
 
 LARGEST_NUMBER = 1e9
-"""Largest absolute value of an option or a number in a design, in any unit; most have a smaller range."""
+"""Largest absolute value of an option or of a number in a design, in any unit.
+
+Most of them have smaller limits.
+"""
 
 MOST_SHAPES = 20_000
-"""Largest number of shapes in a drawing, with those of blocks and clones counted for each copy."""
+"""Largest number of shapes in a drawing. Shapes in blocks and clones are counted for every copy."""
 
 MOST_EDGES = 120_000
 """Largest number of pieces of all curves of a file."""
@@ -158,25 +163,29 @@ MOST_CURVES = 5_000
 """Largest number of curves of a file."""
 
 MOST_PIECES = 3_000
-"""Largest number of pieces of a curve, and of control points or measured points divided by four."""
+"""Largest number of pieces of a curve.
+
+The largest number of control points or measured points is four times this.
+"""
 
 MOST_DEGREE = 25
 """Largest degree of a spline."""
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
-# least number of significant digits that may be a fixed number of digits of a program, instead of decimals
+# a program that writes a fixed number of significant digits, not decimals, writes at least this many
 _PROGRAMS = 6
-_EVIDENCE = 2  # least number of large coordinates, no multiples of 10, whose decimals are decisive
+# number of large coordinates, not multiples of 10, from which the number of decimals can be inferred
+_EVIDENCE = 2
 
 
 def check_places(points: FloatArray) -> FloatArray:
-    """Return coordinates in mm, and refuse those that are not finite or too far away.
+    """Return coordinates in mm, and refuse them if any is not finite or is too large.
 
     Raises
     ------
     InputError
-        A coordinate is not finite or too far away.
+        A coordinate is not finite or too large.
     """
     bad = ~(np.abs(points) <= FARTHEST)
     if bad.any():
@@ -191,7 +200,7 @@ def check_places(points: FloatArray) -> FloatArray:
 
 
 def check_size(points: FloatArray) -> None:
-    """Refuse a curve whose control points (n, d), mm, have a smaller or larger extent than any strip."""
+    """Refuse a curve whose control points (n, d), mm, have an extent that no strip can have."""
     check_places(points)
     size = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
     if size != 0 and not SMALLEST_SIZE <= size <= LARGEST_SIZE:
@@ -206,7 +215,9 @@ def check_size(points: FloatArray) -> None:
 
 
 def check_count(count: int, most: int, what: str, instead: str) -> int:
-    """Return a count of `what`, and refuse it with the advice `instead` if it exceeds `most`."""
+    """Return `count`, the number of items named `what`; if it exceeds `most`, refuse it with the advice
+    `instead`.
+    """
     if count > most:
         raise InputError(
             "has {whole} {what}, more than the limit of {most}: {instead}",
@@ -230,7 +241,7 @@ def check_degree(degree: int) -> int:
 
 
 def check_tolerance(value: float, name: str = "tolerance") -> float:
-    """Return the tolerance of a reader for joints and fits, mm.
+    """Check the tolerance, mm, of a file reader for joints and fits, and return it.
 
     Parameters
     ----------
@@ -259,10 +270,11 @@ def _whole(number: int) -> str:
 
 
 def half_last_place(numbers: Iterable[str]) -> float:
-    """Return half a unit of the last digit of coordinates, which is their largest rounding error.
+    """Return half a unit of the last written digit of coordinates: their largest rounding error.
 
     Some programs write a fixed number of decimals without trailing zeros, and some a fixed number of
-    significant digits. The coarsest number of either kind decides. Without numbers it is 0.
+    significant digits. The number with the coarsest rounding determines the result, which is 0 if there are
+    no numbers.
 
     Examples
     --------
@@ -285,7 +297,9 @@ def half_last_place(numbers: Iterable[str]) -> float:
 
 
 def _digits(text: str) -> tuple[float, int, int] | None:
-    """Return the size, decimals and significant digits of a written number, or None for other text."""
+    """Return the absolute value of a number, its number of decimals and of significant digits, or None for
+    other text.
+    """
     match = _WRITTEN.fullmatch(text.strip())
     if match is None or not (match[1] or match[2]):
         return None

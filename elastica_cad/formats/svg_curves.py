@@ -1,4 +1,4 @@
-"""Curves drawn in an SVG file, exact where the file is exact."""
+"""Reader of curves in SVG files. Curves that the file defines exactly stay exact."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -25,15 +25,15 @@ _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
 _AFFINITY = "xmlns:serif"
 _ILLUSTRATOR = "Generator: Adobe Illustrator"
-_EXPORTED_CLASS = re.compile(r"cls-\d+")  # class in files that Illustrator exports for screens
+_EXPORTED_CLASS = re.compile(r"cls-\d+")  # names of CSS classes in files that Illustrator exports for screens
 _ZERO = re.compile(r"\s*[+]?(0*\.?0+|0+\.)(e[-+]?\d+)?\s*(%|[a-z]*)\s*", re.IGNORECASE)
 _CLEAR = re.compile(
     r"(rgb|hsl)a?\(([^,]*,){3}\s*0*\.?0*%?\s*\)|(rgb|hsl)a?\([^,]*/\s*0*\.?0*%?\s*\)|#[0-9a-f]{6}00|#[0-9a-f]{3}0"
 )
-"""Colours with opacity 0."""
+"""Pattern for colours with opacity 0."""
 
 _LEAST_UNIT = 1e-9  # mm
-_LARGEST = 1e15  # largest number in a file, so that products of two numbers are finite
+_LARGEST = 1e15  # larger numbers are refused, so that the product of two numbers is finite
 
 
 def read_svg_drawing(
@@ -41,11 +41,11 @@ def read_svg_drawing(
 ) -> DrawnFile:
     """Read the curves of an SVG file with their names and layers, in mm; the arguments are those of `read_drawing`.
 
-    The y axis points up, so y is minus SVG's y. Bezier curves and arcs stay exact, with all transforms applied.
-    A path of straight lines only is fitted. The size of a user unit follows from width, height and viewBox.
-    Without a width in a physical unit, a user unit is a CSS pixel, 25.4/96 mm. It is a point, 25.4/72 mm, in
-    files of Adobe Illustrator, and 25.4/90 mm in files of Inkscape before 0.92. The origin is that of the user
-    units. Text, images, definitions and hidden shapes are left out and counted.
+    The y axis points up, so y is minus SVG's y. Bezier curves and arcs stay exact, with all transforms
+    applied. A path of straight lines only is fitted. The size of a user unit follows from width, height and
+    viewBox. Without a width in a physical unit, a user unit is a CSS pixel, 25.4/96 mm. It is a point,
+    25.4/72 mm, in files of Adobe Illustrator, and 25.4/90 mm in files of Inkscape before 0.92. The origin is
+    the origin of the user units. Text, images, definitions and hidden shapes are left out and counted.
 
     Raises
     ------
@@ -123,7 +123,10 @@ def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
 
 
 def _is_exported_for_screens(tree: SvgTree) -> bool:
-    """Return True for a drawing of Illustrator's Export As, which does not name it; Adobe XD gives a size."""
+    """Return True if the file was written by Illustrator's Export As.
+
+    Such a file does not name Illustrator. Files of Adobe XD are similar, but have a size.
+    """
     if any(tree.size):
         return "data-name" in tree.root.attrib
     return any(
@@ -133,7 +136,7 @@ def _is_exported_for_screens(tree: SvgTree) -> bool:
 
 
 def _scale(tree: SvgTree) -> FloatArray:
-    """Return the size of a user unit along x and y, mm, from width, height and viewBox."""
+    """Return the size, mm, of a user unit along x and y, computed from width, height and viewBox."""
     size = [read_length(text) for text in tree.size]
     box = [float(v) for v in re.findall(NUMBER, tree.root.get("viewBox", ""))]
     if len(box) != 4 or not np.all(np.isfinite(box)) or box[2] <= 0 or box[3] <= 0:
@@ -148,7 +151,7 @@ def _scale(tree: SvgTree) -> FloatArray:
 
 
 def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
-    """Return the subpaths of all visible shapes, mm; `to_mm` (2, 2) maps user units."""
+    """Yield the subpaths, mm, of all visible shapes; `to_mm` (2, 2) maps user units to mm."""
     try:
         from svgelements import SVG, Shape
     except ImportError as error:
@@ -183,7 +186,9 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
 
 
 class _DrawnShape(NamedTuple):
-    """The subpaths of a shape in its coordinates, and the map to user units: matrix (2, 2) and offset (2,)."""
+    """The subpaths of a shape in its local coordinates, and the map to user units: matrix (2, 2) and offset
+    (2,).
+    """
 
     runs: Sequence[Run]
     source: Source
@@ -192,7 +197,7 @@ class _DrawnShape(NamedTuple):
 
 
 class _Shapes:
-    """Reader of the shapes of a tree, which reads a path once for all its clones and counts what is left out.
+    """Reader of the shapes of an SVG tree. It parses a path once for all its clones, and counts skipped shapes.
 
     Attributes
     ----------
@@ -201,7 +206,7 @@ class _Shapes:
     unpainted : set of int
         Marks of shapes without stroke and fill.
     clipped : dict
-        Names of shapes that a clip path or mask may hide in part; the values are None.
+        Names of shapes of which a clip path or mask may hide a part, as keys of a dict without values.
     bad : dict
         Errors of shapes that cannot be read, by mark.
     """
@@ -215,7 +220,7 @@ class _Shapes:
         self._paths: dict[int, PathData] = {}
 
     def painted(self, shapes: Sequence[Any]) -> Sequence[Any]:
-        """Return the shapes of svgelements that have a stroke or a fill, or all shapes if no shape has."""
+        """Return the shapes that have a stroke or a fill, or all shapes if none has a stroke or a fill."""
         shown = [shape for shape in shapes if not _is_hidden(shape)]
         seen = [shape for shape in shown if any(_paints(shape.values, what) for what in _PAINTS)]
         if seen:
@@ -225,7 +230,7 @@ class _Shapes:
         return seen or shapes
 
     def read(self, shape: Any) -> _DrawnShape | None:
-        """Return a shape with its path as `path_data` reads it, or None if it is hidden or invalid."""
+        """Return a shape with the edges of its path, or None if the shape is hidden or invalid."""
         mark = int(shape.values[MARK])
         m = shape.transform
         matrix, offset = np.array([[m.a, m.c], [m.b, m.d]], dtype=float), np.array([m.e, m.f], dtype=float)
@@ -258,7 +263,7 @@ class _Shapes:
         return _DrawnShape(runs, source, matrix, offset)
 
     def _edges(self, mark: int, shape: Any) -> tuple[list[Run], float]:
-        """Return the subpaths, and half a unit of the last digit of their coordinates."""
+        """Return the subpaths of a shape, and half a unit of the last digit of their coordinates."""
         source = self.tree.shapes[mark]
         if source.data is None:
             return list(_subpaths(shape.segments(transformed=False))), source.rounding
@@ -268,7 +273,10 @@ class _Shapes:
         return [_with_polylines(run) for run in path.runs], path.rounding
 
     def report_left_out(self) -> None:
-        """Count hidden and bad shapes among what the tree skips; if all are bad, raise the first error."""
+        """Add hidden and invalid shapes to the skipped items of the tree.
+
+        If all shapes are invalid, raise the first error.
+        """
         shapes, skipped = self.tree.shapes, self.tree.skipped
         hidden = {mark for mark, shape in enumerate(shapes) if shape.shown} - self.drawn - self.unpainted
         for kind, marks in (
@@ -313,7 +321,7 @@ def _paints(values: Mapping[str, str], what: str) -> bool:
 
 
 def _reaches_out(runs: Sequence[Run], box: Box | None, way: str) -> bool:
-    """Return True if a part of a shape is, or may be, outside of the rectangle that clips it."""
+    """Return True if a part of a shape may be outside of the area that clips it."""
     from svgelements import Matrix
 
     if box is None:
@@ -326,7 +334,7 @@ def _reaches_out(runs: Sequence[Run], box: Box | None, way: str) -> bool:
 
 
 def _in_user_units(tree: SvgTree) -> bytes:
-    """Return the document without the size of its root."""
+    """Return the document without width and height of the root element, so that coordinates are in user units."""
     root = tree.root
     box = root.get("viewBox", "").replace(",", " ").split()
     lengths = [read_length(text) for text in tree.size]
@@ -335,12 +343,12 @@ def _in_user_units(tree: SvgTree) -> bytes:
         root.attrib.pop(name, None)
     root.set("width", size[0])
     root.set("height", size[1])
-    # names of attributes may contain non-ASCII letters
+    # attribute names may contain non-ASCII letters
     return bytes(ElementTree.tostring(root, encoding="utf-8"))
 
 
 def _subpaths(segments: Any) -> Iterator[Run]:
-    """Return the edges between each Move and the next."""
+    """Yield the edges of each subpath, which starts at a Move segment."""
     run: list[Edge] = []
     for segment in segments:
         kind = type(segment).__name__
@@ -355,14 +363,14 @@ def _subpaths(segments: Any) -> Iterator[Run]:
 
 
 def _with_polylines(run: Sequence[Edge]) -> Run:
-    """Return several straight edges as a polyline; other runs are unchanged."""
+    """Return a run of straight edges as a single polyline; other runs are unchanged."""
     if len(run) > 1 and all(edge.degree == 1 for edge in run):
         return (Edge.polyline(np.concatenate([run[0].points[:1], *(edge.points[1:] for edge in run)])),)
     return tuple(run)
 
 
 def _edge(kind: str, segment: Any) -> Edge | None:
-    """Return a side of a basic shape in its coordinates, or None if it has no length."""
+    """Return a segment of a basic shape as an edge, or None if it has no length."""
     return bezier_edge(_points(segment.start, segment.end)) if kind in ("Line", "Close") else _arc(segment)
 
 
@@ -374,7 +382,10 @@ def _points(*points: Any) -> FloatArray:
 
 
 def _arc(segment: Any) -> Edge | None:
-    """Return the exact arc between both ends; its centre is computed again, to be accurate for half turns."""
+    """Return the exact arc of a segment.
+
+    Its centre is computed again, because that of svgelements is inaccurate for half turns.
+    """
     start, end, center, px, py = _points(segment.start, segment.end, segment.center, segment.prx, segment.pry)
     x_axis, y_axis = px - center, py - center
     rx, ry = float(np.hypot(*x_axis)), float(np.hypot(*y_axis))

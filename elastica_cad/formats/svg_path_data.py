@@ -1,4 +1,4 @@
-"""Path data of SVG, a text of commands and numbers, converted to edges.
+"""Conversion of SVG path data (the text of commands and numbers in attribute `d`) to edges.
 
 SVG 2, section 9.3 ("Path data") and appendix B.2 (arcs). https://www.w3.org/TR/SVG2/paths.html
 """
@@ -22,14 +22,14 @@ _MOST_SEGMENTS = 20 * MOST_PIECES  # largest number of commands of a path with a
 
 @dataclass(frozen=True, eq=False)
 class PathData:
-    """The edges of a path, in its units.
+    """The edges of an SVG path, in user units.
 
     Attributes
     ----------
     runs : tuple of tuple of Edge
         The edges of every subpath.
     rounding : float
-        Half a unit of the last digit of its coordinates.
+        Half a unit of the last digit of the coordinates.
     """
 
     runs: tuple[tuple[Edge, ...], ...]
@@ -86,7 +86,7 @@ def path_data(text: str) -> PathData:
 
 
 def _commands(text: str) -> Iterator[tuple[str, list[str]]]:
-    """Return every command with its numbers, with implicit repetitions."""
+    """Yield every command with its numbers; implicit repetitions of a command are written out."""
     at = _skip(text, 0)
     first = True
     while at < len(text):
@@ -107,7 +107,10 @@ def _commands(text: str) -> Iterator[tuple[str, list[str]]]:
 
 
 def _words(text: str, at: int, kind: str) -> tuple[list[str], int]:
-    """Return the numbers of a command; the flags of an arc need no space between them."""
+    """Return the numbers of a command and the position after them.
+
+    Flags of an arc may be written without a separator.
+    """
     words = []
     for position in range(_COUNTS[kind]):
         if kind == "A" and position in (3, 4):
@@ -182,7 +185,9 @@ def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
 
 
 def _reflected(pen: _Pen, after: str) -> FloatArray:
-    """Return the previous handle mirrored at the pen, or the pen position after a command of another kind."""
+    """Return the previous Bezier handle mirrored at the pen, or the pen position if the previous command was
+    of another kind.
+    """
     if pen.handle is None or pen.before not in after:
         return pen.here
     return 2 * pen.here - pen.handle
@@ -193,14 +198,14 @@ def _line(start: FloatArray, end: FloatArray) -> Edge | None:
 
 
 def bezier_edge(points: FloatArray) -> Edge | None:
-    """Return a Bezier piece, a line if it is straight, or None if it has no length."""
+    """Return the edge of a Bezier piece: a line if the piece is straight, or None if it has no length."""
     if not np.any(points != points[0]):
         return None
     return Edge.polyline(points[[0, -1]]) if _is_straight(points) else Edge.bezier(points)
 
 
 def _is_straight(points: FloatArray) -> bool:
-    """Return True if the control points are in order on the chord, so that the Bezier piece is a straight line."""
+    """Return True if the control points are on the chord in order, so that the Bezier piece is straight."""
     chord = points[-1] - points[0]
     along = (points - points[0]) @ chord
     across = (points - points[0]) @ np.array([-chord[1], chord[0]])
@@ -210,14 +215,14 @@ def _is_straight(points: FloatArray) -> bool:
 def _arc_edge(
     start: FloatArray, end: FloatArray, radii: FloatArray, turned: float, *, large: bool, sweep: bool
 ) -> Edge | None:
-    """Return the exact elliptic arc between two points, with the radii enlarged if they are too small.
+    """Return the exact elliptic arc between two points. Radii that are too small are enlarged.
 
     Parameters
     ----------
     radii : (2,) array
         Semi-axes; if one is 0, the arc is a line.
     turned : float
-        Angle of the first semi-axis, rad.
+        Angle of the first semi-axis to the x axis, rad.
     large, sweep : bool
         Flags of the SVG arc command.
     """
@@ -233,7 +238,8 @@ def arc_between(
     start: FloatArray, end: FloatArray, axes: FloatArray, *, large: bool, sweep: bool
 ) -> Edge | None:
     """Return the exact arc between two points; its semi-axes are the columns of `axes` (2, 2), see `_arc_edge`."""
-    # in units of the axes the arc is part of a unit circle, with its centre on the bisector of the chord
+    # in coordinates relative to the semi-axes, the arc is part of a unit circle with its centre on the
+    # bisector of the chord
     half = np.linalg.solve(axes, (end - start) / 2)
     reach = float(np.hypot(*half))
     if reach < 1e-12:

@@ -1,4 +1,4 @@
-"""The element tree of an SVG file, limited in size, with resolved styles.
+"""Element tree of an SVG file with resolved styles and a limited size.
 
 CSS Syntax 3, Cascade 4 and Selectors 3. https://www.w3.org/TR/css-syntax-3/, https://www.w3.org/TR/selectors-3/
 """
@@ -31,7 +31,7 @@ _PROPERTIES = frozenset((
 ))  # fmt: skip
 """Properties that affect the visibility and position of curves."""
 
-_OF_PARENT = ("inherit", "unset")  # values that mean the value of the parent element
+_OF_PARENT = ("inherit", "unset")  # values that select the value of the parent element
 _SCREEN = re.compile(r"\s*((only\s+)?(all|screen)|not\s+(print|speech))?\s*", re.IGNORECASE)
 _PRINT = re.compile(r"\s*((only\s+)?(print|speech)\b.*|not\s+(all|screen))\s*", re.IGNORECASE)
 _DYNAMIC = re.compile(r"::|:(hover|active|focus|visited|target|before|after)", re.IGNORECASE)
@@ -50,22 +50,25 @@ _SIMPLE = re.compile(
 )
 
 _Steps = list[tuple[str, list[re.Match[str]]]]
-"""Steps of a selector from left to right: the preceding combinator, and the simple selectors of an element."""
+"""Parts of a CSS selector from left to right.
+
+Each part has the preceding combinator and the simple selectors of an element.
+"""
 
 
 class _Rule(NamedTuple):
     steps: _Steps
     weight: tuple[int, ...]
-    declared: list[tuple[str, str, bool]]  # name, value, True if important
+    declared: list[tuple[str, str, bool]]  # name, value, and True for a declaration with !important
 
 
 def _apply_styles(root: Element) -> list[str]:
-    """Write the style of every element as attributes, as browsers show it on a screen.
+    """Evaluate the style sheets for a screen, and write the style of every element as attributes.
 
     Returns
     -------
     list of str
-        Selectors that are not evaluated although they may change which curves are seen, or where.
+        Unsupported selectors that may change the visibility or position of curves.
     """
     tree, rules, unread = _Tree(root), defaultdict[str, list[_Rule]](list), []
     for sheet in tree.elements:
@@ -103,8 +106,10 @@ def _apply_styles(root: Element) -> list[str]:
 
 
 def _rules(sheet: Element) -> Iterator[tuple[str, str, bool]]:
-    """Return selectors and declarations of the rules of a sheet, and whether they always apply on a screen."""
-    # an entry is None if the sheet has no rules for a screen
+    """Yield the selectors and declarations of each rule of a style sheet, and True if the rule always applies
+    on a screen.
+    """
+    # for each open block: None if its rules do not apply on a screen
     holds: list[bool | None] = [_holds(sheet.get("media", ""))]
     selector = text = ""
     for piece in _PIECE.findall(_COMMENT.sub(" ", "".join(sheet.itertext()))):
@@ -127,13 +132,13 @@ def _rules(sheet: Element) -> Iterator[tuple[str, str, bool]]:
 
 
 def _holds(queries: str) -> bool | None:
-    """Return whether media queries apply on a screen: None for print only, False if it depends on the screen."""
+    """Return True if media queries apply on every screen, False if on some screens, None if on no screen."""
     each = queries.split(",")
     return True if any(map(_SCREEN.fullmatch, each)) else None if all(map(_PRINT.fullmatch, each)) else False
 
 
 def _declarations(text: str) -> list[tuple[str, str, bool]]:
-    """Return the relevant declarations: name, value, and True if it is important."""
+    """Return the relevant declarations: name, value, and True if the declaration is marked !important."""
     declarations = []
     for name, written in _DECLARATION.findall(_COMMENT.sub(" ", text)):
         value, _, important = written.partition("!")
@@ -144,7 +149,7 @@ def _declarations(text: str) -> list[tuple[str, str, bool]]:
 
 
 def _steps(selector: str) -> _Steps | None:
-    """Return the steps of a selector, or None if it is not supported."""
+    """Return the parts of a CSS selector, or None if the selector is not supported."""
     steps: _Steps = [("", [])]
     at = 0
     while at < len(selector):
@@ -160,14 +165,18 @@ def _steps(selector: str) -> _Steps | None:
 
 
 def _rank(part: re.Match[str]) -> int:
-    """Return the rank of a simple selector: 0 for id, 1 for class, attribute or place, 2 for kind, 3 for "*"."""
+    """Return the rank of a simple selector.
+
+    The rank is 0 for an id, 1 for a class, attribute or pseudo-class, 2 for an element name, and 3 for
+    "*".
+    """
     if part["name"] == "*":
         return 3
     return {"#": 0, "": 2}.get(part["kind"], 1) if part["name"] else 1
 
 
 def _key(part: re.Match[str]) -> str:
-    """Return the id, class or kind that an element needs to match, or "*" for any element."""
+    """Return the id, class or element name that a simple selector requires, or "*" if it requires none of them."""
     return part["kind"] + _unescaped(part["name"]) if part["name"] else "*"
 
 
@@ -186,7 +195,7 @@ class _Tree:
             for parent in self.elements
             for before, after in zip(parent, list(parent)[1:], strict=False)
         }
-        self.after = set(self.before.values())  # elements with a following sibling
+        self.after = set(self.before.values())  # elements that have a following sibling
 
     def matches(self, element: Element, steps: _Steps) -> bool:
         """Return True if a selector matches the element."""
@@ -238,10 +247,10 @@ class _Tree:
 
 _LENGTH = re.compile(rf"\s*({NUMBER}|[-+]?\d+,\d+)\s*([a-z]*)\s*", re.IGNORECASE)
 PHYSICAL = {"pc": MM_PER_INCH / 6, "q": 0.25} | {unit: MILLIMETRES[unit] for unit in ("pt", "mm", "cm", "in")}
-"""Size of units other than the pixel, mm."""
+"""Sizes, mm, of the units of length other than the pixel."""
 
 _MM = PHYSICAL | {"px": MILLIMETRES["px"], "": MILLIMETRES["px"]}
-_MM |= dict.fromkeys(("em", "rem"), 16 * _MM["px"])  # size of the default font
+_MM |= dict.fromkeys(("em", "rem"), 16 * _MM["px"])  # default font size
 _LINKS = ("href", "{http://www.w3.org/1999/xlink}href")
 
 
@@ -265,7 +274,7 @@ def read_length(text: str | None) -> tuple[float, str] | None:
 
 
 def _linked_id(element: ElementTree.Element) -> str:
-    """Return the id in this file that the element links to, or ""."""
+    """Return the id of the element in this file to which an element links, or ""."""
     link = next((text for name in _LINKS if (text := element.get(name))), "")
     return link[1:] if link.startswith("#") else ""
 
@@ -286,11 +295,13 @@ _HELD = ("svg", "symbol")
 
 Box = tuple[float, float, float, float]
 Extent = tuple[float, float]
-Fit = tuple[float, float, float, float]  # scales along x and y, then the position of the origin
+Fit = tuple[float, float, float, float]  # scale along x, scale along y, and position (x, y) of the origin
 
 
 def _fit_views(root: ElementTree.Element) -> None:
-    """Write percentages as user units and nested drawings as groups; fit symbols into the boxes of clones."""
+    """Convert percentages to user units and nested <svg> elements to groups, and fit symbols into the boxes
+    of clones.
+    """
     box = _box(root)
     extent = box[2:] if box else (_size(root.get("width"), 100.0), _size(root.get("height"), 100.0))
     held: dict[str, ElementTree.Element] = {}
@@ -323,7 +334,10 @@ def _fit_views(root: ElementTree.Element) -> None:
 
 
 def _resolve(element: ElementTree.Element, around: Extent) -> None:
-    """Convert percentages of an element to user units; those of a radius refer to the diagonal / sqrt(2)."""
+    """Convert the percentages of an element to user units.
+
+    Percentages of a radius refer to the diagonal / sqrt(2).
+    """
     for name in (*_ALONG, "r"):
         share = _SHARE.fullmatch(element.get(name, ""))
         if share:
@@ -339,13 +353,15 @@ def _resolve(element: ElementTree.Element, around: Extent) -> None:
 
 
 def _origin(word: str, whole: float) -> float:
-    """Return a coordinate of the origin of a transform."""
+    """Return a coordinate of `transform-origin` in user units."""
     share = _SHARE.fullmatch(_ORIGINS.get(word, word))
     return float(share[1]) * whole / 100 if share else _size(word, 0.0)
 
 
 def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Extent:
-    """Return the width and height of the clone, or else of the drawing, or else of the surroundings."""
+    """Return the width and height set on a clone, or else on the nested drawing, or else those of the
+    enclosing drawing.
+    """
     width, height = (
         _size(shown.get(side) or view.get(side), whole)
         for side, whole in zip(("width", "height"), around, strict=True)
@@ -354,7 +370,9 @@ def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent
 
 
 def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Fit:
-    """Return the fit of `view` in the box of `shown`, which is `view` or a clone of it."""
+    """Return the scale and origin that fit the drawing `view` into the box of `shown`, which is `view` or a
+    clone of it.
+    """
     box, sides = _box(view), _sides(shown, view, around)
     at = [_size(shown.get(axis), whole, default=0.0) for axis, whole in zip("xy", around, strict=True)]
     if box is None:
@@ -377,7 +395,7 @@ def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) 
 
 
 def _over(requested: Fit, own: Fit, target: ElementTree.Element) -> Fit:
-    """Return the transform that changes the drawing's fit `own` to the fit `requested` of its clone."""
+    """Return the transform that replaces the fit `own` of a drawing by the fit `requested` of its clone."""
     if not (own[0] and own[1]):
         return 0.0, 0.0, 0.0, 0.0
     start = [_size(target.get(axis), 0.0, default=0.0) for axis in "xy"]
@@ -387,7 +405,7 @@ def _over(requested: Fit, own: Fit, target: ElementTree.Element) -> Fit:
 
 
 def _place(element: ElementTree.Element, fit: Fit) -> None:
-    """Replace the box by a transform with the fit."""
+    """Replace the box of an element by a transform with the given scale and origin."""
     numbers = " ".join(map(repr, (fit[0], 0.0, 0.0, *fit[1:])))
     element.set("transform", f"{element.get('transform', '')} matrix({numbers})".strip())
     for name in ("x", "y", "width", "height", "viewBox", "preserveAspectRatio"):
@@ -395,7 +413,7 @@ def _place(element: ElementTree.Element, fit: Fit) -> None:
 
 
 def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | None:
-    """Return the numbers of a viewBox, or None if it has no size."""
+    """Return x, y, width and height of a viewBox, or None if its size is 0 or missing."""
     box = tuple(float(v) for v in re.findall(NUMBER, element.get("viewBox", "")))
     if len(box) != 4 or not (0 < box[2] < 1e15 and 0 < box[3] < 1e15):
         return None
@@ -403,7 +421,10 @@ def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | No
 
 
 def _size(text: str | None, whole: float, default: float | None = None) -> float:
-    """Return a length in user units; without a length `default`, or without a default the full side `whole`."""
+    """Return a length in user units.
+
+    If `text` is not a length, return `default`, or else the full side `whole`.
+    """
     length = read_length(text)
     if length is None:
         return whole if default is None else default
@@ -428,7 +449,7 @@ _NO_CURVES = ("text", "image", "foreignObject", "flowRoot", "switch")
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 
 _LABELS = (f"{_INKSCAPE}label", "data-name", "{http://www.serif.com/}id")
-"""Attributes that contain the name of a shape given by a person in Inkscape, Illustrator and Affinity."""
+"""Attributes in which Inkscape, Illustrator and Affinity store the name that a person gave to a shape."""
 
 _KIND = re.compile(
     r"""((path|rect(angle)?|circle|ellipse|oval|line|polyline|polygon|vector|shape|spline|bspline|bezcurve|d?wire|sketch
@@ -439,30 +460,38 @@ _KIND = re.compile(
     ([ _-]*(copy|kopie|\d+|\(stroke\)|n?w[ef]?\d+))*_?""",
     re.IGNORECASE | re.VERBOSE,
 )
-"""Labels and ids made by drawing programs: the kind of the shape, with numbers ("path37-1-6", "Vector 2")."""
+"""Pattern for labels and ids made by drawing programs: the kind of the shape with numbers ("path37-1-6",
+"Vector 2").
+"""
 
 _TOKEN = re.compile(
     r"""_?\d[0-9a-f]*|[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}|(xmlid|svgid)_\d+_|svgjs\w*\d+|id\d+
     |(?-i:(LINE|ARC|CIRCLE|ELLIPSE|SPLINE|(LW)?POLYLINE|HELIX)[ _-]?[0-9A-F]*\d[0-9A-F]*)""",
     re.IGNORECASE | re.VERBOSE,
 )
-"""Ids, but not labels, made by programs: handles of CAD ("2F", "SPLINE_2F"), UUIDs and numbers of libraries."""
+"""Pattern for ids, not labels, made by programs: CAD handles ("2F", "SPLINE_2F"), UUIDs and numbers of
+libraries.
+"""
 
 _PACKED = b"\x1f\x8b"  # first bytes of gzip
-_HEAD = 4096  # bytes read at a time to find the first element
-_LONGEST_ENTITY = 1000  # largest length of an entity, characters; expat limits the total of all references
+_HEAD = 4096  # block size, bytes, in which the file is read up to its first element
+# largest length of an XML entity, characters; expat limits the total of all references
+_LONGEST_ENTITY = 1000
 _DEEPEST = 200  # largest depth of nested elements
-# largest number of elements with expanded clones; groups and texts take time, too
+# largest number of elements after clones are expanded; groups and texts take time, too
 _MOST_ELEMENTS = 5 * MOST_SHAPES
-_MOST_TEXT = 64 * 2**20  # largest number of characters, with expanded clones
+_MOST_TEXT = 64 * 2**20  # largest number of characters after clones are expanded
 MARK = "data-shape"
-"""Attribute with the number of the shape in the tree, for expanded clones."""
+"""Attribute for the number of a shape in the tree, by which copies of it in clones are recognized."""
 
 CLIPPED = "data-clipped"
 """Attribute of a clone that is clipped or masked."""
 
 CLONE = "data-clone-"
-"""Prefix of the attributes that number clones. A shape in nested clones has one for each, the outermost first."""
+"""Prefix of the attributes that number clones.
+
+A shape in nested clones has an attribute for each of them, the outermost first.
+"""
 
 
 @dataclass(frozen=True)
@@ -472,7 +501,7 @@ class Name:
     Attributes
     ----------
     shown : str
-        Its label, else its id, else "".
+        Label of the shape, else its id, else "".
     id : str
     is_chosen : bool
         True if a person chose the label or the id, False if a program made them.
@@ -503,16 +532,15 @@ class Shape:
         "path", "circle", ...
     name : Name
     layer : str
-        Label of its layer in Inkscape.
+        Label of the Inkscape layer.
     data : str or None
         The path data of a path.
     rounding : float
-        Half a unit of the last digit of its size attributes; 0 for a path.
-    shown : bool
-        True if it is not inside definitions or other hidden elements.
+        Half a unit of the last digit of the size attributes; 0 for a path. shown : bool True if the shape is
+        not inside definitions or other hidden elements.
     clips : tuple of (box, str)
-        Clip paths and masks: low x, low y, high x, high y of a rectangle, or None for any other area, with the
-        transforms from the shape to the area.
+        Clip paths and masks. Each has the transforms from the shape to the area, and the box (low x, low y,
+        high x, high y) of a rectangular area, or None for other areas.
     """
 
     kind: str
@@ -526,16 +554,16 @@ class Shape:
 
 @dataclass
 class SvgTree:
-    """The tree, its shapes and the names of its clones; marks in the tree replace path data.
+    """The element tree of a file, its shapes, and the names of clones. In the tree, numbers replace the path data.
 
     Attributes
     ----------
     size : (str, str)
-        Width and height as they are written.
+        Width and height as written in the file.
     head : str
         The comments and namespaces at the top of the file.
     unread : list of str
-        Parts of its style that are not supported: selectors of its style sheets, transforms about a box.
+        Unsupported parts of the style: selectors of style sheets, and transforms relative to a box.
     """
 
     root: ElementTree.Element
@@ -548,7 +576,7 @@ class SvgTree:
 
 
 def svg_tree(path: Path) -> SvgTree:
-    """Parse an SVG file, count its shapes, and mark what is not drawn.
+    """Parse an SVG file, count its shapes, and number them.
 
     Raises
     ------
@@ -575,12 +603,12 @@ def svg_tree(path: Path) -> SvgTree:
 
 
 def _open_svg(path: Path) -> BinaryIO:
-    """Open the file, and unpack it if it is compressed (.svgz).
+    """Open the file, and decompress it if it is compressed (.svgz).
 
     Raises
     ------
     InputError
-        The file cannot be unpacked, or is too large.
+        The file cannot be decompressed, or is too large.
     """
     file = path.open("rb")
     if file.read(2) != _PACKED:
@@ -601,7 +629,10 @@ def _open_svg(path: Path) -> BinaryIO:
 
 
 def _read_head(file: BinaryIO) -> str:
-    """Return the comments and namespaces before the second element; refuse entities that are not plain text."""
+    """Return the comments and namespaces before the second element.
+
+    Refuse XML entities that are not plain text.
+    """
     parser, elements, texts = ParserCreate(), 0, list[str]()
 
     def declare(name: str, is_parameter: int, text: str | None, *_: object) -> None:
@@ -623,7 +654,7 @@ def _read_head(file: BinaryIO) -> str:
             texts.append(text)
 
     parser.EntityDeclHandler, parser.StartElementHandler, parser.CommentHandler = declare, begin, comment
-    # if the file is not XML, the parser of the whole file raises the error
+    # if the file is not XML, the later parsing of the whole file raises the error
     with suppress(ExpatError, LookupError):
         while elements < 2 and (data := file.read(_HEAD)):
             parser.Parse(data)
@@ -632,7 +663,7 @@ def _read_head(file: BinaryIO) -> str:
 
 
 def _refuse_bombs(tree: SvgTree) -> None:
-    """Count the shapes that clones (`use`) expand to, and remove clones that refer to themselves."""
+    """Count the shapes after expansion of all clones (<use>), and remove clones that refer to themselves."""
     order: list[tuple[ElementTree.Element, int]] = [(tree.root, 0)]
     for element, depth in order:  # `order` grows during the loop, parents before children
         if depth > _DEEPEST:
@@ -689,7 +720,9 @@ def _cloned(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTre
 
 
 def _mark(tree: SvgTree) -> None:
-    """Mark every shape with its number, remove path data, and write lengths such as 10mm in user units."""
+    """Write the number of every shape as an attribute, remove path data, and convert lengths such as 10mm to
+    user units.
+    """
     areas = {
         e.get("id"): _rectangle(e) for e in reversed([*tree.root.iter()]) if tag(e) in ("clipPath", "mask")
     }
@@ -748,7 +781,7 @@ def _referred(text: str) -> str:
 
 
 def _rectangle(area: ElementTree.Element) -> Box | None:
-    """Return the rectangle if a clip path is a single upright rectangle, else None."""
+    """Return the rectangle if a clip path is a single rectangle parallel to the axes, else None."""
     shapes = [child for child in area if tag(child) in (*_SHAPES, "use", "text", "g")]
     written = {name for element in (area, *shapes) for name in element.attrib}
     if tag(area) != "clipPath" or len(shapes) != 1 or written & {"transform", "clipPathUnits", *_AREAS}:

@@ -19,7 +19,7 @@ from elastica_cad.refusals import FieldName
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a text to a file in UTF-8, whole or not at all.
+    """Write a text to a file in UTF-8. After an error, no incomplete file remains.
 
     Examples
     --------
@@ -33,17 +33,19 @@ def write_text(path: Path, text: str) -> None:
 
 
 def write_json(path: Path, record: Any) -> None:
-    """Write a record to a file as JSON, whole or not at all."""
+    """Write a record to a file as JSON. After an error, no incomplete file remains."""
     write_text(path, json.dumps(record, indent=1) + "\n")
 
 
 def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
-    """Return the file to be written, with links followed, and refuse it early if it can't be written.
+    """Return the path of a file to be written, after following symbolic links.
+
+    Refuse it if the file can't be written.
 
     Raises
     ------
     InputError
-        It is a folder, its folder is missing, or it exists and `force` is not set.
+        The path is a folder, its parent folder is missing, or the file exists and `force` is False.
     """
     require_flag(force, "force")
     target = Path(os.path.realpath(require_path(path)))
@@ -73,7 +75,9 @@ def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
 def write_atomically(
     path: str | os.PathLike[str], content: bytes | Callable[[BinaryIO], None], force: bool = False
 ) -> Path:
-    """Write a file under a temporary name in its folder, then rename it, so that no incomplete file remains.
+    """Write a file under a temporary name in its folder, then rename it.
+
+    After an error, no incomplete file remains.
 
     If a program is killed while it writes, the file with the temporary name may remain.
 
@@ -94,7 +98,7 @@ def write_atomically(
     Raises
     ------
     InputError
-        As `check_target`, or permission or free space is missing.
+        For the reasons of `check_target`, or because permission or disk space is missing.
 
     Examples
     --------
@@ -122,7 +126,7 @@ def write_atomically(
                 os.replace(temporary, target)
             except BaseException:
                 file.close()  # Windows cannot remove an open file
-                with suppress(OSError):  # a read-only disk refuses this too
+                with suppress(OSError):  # on a read-only disk the removal fails too
                     temporary.unlink()
                 raise
     except OSError as error:
@@ -133,7 +137,7 @@ def write_atomically(
 
 
 def reason(error: OSError) -> str:
-    """Return why a file can't be written, as the end of a sentence."""
+    """Return the reason why a file can't be written, worded as the end of a sentence."""
     return "no permission" if isinstance(error, PermissionError) else error.strerror or str(error)
 
 
@@ -141,29 +145,31 @@ def reason(error: OSError) -> str:
 def write_together(
     folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False
 ) -> Iterator[Path]:
-    """Return a temporary folder whose files move to `folder` only if the whole block succeeds.
+    """Provide a temporary folder. Its files are moved to `folder` only if the `with` block succeeds.
 
-    A new folder appears in a single step. If the folder exists, the files move one by one. After an error or
-    Ctrl-C, the new files among the moved files are removed.
+    A new folder appears in a single step. If the folder exists, the files move one by one. If moving fails or
+    Ctrl-C stops it, moved files that did not replace another file are removed.
 
     Parameters
     ----------
     folder : path-like
         Target folder; created if it does not exist.
     names : iterable of str
-        Names of the files that the block writes into the temporary folder, in subfolders if they contain /.
+        Names of the files that the block writes into the temporary folder. A name with / is in a subfolder.
     force : bool
         Overwrite files of those names.
 
     Yields
     ------
     Path
-        The temporary folder, on the same disk. If a program is killed, a later program removes it after a day.
+        The temporary folder, on the same disk. If the process is killed, the folder remains, and a later call
+        removes it after a day.
 
     Raises
     ------
     InputError
-        Before the block runs: `folder` is a file or can't be created, or a file exists and `force` is not set.
+        Raised before the block runs: `folder` is a file or can't be created, or a file exists and `force` is
+        False.
 
     Examples
     --------
@@ -186,12 +192,12 @@ def write_together(
 
 @dataclass(frozen=True)
 class File:
-    """A file of a folder, listed before it is written.
+    """A file that is going to be written to a folder.
 
     Attributes
     ----------
     name : str
-        Name of the file, with / if it is in a subfolder.
+        Name of the file; a name with / is in a subfolder.
     write : callable
         Function that writes the file to a path.
     description : str
@@ -210,16 +216,17 @@ def write_files(
     force: bool = False,
     done: Callable[[str, int], None] | None = None,
 ) -> tuple[Path, ...]:
-    """Write all files into a folder, or none of them after any error, and return their paths.
+    """Write all files into a folder and return their paths. After any error, no file is written.
 
     Parameters
     ----------
     files : sequence of File
-        Written in this order; a file may read the previous files, which are in the same temporary folder.
+        The files in the order of writing. A file may read the previous files, which are in the same temporary
+        folder.
     folder, force
         As for `write_together`.
     done : callable, optional
-        Called after each file with its name and the number of all files.
+        Function that is called after each file with its name and the total number of files.
 
     Examples
     --------
@@ -238,7 +245,7 @@ def write_files(
 
 
 def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False) -> None:
-    """Refuse a folder that files of these names cannot be written to, before they are computed.
+    """Refuse a folder to which files of these names cannot be written. Call it before the files are computed.
 
     Parameters
     ----------
@@ -261,13 +268,13 @@ def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force:
 
 
 _LOCK, _FILES = "lock", "files"
-"""Contents of a temporary folder: the lock file of its process, and the folder for what the process writes."""
+"""Contents of a temporary folder: the lock file of its process, and the folder for the files that are written."""
 
 _OURS = b"elastica_cad writes files here\n"
 """Content of a lock file."""
 
 _STALE_S = 24 * 3600
-"""Age, s, of temporary folders of dead processes that are removed."""
+"""Age, s, from which temporary folders of dead processes are removed."""
 
 
 @contextmanager
@@ -278,7 +285,7 @@ def _workshop(ground: Path, above: Path) -> Iterator[Path]:
     """
     for place in {ground, above}:
         for old in place.glob(".elastica-*"):
-            with suppress(OSError):  # the folder is in use, or another process removes it
+            with suppress(OSError):  # removal fails if the folder is in use, or if another process removes it
                 _remove_stale(old)
     home = ground / f".elastica-{os.urandom(8).hex()}"
     home.mkdir()
@@ -293,9 +300,12 @@ def _workshop(ground: Path, above: Path) -> Iterator[Path]:
 
 
 def _remove(home: Path) -> None:
-    """Remove a temporary folder, and its lock file last, so that an interrupted removal can be recognized."""
+    """Remove a temporary folder.
+
+    Its lock file is removed last, so that an interrupted removal can be recognized.
+    """
     shutil.rmtree(home / _FILES, ignore_errors=True)
-    with suppress(OSError):  # removal fails while a user views the folder
+    with suppress(OSError):  # on Windows, removal fails while a program displays the folder
         (home / _LOCK).unlink(missing_ok=True)
         home.rmdir()
 
@@ -315,11 +325,14 @@ def _remove_stale(home: Path) -> None:
 
 
 def _take(lock: BinaryIO | FileIO) -> None:
-    """Lock an open file until it is closed or its process ends; raise OSError if another process has locked it."""
+    """Lock an open file until it is closed or its process ends.
+
+    Raise OSError if another process has locked the file.
+    """
     if sys.platform == "win32":
         import msvcrt
 
-        lock.seek(len(_OURS))  # lock the byte after the text, so that the text stays readable
+        lock.seek(len(_OURS))  # lock the byte after the text, so that other processes can read the text
         msvcrt.locking(lock.fileno(), msvcrt.LK_NBLCK, 1)
     else:
         import fcntl
@@ -342,7 +355,7 @@ def _refusals(folder: str | os.PathLike[str]) -> Iterator[None]:
 
 @contextmanager
 def _about_its_own_files(workshop: Path) -> Iterator[None]:
-    """Report errors in the temporary folder without its name, which the user does not know."""
+    """Remove the name of the temporary folder, which the user does not know, from error messages."""
     try:
         yield
     except (InputError, OSError) as problem:
@@ -356,7 +369,7 @@ def _about_its_own_files(workshop: Path) -> Iterator[None]:
 def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool) -> tuple[Path, Path]:
     """Return the checked real path of the folder, and its nearest existing parent."""
     target = Path(os.path.realpath(os.fspath(folder)))
-    # unreadable folders and invalid names raise OSError here
+    # for unreadable folders and invalid names, `exists` raises OSError
     if target.exists() and not target.is_dir():
         raise InputError(
             "{folder} is a file, not a folder: choose another folder for the files", folder=folder
@@ -366,8 +379,8 @@ def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool
 
 
 def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) -> None:
-    """Move all files to their folder."""
-    _check(target, names, force=force)  # another process may have written files
+    """Move all files from the temporary folder to their target folder."""
+    _check(target, names, force=force)  # in the meantime another process may have written files
     if not target.exists():
         target.parent.mkdir(parents=True, exist_ok=True)
         os.rename(workshop, target)
@@ -387,7 +400,7 @@ def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) ->
 
 
 def _check(target: Path, names: Iterable[str], *, force: bool) -> None:
-    """Refuse existing files, and files with the names of required folders."""
+    """Refuse files that exist, and files that have the name of a required folder."""
     for path in (target / name for name in names):
         files = [parent for parent in path.parents if parent.exists() and not parent.is_dir()]
         if files:

@@ -20,11 +20,11 @@ from elastica_cad.strip.solids import BentSolid, BodyRecord, PrismSolid, bent_co
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
 HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
-"""Names of the records that hold strips, for messages."""
+"""List, for messages, of the classes that hold strips."""
 
 SingleHolder: TypeAlias = BasePlate | Rib | EndFixture
 Holder: TypeAlias = SingleHolder | SlottedFrame
-"""Record that holds strips of a model: see `Model.base_plate`, `Model.slotted_frame` and `Model.fixtures`."""
+"""A plate, frame or block that holds strips. See `Model.base_plate`, `Model.slotted_frame`, `Model.fixtures`."""
 
 Shape = TypeVar("Shape")
 
@@ -38,13 +38,14 @@ class AssemblyPart:
     name : str
         Unique among the parts of the same kind in the assembly.
     solids : tuple of BentSolid, FlatSolid or PrismSolid
-        For a strip, one solid per sheet, with the plane of the curve as xy plane. Equal strips share the tuple.
+        Bodies of the part. A strip has a body for each sheet, with the plane of the curve as xy plane. Equal
+        strips share the tuple.
     colors : tuple of (red, green, blue)
         Screen colors of the solids, each component in 0..1; a fourth number is the opacity.
     frame : Frame
         Position of the solids in the assembly.
     strip : Strip or None
-        None for a holder.
+        The strip, or None if the part is a holder.
     """
 
     name: str
@@ -55,7 +56,7 @@ class AssemblyPart:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of its solids."""
+        """Names of the solids."""
         return (self.name,) if self.strip is None else bent_names(self.name, self.strip)
 
 
@@ -76,12 +77,12 @@ def require_model(model: object) -> None:
 
 
 def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> tuple[AssemblyPart, ...]:
-    """Return the strips in their order, then their holders; equal names are numbered.
+    """Return parts for the strips, in their order, then for the holders. Equal names get a number.
 
     Raises
     ------
     InputError, NotConvergedError
-        An item of `holders` is not a holder; also the errors of `BentSolid.of`.
+        An item of `holders` is not a holder. Errors of `BentSolid.of` are passed on.
     """
     solids: dict[int, tuple[BodyRecord, ...]] = {}
     strips = []
@@ -97,7 +98,7 @@ def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> 
 def shape_parts(
     parts: Iterable[AssemblyPart], make: Callable[[AssemblyPart], Shape]
 ) -> Iterator[tuple[AssemblyPart, Shape]]:
-    """Yield each part with its shape; `make` is called once for all parts that share their solids."""
+    """Yield each part with its shape. `make` is called once for parts that share their solids."""
     shapes: dict[int, Shape] = {}
     for part in parts:
         if id(part.solids) not in shapes:
@@ -149,21 +150,20 @@ FREE = "free"
 
 @dataclass(frozen=True)
 class AssemblyStep:
-    """Step of the assembly: one strip.
+    """Step of the assembly: placing a strip.
 
     Attributes
     ----------
     number : int
-        From 1.
-    strip : str
-        Engraved name, with the number of the strip if several strips have the same name.
+        Number of the step, from 1. strip : str Engraved name, with the number of the strip if several strips
+        have the same name.
     part : str
         Name of the cut piece.
     ends : (str, str)
-        Holders of end 1 and end 2. For an end that no part of the model holds: "hold at (x, y, z)", mm, with the
-        angle from the line between both ends, or "free".
+        Holders of end 1 and end 2. For a supported end without a holder: "hold at (x, y, z)", mm, with the
+        angle to the line between both ends. For other ends: "free".
     locks_into : tuple of str
-        Slotted strips that were placed earlier.
+        Earlier strips into whose slots this strip is pushed.
     """
 
     number: int
@@ -203,7 +203,9 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
 
 
 def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple[StripEnd, ...]]:
-    """Return the supported ends without a holder, by the index of their strip in the model."""
+    """Return the supported ends that have no holder: a mapping from the index of a strip in the model to its
+    ends.
+    """
     places = _held_at(model, holders)
     by_hand = {
         i: tuple(
@@ -217,7 +219,7 @@ def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple
 
 
 def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, list[str]]:
-    """Return the names of the holders of each tab, by the tab's name."""
+    """Return a mapping from the name of each tab to the names of its holders."""
     places = defaultdict[str, list[str]](list)
     for tab, place in _places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
         if place not in places[tab]:
@@ -226,7 +228,7 @@ def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, list[str]]:
 
 
 def _by_hand(member: Placed, end: StripEnd) -> str:
-    """Return at which position and angle to hold an end without a holder."""
+    """Return the instruction at which position and angle to hold an end that has no holder."""
     k = ENDS.index(end)
     support = member.strip.rod.supports.ends[k]
     if member.strip.is_closed or not (support.x or support.y or support.angle):
@@ -237,7 +239,7 @@ def _by_hand(member: Placed, end: StripEnd) -> str:
 
 
 def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str]]:
-    """Yield the name of each held tab with its holder."""
+    """Yield the name of each held tab with the name of its holder."""
     for holder in single_holders(holders):
         if isinstance(holder, BasePlate):
             yield from (

@@ -34,20 +34,20 @@ ROWS = 21
 """Default number of stations, evenly spaced along the free part of a batten."""
 
 DECIMALS = {"mm": 2, "inch": 3, "percent": 3, "safety": 2}
-"""Number of decimals of a column in the table's file, by the unit in the column's name."""
+"""Number of decimals in a column of the written table, for each unit (last word of the column's name)."""
 
 LETTER_MM, TICK_MM = 4.0, 3.0
 LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
-"""Line distance (mm) and characters per line of the text below a side view; a line fits on A4."""
+"""Line distance (mm), and characters per line that fit on A4, of the text below a side view."""
 
 
 def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, FloatArray]:
-    """Return columns (n,) by name at stations (n,), mm along a tapered strip: size in mm and inch, strain, safety.
+    """Return a table of a tapered strip: size in mm and inch, strain and safety at stations (n,), mm.
 
-    Stations are measured from the start of the free part; each row also has the distance from the tip of the first
-    tab. The default stations include the tips of both tabs. Safety is the strain limit of the material divided by
-    the strain,
-    and infinite where the strip is not bent.
+    The result maps names to columns (n,). Stations are measured from the start of the free part. Another
+    column has the distance from the tip of the first tab. The default stations include the tips of both tabs.
+    Safety is the strain limit of the material divided by the strain, and infinite where the strip is not
+    bent.
 
     Raises
     ------
@@ -74,7 +74,7 @@ def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, F
 
 
 def bench_csv(strip: Strip, stations: ArrayLike | None = None) -> str:
-    """Return the table as comma-separated text, or the cut list of a strip of glued plies.
+    """Return the table of a tapered strip, or the cut list of a strip of glued plies, as comma-separated text.
 
     The strain is in percent; the safety is empty where the strip is not bent.
     """
@@ -88,10 +88,10 @@ def bench_csv(strip: Strip, stations: ArrayLike | None = None) -> str:
 
 
 def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
-    """Return the side view at full size, or the pattern of a strip of glued plies.
+    """Return the side view of a tapered strip at full size, or the pattern of a strip of glued plies.
 
-    The tick at each station is labelled with the distance from the tip and the local size, mm. The lines below the
-    view state the stock and the supports of the ends.
+    A tick at each station is labelled with the distance from the tip and the size there, mm. The lines below
+    the view state the stock and the supports of the ends.
     """
     if strip.layout.stack:
         return LeafStack(strip).drawing
@@ -114,7 +114,7 @@ def _label_lines(strip: Strip) -> list[str]:
     """Return the lines of text below a side view."""
     law, sheet = strip.layout.section, strip.sheet
     flat = law is not None and law.quantity == "thickness"
-    # the name of the sheet without its thickness, because the stock has another thickness
+    # remove the sheet's thickness from its name, because the stock has another thickness
     stock = sheet.full_name.removesuffix(f" {sheet.thickness:g} mm")
     wide = f"{stock}, {strip.width.extremes[1]:g} mm wide: plane both faces alike"
     instruction = wide if flat else f"{stock}, round: turn it to the diameters"
@@ -126,8 +126,8 @@ def _label_lines(strip: Strip) -> list[str]:
 ENDS = Supports("pinned", "pinned")
 SEARCH_NODES, FINE_NODES = 401, 2401  # number of nodes in the search for the taper, and for the final curve
 MOST_CAMBER = 0.4  # largest camber, as a fraction of the chord; a deeper batten is a bow
-MOST_FULL = 0.8  # largest part of full size, as a fraction of the length; the taper needs the rest
-SETTLED = 1e-7  # accuracy of camber and place, in chords
+MOST_FULL = 0.8  # largest fraction of the length that keeps the full size; the taper needs the rest
+SETTLED = 1e-7  # accuracy of camber and of its place, as a fraction of the chord
 MOST_STEPS = 30
 
 
@@ -144,19 +144,19 @@ class BattenSpec:
     place : float
         Position of the largest depth along the chord, as a fraction of the chord from the start.
     stock : ThicknessLaw or RoundLaw
-        A strip planed in thickness, or a rod. Its largest size is the size of the stock, its least size the limit
-        for planing or turning.
+        A strip planed in thickness, or a rod. Its largest size is the size of the stock. Its least size is
+        the limit of planing or turning.
     label : str
     full : float
         Fraction of the length, at the thick end, that keeps the full size; the rest is tapered.
     lying : "up" or "down", optional
-        Side to which a batten with level chord bulges; camber and place are then reached under its own weight.
-        Without it the weight is ignored, as for an upright batten in a sail.
+        Side to which a batten with a level chord bulges. Camber and place then include the effect of its
+        weight. By default the weight is ignored, as for an upright batten in a sail.
 
     Raises
     ------
     InputError
-        A value out of range.
+        A value is out of range.
 
     Examples
     --------
@@ -195,12 +195,13 @@ class BattenSpec:
             raise InputError(f'lying is {self.lying!r}: give "up" or "down", the side of the bulge, or None')
 
     def make(self) -> "Batten":
-        """Return the batten, with the linear taper that brings the camber to its place.
+        """Return the batten whose linear taper places the largest depth as requested.
 
         Raises
         ------
         InputError
-            The taper needs a thin end below the stock's least size; the message has the nearest possible place.
+            The thin end of the taper would be smaller than the stock allows. The message states the nearest
+            possible place.
         NotConvergedError
             No taper gives that camber.
         """
@@ -216,10 +217,10 @@ class BattenSpec:
         return Batten(self, _straight_ends(_pressed(self, taper, chord, FINE_NODES).curve))
 
     def _too_thin(self, side: float, chord: float, thin: str) -> InputError:
-        """Return the error that the largest taper of the stock does not bring the camber to its place."""
+        """Return the error that the largest taper of the stock does not move the largest depth to its place."""
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
         within = 100 * self._place_of(most, chord)
-        # rounded towards the middle, so that the stated place is possible
+        # round towards the middle, so that the place in the message is possible
         nearest = (
             note("at least {percent:.3g}", percent=np.ceil(10 * within) / 10)
             if side > 0
@@ -236,7 +237,9 @@ class BattenSpec:
 
     @property
     def _even_chord(self) -> float:
-        """Estimated chord over length of an untapered batten with this camber (half a sine)."""
+        """Estimated ratio of chord to length of an untapered batten with this camber, shaped as half a sine
+        wave.
+        """
         return 1 - 2.4 * self.camber**2
 
     def _place_of(self, taper: float, chord: float) -> float:
@@ -252,7 +255,7 @@ class BattenSpec:
         return place
 
     def _taper(self) -> tuple[float, float]:
-        """Return the logarithm of end size over start size, and chord over length."""
+        """Return the logarithm of the ratio of end size to start size, and the ratio of chord to length."""
         from scipy.optimize import least_squares
 
         def missed(x: FloatArray) -> FloatArray:
@@ -307,9 +310,9 @@ class Batten:
         return camber_of(self.strip.rod)
 
     def camber_with_weight(self, *, bulging: Literal["up", "down"]) -> tuple[float, float]:
-        """Return depth and place of the camber under the batten's own weight, as `camber_of` does.
+        """Return depth and place of the camber under the batten's weight, as fractions of the chord.
 
-        The chord is level and as long as before.
+        The chord is level, and has the length that it has without weight.
         """
         rod, size = self.strip.rod, self.strip.layout.size
         assert size is not None
@@ -345,17 +348,20 @@ class Batten:
         return lay_leaves(self.strip.rod, LeavesLaw(leaf, leaves, stock.width))
 
     def strip_of(self, leafed: LeafedRod) -> Strip:
-        """Return the strip of these plies."""
+        """Return the strip that is glued from these plies."""
         spec = self.spec
         return Strip(leafed.rod, leafed.section.sheet, ends=(Tab(0.0), Tab(0.0)), label=spec.label)
 
     def table(self, stations: FloatArray | list[float]) -> dict[str, FloatArray]:
-        """Return columns (n,) by name at stations (n,), mm along the batten; see `bench_csv`."""
+        """Return columns (n,) of size, strain and safety at stations (n,), mm; see `bench_csv`."""
         return _bench_table(self.strip, stations)
 
 
 def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
-    """Return the batten between hinges at distance `chord`; the ratio of end size to start size is exp(taper)."""
+    """Return the rod of a batten between hinges at a distance `chord`.
+
+    Its ratio of end size to start size is exp(taper).
+    """
     along = np.linspace(0.0, 1.0, nodes)
     tapered = 1 - spec.full
     share = along / tapered if taper > 0 else (along - spec.full) / tapered
@@ -377,14 +383,17 @@ def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
 
 
 def _level(bulging: Literal["up", "down"], side: float = 1.0) -> Gravity:
-    """Return gravity across the chord; the batten bulges to its left, or to its right if `side` is -1."""
+    """Return gravity perpendicular to the chord.
+
+    The batten bulges to the left of its chord if `side` is 1, else to the right.
+    """
     return Gravity(1.0, (0.0, -side if bulging == "up" else side))
 
 
 def camber_of(rod: Rod) -> tuple[float, float]:
     """Return the largest distance from the chord and its place, as fractions of the chord.
 
-    Both come from a parabola through three nodes.
+    Both are computed from a parabola through three nodes.
     """
     chord = rod.position[-1] - rod.position[0]
     size = float(chord @ chord)
@@ -396,7 +405,7 @@ def camber_of(rod: Rod) -> tuple[float, float]:
 
 
 def _straight_ends(curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve without curvature at its hinged ends; this moves the third control points by micrometres."""
+    """Return the curve with zero curvature at its hinged ends. The third control points move by micrometres."""
     points = np.array(curve.control_points)
     for first, second, third in ((0, 1, 2), (-1, -2, -3)):
         along = points[second] - points[first]

@@ -1,4 +1,4 @@
-"""Bows: rods and strips that a cord between their ends holds bent."""
+"""Bows: rods and strips that are held bent by a cord between their ends."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -24,13 +24,13 @@ from elastica_cad.strip.strip_spec import make_strip
 from elastica_cad.strip.travel import Travel, bend_strip
 
 ENDS = Supports("pinned", "pinned")
-"""A cord fixes the distance of the ends and lets both turn: except for a turn of the whole bow, as two pins do."""
+"""Supports that are equivalent to a cord, except that they also fix the direction of the line between the ends."""
 
 FINE_NODES = 2401
-"""Number of nodes of an even bow; its pull is accurate to 2e-7."""
+"""Number of nodes of a bow of constant section; the force in its cord is accurate to 2e-7."""
 
 LEAST_SLACK = 1e-6
-"""Least difference of length and cord, as a fraction of the length."""
+"""Least difference between the lengths of bow and cord, as a fraction of the length of the bow."""
 
 SHORTER = (0.02, 0.05, 0.1, 0.2)
 """Default fractions by which the cord is shortened in a table."""
@@ -38,14 +38,13 @@ SHORTER = (0.02, 0.05, 0.1, 0.2)
 
 @dataclass(frozen=True, eq=False)
 class Bow:
-    """Rod or strip that a cord between its ends holds bent; see `bow`.
+    """Rod or strip that is held bent by a cord between its ends; see `bow`.
 
     Attributes
     ----------
     drawn : PlaneCurve
-        Drawn curve; the bow has the same end points.
-    strip : Strip
-        Strip or rod between pins at the ends of the cord. Its weight is neglected.
+        Drawn curve. The bow has the same end points. strip : Strip Strip or rod with pinned ends at the ends
+        of the cord. Its weight is neglected.
     """
 
     drawn: PlaneCurve
@@ -76,7 +75,7 @@ class Bow:
 
     @property
     def end_angles(self) -> FloatArray:
-        """Angles (2,), rad, of the bow at its start and end to the line from start to end."""
+        """Angles (2,), rad, between the bow and its cord at the start and the end."""
         x, y = _chord(self.strip.rod)
         turn = self.strip.rod.angle[[0, -1]] - np.arctan2(y, x)
         return np.asarray(turn - 2 * np.pi * np.round(turn.mean() / (2 * np.pi)))
@@ -88,7 +87,7 @@ class Bow:
         return max(largest_deviation(self.drawn, bent), largest_deviation(bent, self.drawn))
 
     def shortened(self, shares: Sequence[float] = SHORTER) -> Travel:
-        """Return the states of the bow with its cord shortened by these fractions, in increasing order."""
+        """Return the states of the bow for a cord shortened by these fractions, in increasing order."""
         rod = self.strip.rod
         for share in numbers(shares, "shares").tolist():
             if not 0 <= share < 1:
@@ -100,12 +99,12 @@ class Bow:
 
 
 def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
-    """Return the rod or strip that a cord between its ends bends into a curve.
+    """Return the rod or strip that a cord between its ends bends into a given curve.
 
-    A constant section (`min_width` equal to `max_width`, or a law with equal limits) bends into an elastica. The
-    result is the even bow with the end points and the length of the curve, on the side of its bulge. `deviation` is
-    its distance from the curve. Any other section gets the widths or diameters that bend exactly into the curve,
-    whose curvature must be 0 at both ends.
+    A constant section (`min_width` equal to `max_width`, or a law with equal limits) bends into an elastica.
+    The result is the bow that has the end points and length of the curve and bulges to the same side.
+    `deviation` is its distance from the curve. For any other section, widths or diameters are computed that
+    bend exactly into the curve. The curvature of the curve must then be 0 at both ends.
 
     Parameters
     ----------
@@ -113,15 +112,15 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
     sheet : Sheet or str
         Material, and thickness of a strip.
     **fields
-        Fields of `StripSpec`: `max_width` for a strip, `law=RoundLaw(...)` for a rod, `limits` for the nearest
-        possible curve. A constant section has `max_width`, `min_width`, `law`, `ends` and `label` only.
+        Fields of `StripSpec`: `max_width` for a strip, `law=RoundLaw(...)` for a rod, `limits` for the
+        nearest possible curve. For a constant section, only `max_width`, `min_width`, `law`, `ends` and
+        `label` are allowed.
 
     Raises
     ------
     NotRealizable
-        No bow with a varying section takes the curve.
-    InputError
-        The curve is straight or closed; see also `StripSpec`.
+        No bow with a varying section has the shape of the curve. InputError The curve is straight or closed,
+        or for the reasons of `StripSpec`.
 
     Examples
     --------
@@ -148,7 +147,10 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
 
 
 def rise_of(rod: Rod) -> float:
-    """Return the largest distance of a rod from the line between its ends, mm (parabola through three nodes)."""
+    """Return the largest distance, mm, of a rod from the line between its ends.
+
+    It is computed from a parabola through three nodes.
+    """
     chord = _chord(rod)
     off = np.abs((rod.position - rod.position[0]) @ left_of(chord)) / np.hypot(*chord)
     k = int(np.clip(off.argmax(), 1, off.size - 2))
@@ -168,7 +170,7 @@ def _is_even(
     min_width: float | None = None,
     **_: Any,
 ) -> bool:
-    """Return True if the section is constant."""
+    """Return True if these fields of `StripSpec` define a constant section."""
     if isinstance(law, RoundLaw | ThicknessLaw):
         return law.least == law.largest
     return law is None and max_width is not None and max_width == min_width

@@ -1,7 +1,8 @@
 """Collisions between strips of a model outside their slots, and contact of a strip with itself.
 
-Both are detected on samples. If two bodies share material, either an edge of one body is inside the other, or two
-faces overlap. Edges are sampled finely. Faces are sampled coarsely, because the depth varies little there.
+Collisions are detected at sample points. If two bodies overlap, an edge of one body is inside the other, or
+two faces overlap. Edges have many samples. Faces have few, because the depth of an overlap varies little on
+them.
 """
 
 from collections.abc import Iterable, Sequence
@@ -32,35 +33,40 @@ EDGE_PITCH_MM, FACE_PITCH_MM = 0.2, 2.0
 """Distances between samples along edges and on faces, mm."""
 
 SHARED_MM = 0.05
-"""Largest overlap, mm, of slotted strips that counts as touching."""
+"""Overlap of slotted strips, mm, up to which they only touch."""
 
 EDGES_TOUCH_MM = 0.1
-"""Largest permitted overlap, mm, of strips that meet edge to edge; it can be filed off."""
+"""Largest permitted overlap, mm, of strips that meet edge to edge. Such an overlap can be filed off."""
 
 FOOT_STEPS = 3
-"""Newton steps from the nearest station of a curve to its nearest point."""
+"""Number of Newton steps from the nearest station of a curve to its nearest point."""
 
 INSCRIBED = np.sqrt(0.5)
-"""Side of the square inscribed in a circle, over the diameter; round rods are replaced by this square."""
+"""Ratio of the side of an inscribed square to the diameter of its circle.
+
+A round rod is replaced by this square.
+"""
 
 MOUTH = 4.0
-"""Extension of a slot beyond the edge of the strip, in slot widths, because its two sides differ in length."""
+"""Distance by which a slot is extended beyond the edge of its strip, in slot widths, because its sides differ
+in length.
+"""
 
 RIM_MM = 0.002
-"""Flatness of the polygons that represent slots, mm."""
+"""Largest distance, mm, between a slot and the polygon that represents it."""
 
 SELF_PITCH_SHARE = 0.25
-"""Distance between samples along a strip that may meet itself, in thicknesses."""
+"""Distance, in thicknesses, between samples along a strip that may touch itself."""
 
 MOST_SAMPLES = 20_000
-"""Largest number of samples along a strip that may meet itself; on a long strip the samples are farther apart."""
+"""Largest number of samples along a strip that may touch itself. On a long strip the samples are farther apart."""
 
 Places = tuple[float, float]
 
 
 @dataclass(frozen=True, eq=False)
 class Collision:
-    """Place where two strips share material.
+    """Position at which two strips overlap.
 
     Attributes
     ----------
@@ -79,7 +85,9 @@ class Collision:
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A bent strip between its tabs: a ruled surface, its thickness, mm, and the strip with its slots."""
+    """A bent strip without its tabs: its ruled middle surface, its thickness (mm), and the strip with its
+    slots.
+    """
 
     ruled: RuledStrip
     thickness: float
@@ -99,9 +107,10 @@ class Body:
         return cls(ruled, strip_thickness(strip), strip)
 
     def samples(self, inset: float) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Return samples of edges and faces in the flat pattern, `inset` mm within the rim.
+        """Return sample points of edges and faces in the flat pattern, `inset` mm inside the outline.
 
-        Samples are arc lengths (n,) and places across (n,), with the points and tangents (n, 2) of the curve.
+        The result has arc lengths (n,) and distances across (n,), and the points and tangents (n, 2) of the
+        curve.
         """
         length = self.ruled.length
         first, last = min(inset, length / 2), max(length - inset, length / 2)
@@ -117,7 +126,9 @@ class Body:
         return stations[k], share * reach[k], place[k], tangent[k]
 
     def stations_near(self, points: FloatArray, reach: float) -> tuple[IntArray, FloatArray]:
-        """Return which points (n, 2) of the curve's plane may be within reach of it, and their nearest stations."""
+        """Return which points (n, 2) in the plane of the curve may be within `reach` mm of it, and the
+        nearest stations.
+        """
         stations = self.ruled.stations
         line = self.ruled.in_plane(stations)[0]
         i, k = near_pairs(points, line, reach + float(np.diff(stations).max()))
@@ -126,7 +137,11 @@ class Body:
         return i[first], stations[k[first]]
 
     def nearest(self, points: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the arc lengths (n,), near s, nearest to points (n, 2), with the curve's points and tangents."""
+        """Return the arc lengths (n,) of the nearest points of the curve to points (n, 2), with these points
+        and their tangents.
+
+        The search starts at the arc lengths `s`.
+        """
         for _ in range(FOOT_STEPS):
             place, tangent = self.ruled.in_plane(s)
             s = np.clip(s + ((points - place) * tangent).sum(axis=1), 0.0, self.ruled.length)
@@ -134,31 +149,31 @@ class Body:
 
     @cached_property
     def _rims(self) -> list[FloatArray]:
-        """Polygons (k, 2) of the slots in the flat pattern."""
+        """Polygons (k, 2) that represent the slots in the flat pattern."""
         cuts = (slot_cut(slot, self.strip.width, beyond=MOUTH * slot.width) for slot in self.strip.slots)
         return [cut.points(RIM_MM) for cut in cuts]
 
     def uncut(self, s: FloatArray, across: FloatArray) -> FloatArray:
-        """Distance of places (n,) of the flat pattern from the nearest slot, mm; negative inside it."""
+        """Distances (n,), mm, of points of the flat pattern from the nearest slot; negative inside a slot."""
         away = np.full(s.size, np.inf)
         for rim in self._rims:
             (x, y), (dx, dy) = rim.T, (np.roll(rim, -1, axis=0) - rim).T
             left, down = s[:, None] - x, across[:, None] - y
             where = np.clip((left * dx + down * dy) / (dx**2 + dy**2), 0.0, 1.0)
             off = np.hypot(where * dx - left, where * dy - down).min(axis=1)
-            # a ray from a place inside a polygon crosses the sides of the polygon an odd number of times
+            # a ray from a point inside a polygon crosses the sides of the polygon an odd number of times
             beside = ((down >= 0) != (down >= dy)) & ((left * dy < down * dx) == (dy > 0))
             away = np.minimum(away, np.where(beside.sum(axis=1) % 2 == 1, -off, off))
         return away
 
 
 def _steps(low: float, high: float, pitch: float) -> FloatArray:
-    """Return evenly spaced places (n,) from `low` to `high`, at most `pitch` apart."""
+    """Return equally spaced numbers (n,) from `low` to `high`, at most `pitch` apart."""
     return np.linspace(low, high, max(2, int(np.ceil((high - low) / pitch)) + 1))
 
 
 def deepest_collision(first: Body, second: Body, room: float = 0.0) -> Collision | None:
-    """Return the deepest overlap of two slotted strips at a distance of at least `room` mm from all slots.
+    """Return the deepest overlap of two slotted strips that is at least `room` mm away from all slots.
 
     Return None if the overlap is at most `SHARED_MM`.
     """
@@ -168,7 +183,7 @@ def deepest_collision(first: Body, second: Body, room: float = 0.0) -> Collision
 def _flush_overlap(first: Body, second: Body) -> Collision | None:
     """Return the deepest overlap, outside slots, of two strips with nearly parallel surfaces.
 
-    The threshold is `EDGES_TOUCH_MM`, or half the thickness of a thinner strip.
+    Smaller overlaps than `EDGES_TOUCH_MM`, or than half the thickness of the thinner strip, are ignored.
     """
     return _deeper(
         first, second, 0.0, min(EDGES_TOUCH_MM, first.thickness / 2, second.thickness / 2), is_flush=True
@@ -176,7 +191,7 @@ def _flush_overlap(first: Body, second: Body) -> Collision | None:
 
 
 def _deeper(first: Body, second: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
-    """Return the deeper of the overlaps of the first strip in the second and of the second in the first."""
+    """Return the deepest overlap, with samples of either strip in the other strip."""
     in_second, in_first = (
         _deepest(a, b, room, least, is_flush=is_flush) for a, b in ((first, second), (second, first))
     )
@@ -224,7 +239,7 @@ def _deepest(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> 
 
 @dataclass(frozen=True, eq=False)
 class _Meeting:
-    """Overlap of two strips: side by side, beside the slots that join them, or at an angle."""
+    """Overlap of two strips that are side by side, or slotted into each other, or at an angle."""
 
     names: tuple[str, str]
     places: Places
@@ -232,7 +247,7 @@ class _Meeting:
     beside_slots: Collision | None = None
 
     def message(self, more: str = "") -> str:
-        """Return a sentence; `more` is the text on other pairs."""
+        """Return a sentence on the overlap; `more` is the part on other pairs of strips."""
         (a, b), (s, r) = self.names, map(Length, self.places)
         if self.beside_slots is not None:
             return note(
@@ -259,10 +274,9 @@ def missing_slots(
 ) -> tuple[str, ...]:
     """Return one sentence for each pair of strips that overlap outside slots; tabs are ignored.
 
-    With `brief` there is only the first sentence, with the number of other pairs.
-
-    A sentence names the first crossing of strips that cross, and the deepest overlap of strips side by side. For
-    strips with a joint in `joints` it names the deepest overlap beside their slots.
+    With `brief`, only the first sentence is returned, with the number of other pairs. A sentence names the
+    first crossing of strips that cross, and the deepest overlap of strips side by side. For strips with a
+    joint in `joints` it names the deepest overlap beside their slots.
 
     Examples
     --------
@@ -276,7 +290,7 @@ def missing_slots(
 
 
 def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meeting]:
-    """Return one place for each pair of strips that overlap outside slots."""
+    """Return one overlap for each pair of strips that overlap outside slots."""
     names, bodies = strip_names(placed), [Body.of(strip) for strip in placed]
     narrower = [replace(body.ruled, width=_within_edges(member.strip.width))
                 for body, member in zip(bodies, placed, strict=True)]  # fmt: skip
@@ -287,7 +301,7 @@ def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meetin
     for i, j in combinations(range(len(placed)), 2):
         pair, strips = (names[i], names[j]), (placed[i].strip, placed[j].strip)
         if (i, j) in slotted:
-            # strips that are cut alike have the same layers
+            # strips with the same cut share their layers
             cut = (id(strip.layers) for strip in strips)
             alike = *cut, slotted[i, j], *place_between(placed[i].frame, placed[j].frame)
             if alike in clear:
@@ -307,9 +321,9 @@ def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meetin
 
 
 def _rooms(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int, int], float]:
-    """Return, for each slotted pair, the distance from the slots, mm, beyond which overlaps count.
+    """Return, for each slotted pair, the distance (mm) from its slots beyond which overlaps count.
 
-    With `fit="paper"` slots are too narrow, so the region that an exact slot would remove is not checked.
+    Slots with `fit="paper"` are too narrow, so the region that an exact slot would remove is not checked.
     """
     rooms: dict[tuple[int, int], float] = {}
     for joint in joints:
@@ -333,12 +347,12 @@ def _crossing(strips: tuple[Strip, Strip], surfaces: tuple[RuledStrip, RuledStri
 
 
 def _within_edges(width: Profile) -> Profile:
-    """Return the width reduced by the permitted overlap, so that strips edge to edge do not collide."""
+    """Return the width, reduced so that strips with the permitted overlap at their edges do not collide."""
     return replace(width, coefficients=width.coefficients - 2 * EDGES_TOUCH_MM)
 
 
 def _slotted(strips: tuple[Strip, Strip], first: FloatArray, second: FloatArray) -> bool:
-    """Return True if either strip has a slot at these stations."""
+    """Return True if either strip has a slot at these stations (arc lengths on the first and the second strip)."""
     return any(_has_slot(strip, at) for strip, at in zip(strips, (first, second), strict=True))
 
 
@@ -351,10 +365,10 @@ def _has_slot(strip: Strip, stations: FloatArray) -> bool:
 
 
 def self_contact(strip: Strip) -> Places | None:
-    """Return the arc lengths, mm, of two places at which the bent strip meets itself, or None.
+    """Return the two arc lengths, mm, at which the bent strip touches itself, or None.
 
-    Places on tabs are below 0 or beyond the length. The lap of a closed strip is ignored, and so is contact at a
-    slot.
+    Arc lengths on tabs are below 0 or above the length. Contact in the lap of a closed strip or at a slot is
+    ignored.
 
     Examples
     --------
@@ -364,7 +378,7 @@ def self_contact(strip: Strip) -> Places | None:
     True
     """
     rod, turned = strip.rod, turns_along(strip.rod.angle)
-    # between two places that meet, a curve turns by at least half a turn
+    # a curve that meets itself turns by at least half a turn in between
     if np.ptp(rod.angle) < np.pi:
         return None
     size = strip.layout.size

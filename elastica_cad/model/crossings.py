@@ -1,10 +1,11 @@
 """Crossings in space of two bent strips, taken as ruled surfaces.
 
-The surfaces meet where gamma_a + v z_a = gamma_b + u z_b. The component along n = z_a x z_b is independent of u, v:
-<n, gamma_a(s_a)> = <n, gamma_b(s_b)>. The solutions are curves in the plane of (s_a, s_b), the level set of a
-height difference. The level set has one
-branch for each pair of stretches on which both heights are monotone. The other components give v and u. If the
-rulings are parallel, the plane curves cross at points, and each crossing point belongs to a common ruling.
+The surfaces meet where gamma_a + v z_a = gamma_b + u z_b. The component along n = z_a x z_b is independent of
+u, v: <n, gamma_a(s_a)> = <n, gamma_b(s_b)>. The solutions are curves in the plane of (s_a, s_b), the level
+set of a height difference. The curves are divided into stretches on which their heights are monotone; each
+pair of stretches has one branch of the level set. The other components of the equation give v and u. If the
+rulings are parallel, the two plane curves cross at points, and a common ruling passes through each of
+them.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -25,25 +26,27 @@ from elastica_cad.geometry.segments import Spline
 from elastica_cad.geometry.splines import SplineFunction
 
 STATIONS = 400
-"""Least number of samples of a strip for its crossings; interpolation between them is accurate to 1e-5 mm."""
+"""Least number of samples along a strip; interpolation between them is accurate to 1e-5 mm."""
 
-_TABLES = 128  # largest number of curves whose tables are cached for equal strips, crossings and collisions
-_ROUNDING = 1e-12  # largest rounding error of places; strips of no width may meet in spite of it
+_TABLES = 128  # largest number of curves whose tables are cached
+_ROUNDING = 1e-12  # allowance for rounding errors, so that strips of zero width can meet
 
 InPlane = tuple[FloatArray, FloatArray]
-"""Points and unit tangents (n, 2) of a strip's curve in its own plane."""
+"""Points and unit tangents (n, 2 each) of a strip's curve, in the plane of the curve."""
 
 
 @dataclass(frozen=True, eq=False)
 class RuledStrip:
-    """The surface gamma(s) + v z, |v| <= width(s) / 2: curve in the plane of `frame`, rulings along its z.
+    """The surface gamma(s) + v z with |v| <= width(s) / 2.
+
+    The curve gamma is in the plane of `frame`; rulings are along its z.
 
     Parameters
     ----------
     curve : PlaneCurve
     frame : Frame
     width : Profile
-        Full width over arc length, mm.
+        Full width, mm, as a function of arc length.
     """
 
     curve: PlaneCurve
@@ -62,11 +65,11 @@ class RuledStrip:
 
     @property
     def stations(self) -> FloatArray:
-        """Arc lengths (n,), dense enough as starting points for crossings."""
+        """Arc lengths (n,) at which the search for crossings starts."""
         return self._spline.knots[2:-2:2]
 
     def half_width(self, s: FloatArray) -> FloatArray:
-        """Half the width (n,) at arc lengths (n,), mm."""
+        """Half the width (n,), mm, at arc lengths (n,)."""
         return self.width(s) / 2
 
     def motion(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -75,18 +78,20 @@ class RuledStrip:
         return self.frame.point(p), self.frame.direction(d)
 
     def normal(self, tangent: FloatArray) -> FloatArray:
-        """Unit normals of the surface (n, 3), to the left of the curve, for its tangents (n, 2) in its plane."""
+        """Unit normals (n, 3) of the surface, to the left of the curve, from tangents (n, 2) in the plane of
+        the curve.
+        """
         return self.frame.direction(np.column_stack([-tangent[:, 1], tangent[:, 0]]))
 
     @cached_property
     def box(self) -> FloatArray:
-        """[[low], [high]] (2, 3) of a box around the surface in its own frame, mm."""
+        """Bounding box of the surface, mm, in its frame: low and high corner (2, 3)."""
         reach = self.width.extremes[1] / 2
         low, high = self.curve.bounds
         return np.array([[*low, -reach], [*high, reach]])
 
     def in_plane(self, s: FloatArray) -> InPlane:
-        """Points and tangents at arc lengths (n,)."""
+        """Points and unit tangents, in the plane of the curve, at arc lengths (n,)."""
         return self._spline.value_and_slope(s)
 
     @property
@@ -95,9 +100,9 @@ class RuledStrip:
 
 
 def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = None) -> BoolArray:
-    """Return a matrix (n, n) that is False for pairs of strips that are clearly apart.
+    """Return a matrix (n, n) that is False for each pair of strips whose bounding boxes do not overlap.
 
-    The boxes around the strips, enlarged by `rooms` (n,) mm, are compared in the frames of both strips.
+    The boxes, enlarged by `rooms` (n,) mm, are compared in the frames of both strips.
     """
     rooms = np.zeros(len(strips)) if rooms is None else rooms
     axes, origins, boxes = (
@@ -123,7 +128,9 @@ def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = Non
 
 @lru_cache(maxsize=_TABLES)
 def _over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
-    """Cubic spline of a curve over arc lengths that end at `length`, with the curve's own tangents at its nodes."""
+    """Cubic Hermite spline of a curve over arc length, from 0 to `length`, with the exact tangents at its
+    nodes.
+    """
     panels = curve.smooth_panels
     each = -(-STATIONS // (panels.size - 1))
     inner = (panels[:-1, None] + np.diff(panels)[:, None] * np.arange(each) / each).ravel()
@@ -136,11 +143,13 @@ def _over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
 
 
 ZERO = 1e-11
-"""Largest value, in the unit of the function, that counts as zero; for lengths it is the rounding error, mm, in a
-model of 10 m."""
+"""Largest absolute value of a function that counts as zero.
+
+For lengths in mm, it is the rounding error in a model of 10 m.
+"""
 
 ZERO_STEPS = 80
-"""Largest number of steps, far more than needed: each step gains more than one and a half digits."""
+"""Largest number of steps. A few are enough, because a step gains more than one and a half digits."""
 
 
 def _bracketed_zeros(
@@ -150,9 +159,9 @@ def _bracketed_zeros(
     *,
     values: tuple[FloatArray, FloatArray],
 ) -> FloatArray:
-    """Return zeros (n,), one in each interval (low, high); the function's values there have opposite signs.
+    """Return a zero in each of n intervals (low, high), at whose ends the function has opposite signs.
 
-    All intervals are treated at once, by the false position method of Anderson and Bjorck (BIT 13, 1973).
+    All intervals are solved together by the false position method of Anderson and Bjorck (BIT 13, 1973).
     """
     if not low.size:
         return low
@@ -173,30 +182,27 @@ def _bracketed_zeros(
 
 
 PARALLEL_RAD = 2e-8
-"""Largest angle, rad, between rulings that count as parallel; over 1 m they separate by 20 nm."""
+"""Largest angle, rad, between rulings that count as parallel: over 1 m, their distance changes by 20 nm."""
 
 HEIGHT_ERROR = 1e-13
-"""Difference of the two heights at which Newton's method ends, as a fraction of the length of the longer strip."""
+"""Newton's method ends if the two heights differ by less than this fraction of the length of the longer strip."""
 
 MOST_STEPS = 30
-"""Largest number of Newton steps. Six are usual; more are needed where surfaces touch, because a step then only
-halves
-the error."""
+"""Largest number of Newton steps. Usually six are enough. Where surfaces touch, a step only halves the error."""
 
 SAME_HEIGHT = 1e-9
-"""Largest difference of height, as a fraction of the length of the longer strip, between nodes that count as one
-node."""
+"""Nodes whose heights differ by less than this fraction of the length of the longer strip are merged."""
 
 LEVEL_SLOPE = 1e-12
-"""Largest slope of the height of a curve that counts as level."""
+"""A curve counts as level if the slope of its height is smaller than this."""
 
 LEAST_SQUARED_SLOPE = 1e-14
-"""Squared slope of the heights below which the surfaces count as touching, and Newton steps are limited."""
+"""If the squared slope of the heights is smaller, the surfaces count as touching, and Newton steps are limited."""
 
 
 @dataclass(frozen=True, eq=False)
 class IntersectionPoints:
-    """Common points: arc lengths on both curves (n,) and distances along both rulings (n,), mm.
+    """Common points of two surfaces: arc lengths on both curves (n,) and distances along both rulings (n,), mm.
 
     `on_curves` has the points and tangents of both curves at these arc lengths.
     """
@@ -209,13 +215,16 @@ class IntersectionPoints:
 
 
 def margins(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> FloatArray:
-    """Distances (n, 4) from the upper and lower edge of the first strip, then of the second; negative outside."""
+    """Distances (n, 4), mm, from the upper and lower edge of the first strip, then of the second.
+
+    They are negative outside the strip.
+    """
     w, x = strips[0].half_width(p.s_a), strips[1].half_width(p.s_b)
     return np.column_stack([w - p.v, w + p.v, x - p.u, x + p.u])
 
 
 def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling, ...]":
-    """Return all intersection curves of the two surfaces, with rulings of unlimited length."""
+    """Return all intersection curves of the two surfaces, whose rulings are taken as infinitely long."""
     n = np.cross(a.axis, b.axis)
     if np.linalg.norm(n) < PARALLEL_RAD:
         return tuple(_rulings(a, b))
@@ -225,18 +234,21 @@ def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling,
 
 @dataclass(frozen=True, eq=False)
 class Ruling:
-    """Crossing of the plane curves of two strips with parallel rulings; its parameter q is v."""
+    """Intersection line of two strips with parallel rulings.
+
+    Its parameter q is the distance v along the ruling of the first strip.
+    """
 
     strips: tuple[RuledStrip, RuledStrip]
     s_a: float
     s_b: float
-    offset: float  # from gamma_a to gamma_b along z_a
+    offset: float  # distance from gamma_a to gamma_b along z_a
     sign: float  # z_b = sign * z_a
     reach: float
 
     @property
     def nodes(self) -> FloatArray:
-        """Points along the ruling, from end to end."""
+        """Parameters q of points along the ruling, from end to end."""
         return np.linspace(-self.reach, self.reach, 9)
 
     def at(self, q: FloatArray) -> IntersectionPoints:
@@ -247,7 +259,7 @@ class Ruling:
 
 
 def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
-    """Crossings of the two plane curves in the plane of a."""
+    """Return a ruling for every crossing of the two plane curves, in the plane of strip a."""
     sign = float(np.sign(a.axis @ b.axis))
     moved = Frame(a.frame.local(b.frame.origin), a.frame.axes @ b.frame.x_axis, a.frame.axes @ b.frame.y_axis)
     m = np.eye(3)
@@ -264,7 +276,7 @@ def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
 
 @dataclass(frozen=True, eq=False)
 class _Heights:
-    """Heights of both curves along the direction n, and the places of equal height."""
+    """Heights of two curves along the direction n, and their points of equal height."""
 
     a: RuledStrip
     b: RuledStrip
@@ -276,18 +288,20 @@ class _Heights:
         return self.n / np.linalg.norm(self.n)
 
     def along(self, strip: RuledStrip, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return heights of a strip's curve above the origin of a's frame, and their slopes, (n,) each."""
+        """Return heights (n,) of points of a strip's curve above the origin of strip a, and their derivatives
+        (n,) by arc length.
+        """
         return self.above(strip, strip.in_plane(s))
 
     def above(self, strip: RuledStrip, places: InPlane) -> tuple[FloatArray, FloatArray]:
-        """Return the heights, and their slopes, of places on a strip's curve."""
+        """Return the heights of points of a strip's curve, and their derivatives by arc length."""
         across, base = self._ways[0 if strip is self.a else 1]
         position, tangent = places
         return position @ across + base, tangent @ across
 
     @cached_property
     def _ways(self) -> tuple[tuple[FloatArray, float], ...]:
-        """Return the slopes of the height along x and y of a frame, and the height of its origin."""
+        """For each strip: derivatives of the height along x and y of its frame, and the height of its origin."""
         origin = self.a.frame.origin
         return tuple(
             (strip.frame.axes[:2] @ self.up, float((strip.frame.origin - origin) @ self.up))
@@ -297,21 +311,22 @@ class _Heights:
     def common(
         self, s_a: FloatArray, s_b: FloatArray, on_curves: tuple[InPlane, InPlane]
     ) -> IntersectionPoints:
-        """v and u where the heights are equal: v z_a - u z_b leads from gamma_a to gamma_b."""
+        """Return the common points of the rulings at arc lengths of equal height, where gamma_a + v z_a =
+        gamma_b + u z_b.
+        """
         gap = self.b.frame.point(on_curves[1][0]) - self.a.frame.point(on_curves[0][0])
         v, u = self._rulings @ gap.T
         return IntersectionPoints(s_a, s_b, v, u, on_curves)
 
     @cached_property
     def _rulings(self) -> FloatArray:
-        """Rows (2, 3) whose products with the gap are v and u: the gap crossed with the other ruling, along n."""
+        """Matrix (2, 3) whose product with the vector gamma_b - gamma_a is (v, u)."""
         return np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n)
 
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """Connected part of the level set, approximated by (s_a, s_b) at its nodes; the parameter q is the number of a
-    node."""
+    """Connected part of the level set, approximated by nodes (s_a, s_b). Its parameter q counts the nodes."""
 
     heights: _Heights
     s_a: FloatArray
@@ -319,11 +334,11 @@ class Branch:
 
     @property
     def nodes(self) -> FloatArray:
-        """0, 1, 2, ..."""
+        """Parameters of the nodes: 0, 1, 2, ..."""
         return np.arange(self.s_a.size, dtype=float)
 
     def at(self, q: FloatArray) -> IntersectionPoints:
-        """Newton's method across the level set, starting on the lines between the nodes."""
+        """Return common points at parameters q, by Newton's method from the lines between the nodes."""
         h = self.heights
         s_a, s_b = (np.interp(q, self.nodes, row) for row in (self.s_a, self.s_b))
         on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
@@ -340,7 +355,7 @@ class Branch:
 
 
 IntersectionCurve: TypeAlias = Branch | Ruling
-"""Curve of common points over a parameter; crossings of edges are the only special points between two nodes."""
+"""Curve of common points of two surfaces. Between two nodes it is smooth, except where it crosses an edge."""
 
 
 def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
@@ -368,8 +383,10 @@ def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
 def _level(
     s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
 ) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Yield branches for a strip of constant height; along each branch the arc length on the other strip is
-    constant."""
+    """Yield the branches if a strip has constant height.
+
+    Along such a branch, the arc length on the other strip is constant.
+    """
     if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
         yield np.repeat(_inverted(s_a, c_a, c_b[:1]), s_b.size), s_b
     if c_a[0] == c_a[-1] and c_b.min() < c_a[0] < c_b.max():
@@ -377,7 +394,7 @@ def _level(
 
 
 def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
-    """Stretches (s, height) between the places where the height turns."""
+    """Return the stretches (arc lengths, heights) between the extremes of the height."""
     s = strip.stations
     height, slope = heights.along(strip, s)
     if np.abs(slope).max() < LEVEL_SLOPE:
@@ -400,19 +417,21 @@ def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, Fl
 
 
 def _inverted(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
-    """Arc lengths at given heights of a monotone stretch."""
+    """Return the arc lengths at given heights of a monotone stretch."""
     order = 1 if c[-1] > c[0] else -1
     return np.interp(at, c[::order], s[::order])
 
 
 def _joint(k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float) -> tuple[str, int, int] | None:
-    """Return the turning point that ends a piece at the height `bound`; the next piece starts there.
+    """Return the extreme of a height that ends a piece at the height `bound`, or None if no other piece
+    starts there.
 
-    A turning point has the number of the stretch that begins there.
+    The result has the strip ("a" or "b"), the number of its stretch that begins there, and the stretch of the
+    other strip.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:
-        return None  # the level set ends at this turning point, because the surfaces touch
+        return None  # the level set ends at this point, because the surfaces touch
     if as_a:
         return "a", k if bound == c_a[0] else k + 1, m
     return "b", m if bound == c_b[0] else m + 1, k
@@ -424,7 +443,7 @@ def _joined(
     first: int,
     second: int,
 ) -> list[tuple[FloatArray, FloatArray]]:
-    """Pieces joined at their common turning points."""
+    """Return the pieces joined at their common ends."""
     counts = {"a": first, "b": second}
     homes: dict[tuple[str, int, int], list[int]] = {}
     for i, pair in enumerate(ends):
@@ -434,7 +453,7 @@ def _joined(
     left = set(range(len(pieces)))
 
     def grown(i: int, key: tuple[str, int, int] | None) -> list[tuple[FloatArray, FloatArray]]:
-        """Pieces of the chain that ends at `key`, in order from its other end towards piece i."""
+        """Return the pieces of the chain that ends at `key`, in order towards piece i."""
         chain: list[tuple[FloatArray, FloatArray]] = []
         while key is not None:
             after = [j for j in homes.get(key, []) if j != i and j in left]
@@ -460,13 +479,13 @@ def _joined(
 
 
 NODE_PARTS = 4
-"""Number of parts between nodes among which crossings of edges are bracketed."""
+"""Number of intervals between two nodes in which crossings of edges are searched."""
 
 ON_EDGE_MM = 1e-8
-"""Largest distance, mm, from an edge of the end of a crossing that counts as on the edge."""
+"""If the end of a crossing is nearer to an edge than this distance, mm, it counts as on the edge."""
 
 LENGTH_POINTS = 33
-"""Number of points for measuring the length along a crossing, accurate to 0.1 %."""
+"""Number of points at which the length along a crossing is measured, with an error of 0.1 %."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -476,11 +495,9 @@ class CrossingPoints:
     Attributes
     ----------
     first, second : (n, 2) arrays
-        In the flat patterns of both strips: arc length, and distance from the centre line, mm.
-    position : (n, 3) array
-        In space, mm.
-    angle : (n,) array
-        Between the two surfaces, rad, from 0 to pi / 2.
+        Points in the flat patterns of both strips: arc length, and distance from the centre line, mm.
+        position : (n, 3) array Points in space, mm. angle : (n,) array Angles between the two surfaces, rad,
+        from 0 to pi / 2.
     """
 
     first: FloatArray
@@ -491,13 +508,13 @@ class CrossingPoints:
 
 @dataclass(frozen=True, eq=False)
 class Crossing:
-    """One stretch along which both strips have material; both flat patterns show it in its true length.
+    """Line along which two strips cross. It has its true length in both flat patterns.
 
     Attributes
     ----------
     strips : pair of RuledStrip
     start, end : float
-        Range on the locus.
+        First and last parameter on the intersection curve.
     """
 
     strips: tuple[RuledStrip, RuledStrip]
@@ -506,12 +523,12 @@ class Crossing:
     end: float
 
     def at(self, x: FloatArray) -> CrossingPoints:
-        """Return the points at x (n,): the stretch is from 0 to 1, and x may be outside it."""
+        """Return the points at parameters x (n,): the crossing is from 0 to 1, and x may be outside this range."""
         a, b = self.strips
         p = self.locus.at(self.start + x * (self.end - self.start))
         (place, tangent), (_, other) = p.on_curves
         normals = a.normal(tangent), b.normal(other)
-        # tangent of half the angle between unit vectors, accurate for every angle
+        # this formula (tangent of half the angle between unit vectors) is accurate for every angle
         apart, together = np.linalg.norm([normals[0] - normals[1], normals[0] + normals[1]], axis=2)
         return CrossingPoints(
             np.column_stack([p.s_a, p.v]),
@@ -522,8 +539,9 @@ class Crossing:
 
     @cached_property
     def course(self) -> tuple[FloatArray, FloatArray, CrossingPoints]:
-        """Places x (n,) from 0 to 1 including all nodes of the locus, the lengths up to them, mm, and the
-        points."""
+        """Parameters x (n,) from 0 to 1, with all nodes of the intersection curve, the lengths up to them
+        (mm), and the points.
+        """
         nodes = (self.locus.nodes - self.start) / (self.end - self.start)
         x = distinct(np.concatenate([np.linspace(0.0, 1.0, LENGTH_POINTS), nodes[(nodes > 0) & (nodes < 1)]]))
         points = self.at(x)
@@ -536,18 +554,21 @@ class Crossing:
 
     @cached_property
     def middle(self) -> float:
-        """Place x of the middle of the crossing, by length."""
+        """Parameter x of the middle of the crossing by length."""
         x, along, _ = self.course
         k = int(np.searchsorted(along, along[-1] / 2)) - 1
         pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
         middle, half = float(x[k]) + pace * (along[-1] / 2 - along[k]), along[-1] / 2 - along[k]
-        for _ in range(2):  # the length is smooth between nodes, so two steps of the secant method suffice
+        # two steps of the secant method are enough, because the length is smooth between nodes
+        for _ in range(2):
             done = lengths_along(self.at(np.linspace(x[k], middle, 5)).position)[-1]
             middle += (half - done) * pace
         return float(middle)
 
     def evenly(self, start: float, end: float, pitch: float) -> FloatArray:
-        """Places x (n,), at least 6, from start to end at nearly equal distances of at most `pitch` mm."""
+        """Return at least 6 parameters x (n,) from `start` to `end`, at nearly equal distances of at most
+        `pitch` mm.
+        """
         x, along, _ = self.course
         if min(start, end) < 0 or max(start, end) > 1:
             x = np.linspace(min(start, end), max(start, end), LENGTH_POINTS)
@@ -558,14 +579,17 @@ class Crossing:
 
     @cached_property
     def room(self) -> FloatArray:
-        """Width, mm, that the first and second strip have beyond the crossing (2, 2), at its start and end."""
+        """Widths (2, 2), mm, of the first and second strip beyond the crossing: a row for its start, a row
+        for its end.
+        """
         m = margins(self.strips, self.locus.at(np.array([self.start, self.end])))
         return np.array([m[:, :2].min(axis=1), m[:, 2:].min(axis=1)])
 
     def beyond(self, which: int, end: int) -> float | None:
-        """Return the x at which the crossing, extended at `end` (0 is its start), reaches an edge of a strip.
+        """Return the parameter x at which the crossing, extended at `end`, reaches a long edge of a strip.
 
-        `which` selects the strip, 0 or 1. Return None if the strip's curve ends before its long edge is reached.
+        `end` is 0 for the start of the crossing and 1 for its end, and `which` selects the strip, 0 or 1.
+        Return None if the strip ends before its long edge is reached.
         """
         if self.room[which, end] < ON_EDGE_MM:
             return float(end)
@@ -583,9 +607,10 @@ class Crossing:
 
 
 def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
-    """Return all stretches along which two bent strips cross.
+    """Return all lines along which two bent strips cross.
 
-    Points are solved by Newton's method to rounding error. A stretch ends at an edge or end of one of the strips.
+    Points are computed by Newton's method to rounding error. A line ends at an edge or end of one of the
+    strips.
     """
     crossings = []
     for locus in _intersect_surfaces(a, b):
@@ -594,7 +619,7 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
 
 
 def _runs(strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve) -> list[tuple[float, float]]:
-    """Ranges of q inside both strips."""
+    """Return the ranges of the parameter q in which the intersection curve is inside both strips."""
     nodes = locus.nodes
     fine = (nodes[:-1, None] + np.diff(nodes)[:, None] * np.arange(NODE_PARTS) / NODE_PARTS).ravel()
     q = np.append(fine, nodes[-1])
@@ -614,15 +639,16 @@ def _edges(
     sides: IntArray,
     values: tuple[FloatArray, FloatArray],
 ) -> FloatArray:
-    """Return the places on the locus where columns `sides` (n,) of the margins are zero, within the given brackets.
+    """Return the parameters at which the intersection curve crosses edges, one in each of n intervals.
 
-    The margins at both ends of the brackets are `values`.
+    `sides` (n,) selects the edge (column of `IntersectionPoints.margins`), `between` has the ends of the
+    intervals, and `values` the margins there.
     """
     rows = np.arange(sides.size)
     return _bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)
 
 
 def _blocks(flags: BoolArray) -> list[tuple[int, int]]:
-    """Return the first index and the last index + 1 of each sequence of True."""
+    """Return the first index, and the last index plus 1, of each sequence of True."""
     steps = np.diff(np.concatenate([[0], flags.astype(int), [0]]))
     return list(zip(np.flatnonzero(steps > 0).tolist(), np.flatnonzero(steps < 0).tolist(), strict=True))

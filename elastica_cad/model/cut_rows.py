@@ -1,4 +1,4 @@
-"""Cut list: a row for every piece, as CSV and as a printed table."""
+"""Cut list with a row for every piece, as CSV and as a printed table."""
 
 import csv
 import io
@@ -31,8 +31,9 @@ SUMMED = ("count", "cut mm", "g")
 class CutListRow:
     """Row of the cut list; lengths in mm, masses in g, `cut_length` and `mass` of one piece.
 
-    `grain` is the direction of `length` relative to the grain, empty without grain. `like` is the name of the first
-    piece with the same shape, possibly turned or flipped, and different engraving.
+    `grain` is the direction of `length` relative to the grain; it is empty for a sheet without grain. `like`
+    is the name of the first piece with the same shape, possibly turned or flipped, and different
+    engraving.
     """
 
     part: str
@@ -50,7 +51,7 @@ class CutListRow:
 
 @dataclass(frozen=True)
 class CutList:
-    """List of the pieces to be cut; `csv` is for programs, `str()` for people.
+    """List of the pieces to be cut. `csv` returns it for programs, and `str()` as a printed table.
 
     Attributes
     ----------
@@ -66,7 +67,7 @@ class CutList:
 
     @property
     def shapes(self) -> int:
-        """Number of different shapes, regardless of engraving."""
+        """Number of different shapes; engraving is ignored."""
         return sum(not row.like for row in self.rows)
 
     @property
@@ -81,9 +82,9 @@ class CutList:
 
     @property
     def csv(self) -> str:
-        """Comma separated values with a header line; units are in the header.
+        """Comma separated values, with a header line that states the units.
 
-        A text that a spreadsheet would compute has an apostrophe before it.
+        A text that a spreadsheet would treat as a formula is preceded by an apostrophe.
         """
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
@@ -104,7 +105,7 @@ class CutList:
 
 
 def _cell(text: str) -> str:
-    """Return the text, after an apostrophe if a spreadsheet would take it for a formula."""
+    """Return the text, preceded by an apostrophe if a spreadsheet would treat it as a formula."""
     return f"'{text}" if text[:1] in tuple("=+-@\t\r") else text
 
 
@@ -115,7 +116,7 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
     ----------
     pieces : iterable of Piece
     files : mapping, optional
-        File names by the names of pieces; the default is `file_stem` with .dxf.
+        Mapping from the name of a piece to its file. The default file name is `file_stem` with .dxf.
     """
     rows, pieces = [], several("pieces", pieces, Piece, "Piece")
     shapes, first_names = DistinctShapes(), list[str]()
@@ -140,7 +141,7 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
 
 
 def _like(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
-    """Return the name of the first piece seen with the same shape, or register this piece and return ""."""
+    """Return the name of the first earlier piece with the same shape, or register this piece and return ""."""
     outer = piece.drawing.on(CUT_OUTER)
     if len(outer) != 1 or piece.worked is not None:  # the drawing alone does not determine the shape
         return ""

@@ -10,7 +10,9 @@ from tests.freecad.kept_names import LISTS, names
 @pytest.mark.parametrize("version", [path.stem for path in sorted(LISTS.glob("*.json"))])
 def test_names_of_a_version_are_kept(version):
     earlier, now = json.loads((LISTS / f"{version}.json").read_text(encoding="utf-8")), names()
-    lost = [f"{place}: {name}" for place, listed in earlier.items() for name in listed if name not in now[place]]
+    lost = [
+        f"{place}: {name}" for place, listed in earlier.items() for name in listed if name not in now[place]
+    ]
     assert lost == []
 
 
