@@ -58,10 +58,12 @@ from elastica_cad.refusals import Length, Point, Refusal, note
 
 Keep = Literal["keep"]
 
-ROUNDED_SHARE = 1e-12  # component of a force, as a fraction of the force, that is a rounding error
-STILL_SHARE = 1e-9  # travel of the ends, as a fraction of the length, that is a rounding error
-TURNED_RAD = 1e-9  # turn of an end that is a rounding error
-COARSE_DEG = 60.0  # angle between neighbouring edges above which a shape looks rough
+# Component of a force, as a fraction of the whole force, below which it is a rounding error.
+ROUNDED_SHARE = 1e-12
+# Travel of the ends, as a fraction of the length of the rod, below which it is a rounding error.
+STILL_SHARE = 1e-9
+TURNED_RAD = 1e-9  # Rotation of an end below which it is a rounding error.
+COARSE_DEG = 60.0  # Angle between neighbouring edges above which `bend` warns that the rod has too few nodes.
 
 
 def bend(
@@ -84,24 +86,26 @@ def bend(
 ) -> Rod:
     """Return the rest shape of a rod after its ends, loads, supports or elements have changed.
 
-    Newton's method with line search on the discrete rod of paper section 7.1 (with weight), O(n) a step.
-    If the requested shape is far from the present shape, ends, angles and loads are changed in adaptive steps,
-    starting from the present shape (or `guess`). The result is therefore on the same branch of equilibria, stable
-    or not; see `stability`. Where that branch ends the rod snaps. The result is then a stable shape found by
-    descending the energy, and its `warnings` contain a message.
+    The method is Newton's, with a line search, on the discrete rod of the paper (section 7.1, with weight added).
+    A step takes O(n) operations. If the requested shape is far from the present shape, ends, angles and loads are
+    changed in adaptive steps, starting from the present shape (or `guess`). The result is therefore on the same
+    branch of equilibria. It may be unstable; see `stability`. If that branch ends on the way, the rod snaps. The
+    result is then a stable shape that minimizes the energy locally, and its `warnings` contain a message.
 
-    The stiffness of a strip that bends as a plate (`section`) is updated at every step. The result has the
-    corresponding `law`. K stays that of the design, which sets the units of force and moment.
+    The stiffness of a strip that bends as a plate (`section`) is updated at every step. The `law` of the result
+    contains the updated stiffness. The relative stiffness K of the design does not change, because the units of
+    force and moment depend on it.
 
     Parameters
     ----------
     rod : Rod
         From `optimal_rod`, `Rod.straight` or `bend`.
     start, end : (2,) array_like, optional
-        Positions of the ends, mm; by default those of the rod. A coordinate that is free at its end is not used.
+        Positions of the ends, mm; by default the present positions. A coordinate that the support leaves free is
+        ignored.
     angles : pair of float, optional
         Angles of the tangent at the start and the end, rad, counted continuously along the rod (a full
-        turn adds 2 pi); None, or None in the pair, keeps the angles of the rod.
+        turn adds 2 pi); None, also as one value of the pair, keeps the present angle.
     gravity : Gravity, None or "keep"
     supports : Supports, optional
         New supports; by default those of the rod.
@@ -123,25 +127,27 @@ def bend(
     samples : int, optional
         Number of nodes; by default that of the rod.
     settle : bool
-        If True, an unstable shape snaps to the stable shape that is found by descending the energy.
+        If True, an unstable result is replaced by the stable shape that is found by minimizing the energy from it.
     between : sequence of Rail, Pin and Tie, or "keep"
-        New elements between the ends in place of those of the rod. Places are measured along the present shape. A
-        pin or rail at a point off the shape moves the strip there. A pin with the same index as a pin of the rod
-        keeps its place on the strip. A tie pulls if its `length` is less than the distance of its places. The strip
-        may lift off a one-sided rail, and a slack tie does not pull.
+        New elements between the ends; they replace the present elements. Arc lengths are measured along the present
+        shape. A pin or rail at a point away from the present shape moves the strip to this point. A pin with the
+        same index as a present pin keeps its position on the strip. A tie pulls if its `length` is less than the
+        distance between its two points on the strip. The strip may lift off a one-sided rail, and a slack tie
+        does not pull.
     loads : sequence of PointMass and PointForce, or "keep"
-        New loads in place of the masses and point forces of the rod. They need `bending_stiffness`.
+        New loads; they replace the masses and point forces of the rod. The rod must have a `bending_stiffness`.
 
     Returns
     -------
     Rod
-        In balance to 1e-10 of its moments, ends in place to 1e-10 of its length. Reactions at the ends:
-        `force[0]`, `force[-1]` (lambda, minus the internal force) and `moment`.
+        The moments balance to 1e-10 of the largest moment, and the positions of the ends are exact to 1e-10 of the
+        length. The reactions at the ends are `force[0]` and `force[-1]` (minus the internal force) and `moment`.
 
     Raises
     ------
     InputError
-        Ends farther apart than the length, loads where nothing can move, wrong shapes.
+        The ends are farther apart than the length, a load acts where the support allows no movement, or an array
+        has a wrong shape.
     NotConvergedError
         No equilibrium found; the message states how far the continuation came.
 
@@ -189,7 +195,10 @@ def bend(
 
 
 def _rest(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
-    """Return the rest shape at or after the end of a path, and the fraction of the path where it snaps, or None."""
+    """Return the rest shape at the end of a continuation, or the shape that the rod snaps to.
+
+    The second value is the fraction of the continuation at which the rod snaps, or None.
+    """
     balanced = reached.arrived and is_balanced(reached.state)
     if balanced and not (settle and reached.state.discrete.unstable_modes):
         return reached.state, None
@@ -208,7 +217,7 @@ def _warnings(state: RodState, snaps_at: float | None) -> tuple[str, ...]:
 
 
 def _loaded(rod: Rod, loads: object) -> Rod:
-    """Return the rod with other masses and point forces; not yet in balance."""
+    """Return the rod with other masses and point forces, before a new equilibrium is computed."""
     plain = None if rod.weight is None else replace(rod.weight, masses=())
     if plain is None and rod.gravity is not None and rod.bending_stiffness is not None:
         plain = Weight(beta=rod.bending_stiffness / rod.gravity.length**3)
@@ -225,10 +234,11 @@ def _loaded(rod: Rod, loads: object) -> Rod:
 
 
 def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, Any]:
-    """Return the keywords `loads` and `between` of `bend` after a part of the change by a step.
+    """Return the keywords `loads` and `between` of `bend` for a fraction `part` of the change of a step.
 
-    Loads of the rod fade as those of the step grow. Rails, pins and cords move and shorten in proportion. An
-    element of another kind than that with the same index replaces it at once.
+    The present loads decrease while those of the step increase. Points of rails and pins, and lengths of ties, are
+    interpolated linearly. An element that differs in kind from the present element with the same index replaces it
+    at once.
     """
     entry: dict[str, Any] = {}
     if "loads" in step:
@@ -257,7 +267,7 @@ def _scaled(loads: Sequence[PointMass | PointForce], factor: float) -> tuple[Poi
 
 
 def _on_the_way(before: ElementForce, after: ElementForce, part: float) -> Element:
-    """Return the element after a part of its change."""
+    """Return the element after a fraction `part` of its change; points and lengths are interpolated linearly."""
     element, first, last = after.element, before.mounting, after.mounting
     assert isinstance(element, Rail | Pin | Tie)
     if type(before.element) is not type(element) or first == last:
@@ -308,13 +318,16 @@ def _refuse_straight(elements: Sequence[ElementForce], state: RodState) -> None:
 
 
 ROUNDS = 12
-"""Largest number of changes in the set of taut elements, for each one-sided element."""
+"""Largest number of changes of the set of taut elements, per one-sided element."""
 
 
 def _bent_on_elements(
     wanted: Rod, present: Rod, system: RodSystem, guess: "Rod | ArrayLike | None", *, settle: bool
 ) -> Rod:
-    """Return the rest shape on elements; one-sided elements become slack or taut until all are consistent."""
+    """Return the rest shape on elements between the ends.
+
+    One-sided elements become slack or taut until the force or gap of every element agrees with its state.
+    """
     elements = list(wanted.between)
     shape = ShapeOfRod.of(present)
     reach_of_rail = MEETS_SHARE * shape.length
@@ -336,7 +349,7 @@ def _bent_on_elements(
         reached = reach(state, None, 1, partial(_needs_change, elements, taut))
         state = reached.state
         changed = None if reached.arrived else _other_set(elements, taut, state)
-        # a strip that lifts off and returns at once is unstable without the element, so it snaps away from it
+        # if the strip lifts off and returns at once, it is unstable without the element, so it snaps away
         leaps = changed == last and changed is not None and sum(taut) < sum(changed)
         if changed is None or (leaps and reached.fraction <= STOP_SHARE):
             state, at = _rest(reached, settle=settle)
@@ -356,14 +369,14 @@ def _bent_on_elements(
 
 
 def shape_of(state: RodState) -> ShapeOfRod:
-    """Return the places of the rod of a state."""
+    """Return the shape of a state, from which the positions of elements are computed."""
     return ShapeOfRod(state.discrete.tangents, state.system.edge_length, state.position[0])
 
 
 def _settled(
     elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState
 ) -> tuple[ElementForce, ...]:
-    """Return the elements with their forces and places in a state."""
+    """Return the elements with their forces and positions in a state."""
     shape, acting = shape_of(state), iter(state.actions)
     return tuple(
         with_side(next(acting), shape) if is_taut else touching(action, shape)
@@ -376,7 +389,7 @@ def _needs_change(elements: Sequence[ElementForce], taut: Sequence[bool], state:
 
 
 def _other_set(elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState) -> list[bool] | None:
-    """Return the taut elements after the change that a state needs most, or None if it needs none."""
+    """Return which elements are taut after the change that a state most needs, or None if it needs none."""
     shape, acting = shape_of(state), iter(state.actions)
     largest = float(np.abs(state.discrete.force).max(initial=0.0))
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
@@ -404,7 +417,7 @@ def _snap_warning(percent: float) -> Refusal:
 
 
 def has_snapped(rod: Rod) -> bool:
-    """Return True if the rod snapped: `bend` found the shape after a jump beyond the end of its branch."""
+    """Return True if `bend` warned that the rod snapped into another shape."""
     return any(warning.startswith("the rod snaps ") for warning in rod.warnings)
 
 
@@ -427,21 +440,21 @@ def _too_coarse(state: RodState) -> tuple[str, ...]:
 def bend_path(
     rod: Rod, path: "ArrayLike | Sequence[Mapping[str, Any]]", *, side: int | None = None, mode: int = 1
 ) -> tuple[Rod, ...]:
-    """Return the shapes of a rod whose ends follow a path (kinetic use, paper section 9.5).
+    """Return the shapes of a rod whose ends are moved in steps (paper, section 9.5).
 
     Parameters
     ----------
     rod : Rod
     path : (k, 2) array_like or sequence of mappings
-        Successive positions of the end, mm, or for each step the keywords of `bend` (start, end,
-        angles, gravity, force, moment, supports, between, loads).
+        Successive positions of the end, mm, or a mapping for each step with keywords of `bend`: start, end,
+        angles, gravity, force, moment, supports, between, loads.
     side, mode
         As in `bend`, for the first step.
 
     Returns
     -------
     tuple of Rod
-        One rod for each step; reactions are `force` and `moment` at the first and the last node.
+        Rod after each step. The reactions are its `force` and `moment` at the first and the last node.
 
     Raises
     ------
@@ -470,7 +483,7 @@ def bend_path(
 
 
 def _snapped_at(rod: Rod, start: float, end: float) -> Rod:
-    """Return the rod of one step; if it snapped, its warning states the fraction of the whole movement."""
+    """Return the rod with the fraction in a snap warning converted from one step to the whole movement."""
     if not has_snapped(rod):
         return rod
     warning = next(
@@ -483,14 +496,14 @@ def _snapped_at(rod: Rod, start: float, end: float) -> Rod:
 
 @dataclass(frozen=True, eq=False)
 class Movement:
-    """Movement of the ends of a rod, step by step.
+    """Movement of the ends of a rod over several steps.
 
     Attributes
     ----------
     travel : (k,) array
-        Distance that the end has moved relative to the start, up to each rod, mm; 0 for the first rod.
+        Length of the path of the end relative to the start, mm, from the first rod to each rod.
     turn : (k,) array
-        Rotation up to each rod of the held end that turns most, rad.
+        Rotation from the first rod to each rod, rad, of the end that turns most; only ends with a held angle count.
     """
 
     travel: FloatArray
@@ -498,7 +511,7 @@ class Movement:
 
     @classmethod
     def of(cls, rods: Sequence[Rod]) -> "Movement":
-        """Return the movement of the ends from rod to rod."""
+        """Return the movement of the ends over a sequence of rods."""
         steps = np.diff([rod.position[-1] - rod.position[0] for rod in rods], axis=0)
         held = [end.angle for end in rods[-1].supports.ends]
         turns = np.abs(np.diff([rod.angle[[0, -1]] for rod in rods], axis=0)) * held
@@ -519,14 +532,17 @@ class Movement:
 
     @property
     def progress(self) -> FloatArray:
-        """Fraction of the whole movement (k,): of the travel, of the turn if there is no travel, or else of the
-        steps."""
+        """Fraction of the whole movement (k,) at each rod.
+
+        It is a fraction of the travel, of the rotation if nothing travels, or of the number of steps if nothing
+        moves.
+        """
         way = self.turn if self.is_turn else self.travel
         return way / way[-1] if way[-1] > 0 else np.linspace(0.0, 1.0, way.size)
 
 
 def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, Any]]:
-    """Return a path as keywords of `bend`; rows of two numbers are positions of the end."""
+    """Return the steps of a path as keywords of `bend`; pairs of numbers are positions of the end."""
     if isinstance(path, Sequence) and path and all(isinstance(step, Mapping) for step in path):
         steps = [dict(step) for step in path if isinstance(step, Mapping)]
         known = {
@@ -556,7 +572,7 @@ def system_of(
     force: ArrayLike | None = None,
     moment: float | tuple[float, float] | None = None,
 ) -> RodSystem:
-    """Return the equations of `rod` (stiffness, weight, supports); other data are those of `present`."""
+    """Return the equations of `rod` with its stiffness, weight and supports; other defaults are from `present`."""
     if rod.s.size < 4:
         raise InputError(f"a rod of {rod.s.size} nodes cannot be bent: use samples=4 or more")
     system = RodSystem(
@@ -580,7 +596,7 @@ def system_of(
 
 
 def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, float]]:
-    """Return the force and both moments on free ends times a factor, as arguments of `bend`."""
+    """Return the forces and moments on the free ends, times a factor, as arguments of `bend`."""
     loads = system_of(rod, rod)
     first, last = (times * loads.moments).tolist()
     return times * loads.force, (first, last)
@@ -589,7 +605,7 @@ def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, f
 def state_of(rod: Rod, system: RodSystem) -> RodState:
     """Return the present shape of a rod as the first state of `system`."""
     if system.elements is not None:
-        # reactions to the present loads, so that new loads grow along the path
+        # start from the reactions to the present loads, because the loads then change along the path
         present = replace(system, load=rod.nodal_load + lumped(rod.point_forces, rod.s.size, rod.length))
         return _with_reactions(present.state(rod.discrete.angles)).under(system)
     extra = (rod.discrete.force - system.given_force).mean(axis=0)
@@ -601,7 +617,7 @@ def reach(
 ) -> Reached:
     """Continue from `state` to an equilibrium; leave a straight state if it must bend or `side` is given.
 
-    With elements between the ends, the continuation ends where `stop` is True.
+    The continuation ends early at the first state for which `stop` returns True.
     """
     system = state.system
     if system.held and float(np.linalg.norm(system.chord)) > system.length * (1 - 1e-12):
@@ -618,7 +634,7 @@ def reach(
 
 
 def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
-    """Return the state of guessed angles, with the reactions of least imbalance."""
+    """Return the state with the guessed angles and the reactions with the least imbalance of moments."""
     n = system.edges
     if isinstance(guess, Rod):
         edges = guess.discrete.angles
@@ -637,7 +653,7 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
 
 
 def _with_reactions(state: RodState) -> RodState:
-    """Return the state with the reactions, and forces of elements, of least imbalance."""
+    """Return the state with the reactions and element forces that give the least imbalance of moments."""
     if not state.reactions.size:
         return state
     rows = np.where(state.places[:, None], state.rows, 0.0)
@@ -668,7 +684,7 @@ def _end_angles(
 
 
 def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> FloatArray:
-    """Return the dead force at ends that are free along x and along y."""
+    """Return the dead force on the ends that are free along x or y."""
     both = np.array(supports.transmits_force)
     if force is not None:
         given = pair(force, "force")
@@ -684,7 +700,7 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
     before, now = present.supports.ends, supports.ends
     at_ends = present.force[[0, -1]]
     acting = (*present.between, *present.point_forces)
-    if acting:  # without elements and forces at the ends
+    if acting:  # at an end without its elements and point forces
         load = present.nodal_load + lumped(acting, present.s.size, present.length)
         at_ends = present.discrete.force[[0, -1]] + (-load[0], load[-1])
     for i, axis in enumerate("xy"):
@@ -696,7 +712,7 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
 
 
 def _end_moments(moment: float | tuple[float, float] | None, supports: Supports, present: Rod) -> FloatArray:
-    """Return counterclockwise moments at ends with a free angle."""
+    """Return the counterclockwise moments on the ends with a free angle."""
     before, now = present.supports.ends, supports.ends
     free = [not end.angle for end in now]
     moments = np.zeros(2)

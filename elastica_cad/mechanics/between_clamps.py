@@ -1,4 +1,4 @@
-"""The elastica between two clamps, or with one clamp and a loaded free end."""
+"""Shape of a bent strip (elastica) between two clamps, or with one clamp and a loaded free end."""
 
 from collections.abc import Sequence
 from contextlib import suppress
@@ -19,13 +19,13 @@ from elastica_cad.mechanics.loads import End, Gravity, Supports
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
-OFF_PLANE = 1e-6  # mm: largest distance of points from the plane of the curve
+OFF_PLANE = 1e-6  # Largest z coordinate of a point in the plane of the curve, mm.
 FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
     0.25,
     8.0,
     1.3,
-)  # values of force * length^2 / stiffness; a free strip buckles at 2.5
-SAMPLES = 901  # number of nodes; the error of their positions is 1e-6 of the length
+)  # values of force * length^2 / stiffness at which the load is increased; a free strip buckles at 2.5
+SAMPLES = 901  # number of nodes; the error of their positions is 1e-6 of the length of the strip
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,10 +35,10 @@ class ElasticaBetween:
     Attributes
     ----------
     rod : Rod
-        Rod in balance; `force` and `moment` at its ends act on the clamps.
+        Bent rod; its `force` and `moment` at the ends act on the clamps.
     side : int
-        +1 if the first bulge is left of the line from start to end, -1 if right, 0 for a straight strip. With a
-        free end: the side of the free end, seen along the clamp.
+        +1 if the first bulge is left of the line from start to end, -1 if right, 0 for a straight strip. If the
+        end is free, the side of the free end relative to the direction of the clamp.
     mode : int
         Buckling mode; mode 1 is stable.
     """
@@ -49,7 +49,7 @@ class ElasticaBetween:
 
     @property
     def curve(self) -> PlaneCurve:
-        """Shape as a smooth spline of degree 5, with the curvature that corresponds to the moment."""
+        """Shape as a smooth spline of degree 5 whose curvature agrees with the bending moment."""
         return self.rod.curve
 
     @property
@@ -98,26 +98,26 @@ def elastica_between(
 ) -> ElasticaBetween:
     """Return the shape of a strip of given length between two points, or with a free end.
 
-    The computation starts from a straight strip. It moves the end into place and turns both ends to their angles,
-    as a person would do by hand. A strip with a free end starts straight along its clamp and is loaded in steps.
+    The computation starts from a straight strip. It moves the end to its position and turns both ends to their
+    angles. A strip with a free end starts straight in the direction of its clamp and is loaded in steps.
 
     Parameters
     ----------
     start, end : (2,) array_like
-        mm; `end` is None if it is free and the start is clamped.
+        Positions of the ends, mm; `end` is None for a free end, and the start is then clamped.
     length : float
         Length of the strip, mm; more than the distance between its ends.
     angles : pair of float or None
-        Angles of the tangent at both ends, rad, modulo 2 pi; None leaves the strip free to turn.
+        Angles of the tangent at both ends, rad, modulo 2 pi; None lets this end turn freely.
     stiffness : float, (n,) array_like or Profile
-        For a tapered strip: stiffness at uniform stations, or a profile over [0, length].
+        Relative stiffness of a tapered strip, at uniform stations or as a profile over [0, length].
     gravity : Gravity, optional
         Weight of the strip.
     force : (2,) array_like, optional
         Force at a free end over the least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2).
     side : {+1, -1}
-        Side of the first bulge, left (+1) or right (-1) of the line from start to end. With a free end that is
-        pushed straight towards its clamp: the side to which it moves.
+        Side of the first bulge, left (+1) or right (-1) of the line from start to end. If a force pushes a free
+        end straight towards its clamp, the side to which the end moves.
     mode : int
         Buckling mode; shapes above mode 1 are usually unstable.
     samples : int
@@ -196,20 +196,20 @@ def _led_by_loads(
     side: int,
     mode: int,
 ) -> Rod:
-    """Load a straight rod with a free end; a large force is increased in steps."""
+    """Return the bent shape of a straight rod under a load on its free end; a large force is increased in steps."""
     load = np.zeros(2) if force is None else _pair(force)
     if load is None:
         raise InputError(f"force must be two numbers, 1/mm2, got {force!r}")
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
     bent = rod
     for share in _load_shares(float(np.hypot(*load)) * rod.length**2):
-        # a push along the strip leaves it straight; it could settle on either side
+        # a push along the strip leaves it straight, and minimizing the energy could choose either side
         settle = is_one_of(mode, [1]) and bool(np.ptp(bent.angle) > 0)
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
         next_rod = step()
         if _side(next_rod) * _side(bent) < 0:
-            # the side of the shape may change at the buckling load of a straight strip; mirror the shape in this
-            # case
+            # the shape may change its side at the buckling load of a straight strip; mirror the shape in
+            # this case
             next_rod = step(guess=2 * next_rod.angle[0] - next_rod.angle)
         bent = next_rod
     if np.ptp(bent.angle) > 0:
@@ -220,7 +220,7 @@ def _led_by_loads(
 
 
 def _load_shares(load: float) -> list[float]:
-    """Return increasing fractions of a load (force length^2 / stiffness), closely spaced near buckling."""
+    """Return increasing fractions of a load, closely spaced near buckling; `load` is force length^2 / stiffness."""
     steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
     grown = LAST_EVEN_LOAD
     while grown < load:
@@ -237,7 +237,7 @@ def _point(point: object, name: str) -> FloatArray:
 
 
 def _pair(point: object) -> FloatArray | None:
-    """Return the coordinates of a pair or of a point of a CAD library with z = 0, or None."""
+    """Return the coordinates of a pair, or of a point of a CAD library with z = 0; None for other objects."""
     given = point.toTuple() if hasattr(point, "toTuple") else point
     try:
         place = np.array(list(given) if is_series(given) else (), dtype=float)
@@ -249,13 +249,7 @@ def _pair(point: object) -> FloatArray | None:
 
 
 def angles_in_rad(angles: object) -> tuple[float | None, float | None]:
-    """Return the angles (degrees, or None for a free angle) as `elastica_between` needs them.
-
-    Raises
-    ------
-    InputError
-        There are not two angles, or an angle exceeds a whole turn.
-    """
+    """Return angles in degrees, or None for a free angle, converted to radians."""
     near, far = _pair_of_angles(angles)
     if any(angle is not None and abs(angle) > 360 for angle in (near, far)):
         raise InputError(f"angles must be in degrees, from -360 to 360, got {angles!r}")
@@ -273,17 +267,17 @@ def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
 
 
 def _nearest_turn(angle: float, near: float) -> float:
-    """Return `angle` plus whole turns, within half a turn of `near`."""
+    """Return `angle` plus the number of whole turns that brings it within half a turn of `near`."""
     return near + float(np.remainder(angle - near + np.pi, 2 * np.pi) - np.pi)
 
 
 def _is_free(rod: Rod) -> bool:
-    """Return True if the end is free to move in x and y."""
+    """Return True if the end of the rod is free to move in x and y."""
     return not (rod.supports.ends[1].x or rod.supports.ends[1].y)
 
 
 def _side(rod: Rod) -> int:
-    """Return the side of the first bulge, or of the free end relative to the direction of the clamp."""
+    """Return the side of the first bulge, or of a free end relative to the direction of the clamp: 1, -1 or 0."""
     off = rod.position - rod.position[0]
     if _is_free(rod):
         along, off = np.array([np.cos(rod.angle[0]), np.sin(rod.angle[0])]), off[-1:]

@@ -1,14 +1,15 @@
 """Second variation of a rod with elements between its ends: constraints and added terms.
 
-With h the change of angle, v(s) = int h R gamma' ds the change of position, and lambda with its steps,
+The energy of a rod gamma(s) with bending stiffness K and minus internal force lambda changes in second order by
 
     Q = int K h'^2 - <lambda, gamma'> h^2 ds + sum over ties (T / l) (int from p to q of <u, gamma'> h ds)^2
         - sum over rails (2 t h sigma + t kappa sigma^2),    sigma = -<gamma', v> at the station,
 
-on the changes for which the ends stay, v = 0 at pins, <n, v> = 0 at rails, and <u, v_q - v_p> = 0 for taut ties.
-T is the pull of a tie of length l along u, and t n the force of a rail. The term of a tie is that of a cord that
-keeps its length while its ends turn about each other. The term of a rail lets the strip slide over it: the place of
-contact moves by sigma along the strip.
+where h is the change of the tangent's angle, R a quarter turn, and v(s) = int h R gamma' ds the change of position.
+The change keeps the ends fixed, and v = 0 at pins, <n, v> = 0 at rails, <u, v_q - v_p> = 0 for taut ties. T is the
+pull of a tie of length l along u between the stations p and q, t n the force of a rail, and kappa the curvature.
+The term of a tie describes a cord of constant length whose ends turn about each other. The term of a rail
+describes a strip that slides over it: the point of contact moves by sigma along the strip.
 """
 
 from collections.abc import Sequence
@@ -23,23 +24,26 @@ from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, edge_w
 from elastica_cad.mechanics.loads import Supports
 
 SLACK_SHARE = 0.01
-"""Force of a one-sided element, as a fraction of the largest force, below which it counts as slack."""
+"""Force of a one-sided element, as a fraction of the largest force in the rod, below which it counts as slack."""
 
-_RANK = 1e-9  # largest relative singular value of dependent constraints
+# singular values below this fraction of the largest mean that constraints are linearly dependent
+_RANK = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Bracing:
-    """Elements in the second variation of a discrete rod of n edges.
+    """Contribution of elements between the ends to the second variation of a discrete rod of n edges.
+
+    The vector h (n,) contains the changes of the edge angles.
 
     Attributes
     ----------
     rows : (k, n) array
         Constraints rows @ h = 0.
     terms : (r, n) array
-        Linear forms of h, each of length 1.
+        Linear forms of h, each a row of norm 1.
     coefficients : (r, r) array
-        Symmetric, invertible C: terms^t C terms is added to the Hessian.
+        Symmetric, invertible matrix C; terms^t C terms is added to the Hessian.
     """
 
     rows: FloatArray
@@ -55,15 +59,15 @@ def slack_elements(between: Sequence[ElementForce], force: FloatArray) -> tuple[
 
 @dataclass(frozen=True, eq=False)
 class _Brace:
-    """Part of an element in the second variation.
+    """Contribution of one element to the second variation, for changes h of the edge angles.
 
     Attributes
     ----------
     rows : (k, n) array
-        Constraints rows @ h + row_shifts @ v = 0, with the translation v of the whole rod.
+        Constraints rows @ h + row_shifts @ v = 0, where v is the translation of the whole rod.
     row_shifts : (k, 2) array
     terms : (r, n) array
-        Linear forms terms @ h + term_shifts @ v of the added terms.
+        Linear forms terms @ h + term_shifts @ v, whose squares and products are added to the energy.
     term_shifts : (r, 2) array
     coefficients : (r, r) array
     """
@@ -77,7 +81,7 @@ class _Brace:
 
 @dataclass(frozen=True, eq=False)
 class _Edges:
-    """Edges of a discrete rod; the fields are those of `bracing_of`."""
+    """Edges of a discrete rod; `bracing_of` describes its attributes."""
 
     tangents: FloatArray
     edge_length: float
@@ -93,22 +97,22 @@ class _Edges:
 
     @property
     def across(self) -> FloatArray:
-        """R gamma' of each edge times its length (2, n), mm."""
+        """Edge normals times the edge length (2, n), mm: derivatives of the edge vectors by their angles."""
         return self.edge_length * left_of(self.tangents).T
 
     @property
     def free(self) -> FloatArray:
-        """True for x and y if no end holds this coordinate."""
+        """Flags for x and y: True if no end holds this coordinate."""
         return np.array(self.supports.free_axes)
 
     def moves(self, s: float) -> FloatArray:
-        """Return the change of position (2, n) at arc length s, from the end that holds each coordinate."""
+        """Return the derivatives (2, n) of the position at arc length s by the edge angles; a held end is fixed."""
         start, end = self.supports.ends
         from_end = np.array([getattr(end, axis) and not getattr(start, axis) for axis in "xy"])
         return np.asarray(self.across * (self.covered(s) - from_end[:, None]))
 
     def chord(self, s: FloatArray) -> tuple[FloatArray, float]:
-        """Return the unit vector (2,) between two places, and their distance, mm."""
+        """Return the unit vector (2,) between the positions at two arc lengths s (2,), and their distance, mm."""
         p, q = (self.covered(float(place)) for place in s)
         chord = self.edge_length * ((q - p) @ self.tangents)
         size = float(np.hypot(*chord))
@@ -119,7 +123,7 @@ def _tie_brace(action: ElementForce, edges: _Edges) -> _Brace:
     u, size = edges.chord(action.s)
     cover = edges.covered(float(action.s[1])) - edges.covered(float(action.s[0]))
     pull = float(action.force[0] @ u)
-    acts = slice(None) if pull != 0 else slice(0)  # a tie without pull has no terms
+    acts = slice(None) if pull != 0 else slice(0)  # a tie without pull adds no terms to the energy
     return _Brace(
         rows=(u @ (edges.across * cover))[None],
         row_shifts=np.zeros((1, 2)),
@@ -141,7 +145,7 @@ def _rail_brace(action: ElementForce, edges: _Edges) -> _Brace:
     tangent /= np.hypot(*tangent)
     normal = left_of(tangent)
     push = float(action.force[0] @ normal)
-    acts = slice(None) if push != 0 else slice(0)  # a rail without force has no terms
+    acts = slice(None) if push != 0 else slice(0)  # a rail without force adds no terms to the energy
     kappa = edges.edge_length * float(edges.covered(s, 2) @ edges.tangents @ normal)
     return _Brace(
         rows=(normal @ moves)[None],
@@ -162,14 +166,14 @@ def bracing_of(
     edge_length: float,
     supports: Supports,
 ) -> Bracing:
-    """Return the bracing of a discrete rod by its taut elements.
+    """Return the contribution of taut elements between the ends to the second variation of a discrete rod.
 
     Parameters
     ----------
     tangents : (n, 2) array
         Unit tangents of the edges.
     edge_length : float
-        mm.
+        Length of an edge, mm.
 
     Raises
     ------
@@ -188,15 +192,15 @@ def bracing_of(
         rank = int(np.count_nonzero(sigma > _RANK))
         if any(isinstance(action.element, Rail) and action.size for action in between) and rank < free.sum():
             raise InputError("The strip can slide off its rails. Hold an end, or pin it at a place between.")
-        # the translation for which the constraints hold: row_shifts @ v = -rows @ h
+        # substitute the translation v that satisfies the constraints row_shifts @ v = -rows @ h
         terms = terms + term_shifts @ (-(vt[:rank].T / sigma[:rank]) @ u[:, :rank].T @ rows)
         rows = u[:, rank:].T @ rows
     ties = [action for action in between if isinstance(action.element, Tie)]
     turns_freely = free.all() and not any(end.angle for end in supports.ends)
     if ties and len(ties) == len(between) and turns_freely:
-        # a bow can turn as a whole without a change of energy
+        # exclude the rotation of a bow as a whole, which does not change the energy
         rows = np.concatenate([rows, edge_length * (tangents @ edges.chord(ties[0].s)[0])[None]])
-    # a straight strip does not move along itself, to first order
+    # the terms of a straight strip are zero to first order, so their norm is bounded from below
     lengths = np.maximum(np.linalg.norm(terms, axis=1), _RANK * edge_length)
     coefficients, first = np.zeros((len(terms), len(terms))), 0
     for brace in braces:

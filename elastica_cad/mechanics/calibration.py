@@ -1,4 +1,4 @@
-"""Calibration: from a strip that hangs over a table's edge to the sheet's elasto-gravity length."""
+"""Calibration: elasto-gravity length of a sheet from the droop of a strip that hangs over the edge of a table."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ from elastica_cad.refusals import Length, Listed, note, sentences
 _NODES = 201
 """Number of nodes of the bent cantilever."""
 
-_STEEPEST_DROOP = 0.95  # largest usable droop/overhang; with more, the strip hangs like a rope
+_STEEPEST_DROOP = 0.95  # largest usable ratio of droop to overhang; beyond it, the strip hangs like a rope
 _FLATTEST_DROOP = 1e-4
 """Least measurable ratio of droop to overhang."""
 
@@ -29,18 +29,18 @@ class Calibration:
     Attributes
     ----------
     elasto_gravity_length : float
-        l_eg = (E h^2 / (12 rho g))^(1/3), mm.
+        l_eg = (E h^2 / (12 rho g))^(1/3), mm, for Young's modulus E, thickness h and density rho.
     uncertainty : float
-        Standard deviation of l_eg, mm: from the reading errors, or from the scatter of the readings if that is
-        larger.
+        Standard deviation of l_eg, mm: the larger of the values from the reading errors and from the scatter of the
+        readings.
     readings : tuple of float
         l_eg of each reading, mm.
     reading_uncertainties : tuple of float
         Standard deviation of each reading, mm, from the reading errors alone.
     thickness, density : float or None
-        As given, mm and kg/m3.
+        Thickness, mm, and density, kg/m3, as passed to `calibrate_cantilever`.
     youngs_modulus, youngs_modulus_uncertainty : float or None
-        E = 12 rho g l_eg^3 / h^2, MPa, when thickness and density are known.
+        E = 12 rho g l_eg^3 / h^2 and its standard deviation, MPa, or None if thickness or density is unknown.
     """
 
     elasto_gravity_length: float
@@ -69,21 +69,23 @@ class Calibration:
         grain: Grain = "none",
         kind: str = "",
     ) -> Sheet:
-        """Return the calibrated sheet, with a range of two standard deviations for E.
+        """Return the calibrated sheet; E has a range of two standard deviations on either side.
 
         Parameters
         ----------
         name : str
             Name of the sheet.
         max_strain, least_radius : float
-            Largest strain for permanent use, or the least radius (mm) that left no lasting bend. Give exactly one.
+            Largest strain for permanent use, or the least radius (mm) to which the sheet was bent without a
+            permanent bend. Give exactly one.
         kerf, poisson_ratio, shear_modulus, grain, kind
             As in `Sheet`.
 
         Raises
         ------
         InputError
-            Thickness or density were not given to the calibration, or not exactly one limit.
+            The calibration has no thickness or density, or not exactly one of `max_strain` and `least_radius` is
+            given.
         """
         if self.youngs_modulus is None or self.thickness is None or self.density is None:
             raise InputError(
@@ -132,7 +134,7 @@ def cantilever_droop(overhang: float, elasto_gravity_length: float) -> float:
     Parameters
     ----------
     overhang, elasto_gravity_length : float
-        mm.
+        Free length of the strip and l_eg of the sheet, mm.
 
     Examples
     --------
@@ -157,9 +159,10 @@ def calibrate_cantilever(
     thickness_error: float = 0.0,
     density_error: float = 0.0,
 ) -> Calibration:
-    """Return the elasto-gravity length from the droop of a rectangular strip, clamped horizontally.
+    """Return the elasto-gravity length from the droop of a rectangular strip that is clamped horizontally.
 
-    Measure with each face up: the mean of these readings cancels the curl of the unloaded strip to first order.
+    Measure once with each face of the strip up. The mean of both readings cancels the curl of the unloaded strip to
+    first order.
 
     Parameters
     ----------
@@ -168,7 +171,7 @@ def calibrate_cantilever(
     reading_error : float
         Standard deviation of the overhang and of the droop, mm.
     thickness, density : float, optional
-        mm and kg/m3; with both, E follows.
+        Thickness, mm, and density, kg/m3; if both are given, the result contains E.
     thickness_error, density_error : float
         Standard deviations of thickness and density, mm and kg/m3; they affect the uncertainty of E only.
 
@@ -179,12 +182,12 @@ def calibrate_cantilever(
     Raises
     ------
     InputError
-        The droop is not between 0 and the overhang, or is too near to one of these limits; an error is negative.
+        The droop is not between 0 and the overhang, it is too near to one of these limits, or an error is negative.
 
     Notes
     -----
-    `bend` gives droop/L as a function of w L^3/EI = (L/l_eg)^3 (paper, section 5.1), which is solved for the
-    given droop. Finite differences of the solution propagate the reading errors.
+    The ratio of droop to overhang L depends only on (L / l_eg)^3 (paper, section 5.1). The droop is computed with
+    `bend`, and l_eg is the root of computed minus measured droop. Finite differences propagate the reading errors.
 
     Examples
     --------
@@ -260,19 +263,20 @@ def _fit(overhang: float, droop: float) -> tuple[float, float]:
     part = droop / overhang
     value = overhang * _length_for(part)
     step = 1e-3 * min(part, 1 - part)
-    # l_eg = L G(d / L)
+    # l_eg = L G(d / L) for overhang L and droop d
     G1 = (_length_for(part + step) - _length_for(part - step)) / (2 * step)
     return value, float(np.hypot(G1, value / overhang - part * G1))
 
 
 def _length_for(part: float) -> float:
-    """Return l_eg of a strip of overhang 1 that drops by `part`."""
+    """Return l_eg / overhang for a strip whose ratio of droop to overhang is `part`."""
     from scipy.optimize import brentq
 
     def excess(log_load: float) -> float:
         return cantilever_droop(1.0, float(np.exp(-log_load / 3))) - part
 
-    # lower bound of the load: w L^4 / (8 EI) is the droop of a nearly straight strip, and a bent strip droops less
+    # a bent strip droops less than w L^4 / (8 EI), the droop of a nearly straight strip; this bounds the
+    # load
     low = float(np.log(8 * part)) - 0.05
     high = low + 1.0
     while excess(high) < 0:
@@ -281,7 +285,10 @@ def _length_for(part: float) -> float:
 
 
 def _weighted_mean(values: FloatArray, errors: FloatArray) -> tuple[float, float]:
-    """Return the mean with weights 1/error^2 and its deviation, by the errors or (if larger) the scatter."""
+    """Return the mean with weights 1/error^2 and its standard deviation.
+
+    The deviation is the larger of the values from the errors and from the scatter.
+    """
     weights = np.ones(values.shape) if np.any(errors == 0) else errors**-2
     mean = float(np.average(values, weights=weights))
     inner = 0.0 if np.any(errors == 0) else float(weights.sum() ** -0.5)

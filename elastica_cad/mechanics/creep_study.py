@@ -24,12 +24,12 @@ class Creep:
     Attributes
     ----------
     factor : float
-        phi: creep strain over elastic strain.
+        Creep factor phi: ratio of creep strain to elastic strain.
     rod, later : Rod
         Rod before creep and after creep has ended, with the same supports.
     exact : bool
-        True if the result is exact for a homogeneous standard linear solid. Otherwise it is the approximation by an
-        effective modulus.
+        True if the result is exact for a homogeneous standard linear solid. Otherwise the result is an
+        approximation with an effective modulus.
     """
 
     factor: float
@@ -39,37 +39,42 @@ class Creep:
 
     @property
     def force_share(self) -> float:
-        """Remaining fraction 1 / (1 + phi) of the modulus, and of the clamp forces if the shape does not change."""
+        """Fraction 1 / (1 + phi) of the modulus that remains, also of clamp forces if the shape is unchanged."""
         return 1 / (1 + self.factor)
 
     @property
     def kept_share(self) -> float:
-        """Remaining fraction phi / (1 + phi) of the bend just after release; later the strip opens further."""
+        """Fraction phi / (1 + phi) of the bend that remains just after release; it decreases later."""
         return self.factor / (1 + self.factor)
 
     @property
     def sag(self) -> float:
-        """Largest move of the shape, mm; 0 without weight and constant loads on free ends."""
+        """Largest displacement of the strip by creep, mm; 0 without weight or constant loads on free ends."""
         return float(np.hypot(*(self.later.position - self.rod.position).T).max())
 
     @property
     def end_forces(self) -> FloatArray:
-        """Forces on start and end (2, 2) after creep has ended, 1/mm2: divided by the rod's B before creep."""
+        """Forces on start and end (2, 2) after creep has ended, 1/mm2.
+
+        They are divided by the least bending stiffness before creep.
+        """
         return np.asarray(self.later.force[[0, -1]] * self.force_share)
 
     @property
     def stays(self) -> bool:
-        """True if the strip creeps to a stable shape without snapping."""
+        """True if the strip remains stable and does not snap while it creeps."""
         return not has_snapped(self.later) and self.stability.stable
 
     @property
     def stability(self) -> Stability:
-        """Stability of the shape in the long run."""
+        """Stability of the shape after creep has ended."""
         return stability(self.later)
 
     def released(self) -> Rod:
-        """Return the weightless strip just after its ends are released when creep has ended; its start does not
-        move."""
+        """Return the weightless strip just after its ends are released at the end of creep.
+
+        Its start does not move.
+        """
         rod = self.later  # the creep strain is a fraction of the present bend
         start = rod.position[0]
         free = Rod.straight(
@@ -81,7 +86,6 @@ class Creep:
         return bend(replace(free, natural_curvature=kept), guess=turned)
 
     def __str__(self) -> str:
-        """Return a summary of one or two sentences."""
         summary = note(
             "In the long run the strip sags by {sag} and keeps {force:.0f} % of its stiffness. Taken out, it "
             "keeps {bend:.0f} % of its bend at first. (Creep factor {factor:g}; exact for a linear "
@@ -110,26 +114,25 @@ def creep(rod: Rod, factor: float) -> Creep:
     """Return the shapes of a rod before creep and after creep has ended, with unchanged supports.
 
     The elastic modulus becomes E / (1 + phi), the effective modulus under a permanent load. Weights, and the forces
-    and moments on free ends, stay the same. A standard linear solid tends to this state at long times, independent
-    of its history, so its long-term
-    shape is exact. Without loads the shape does not change, and the forces decrease with the relaxation modulus.
-    The duration is not computed, because it needs a creep law of the
-    sheet.
+    and moments on free ends, do not change. A standard linear solid approaches this state at long times, whatever
+    its history, so its long-term shape is exact. Without loads the shape does not change, and the forces decrease
+    in proportion to the modulus. The duration of creep is not computed, because it depends on the creep law of
+    the sheet.
 
     Parameters
     ----------
     rod : Rod
-        In balance.
+        Rod in equilibrium.
     factor : float
-        phi, 0 or more: the k_def of Eurocode 5, table 3.2, for wood-based panels under permanent load; plywood
-        (EN 636) 0.80 in heated rooms, 1.00 under a roof, 2.50 outdoors.
+        Creep factor phi, 0 or more. For wood-based panels under permanent load it is k_def of Eurocode 5, table
+        3.2: for plywood (EN 636) 0.80 in heated rooms, 1.00 under a roof, 2.50 outdoors.
 
     Raises
     ------
     InputError
         The factor is negative or not finite.
     NotConvergedError
-        The strip collapses as it creeps, without an equilibrium near the first shape.
+        The strip collapses during creep, because no equilibrium exists near the first shape.
 
     Examples
     --------
@@ -146,7 +149,8 @@ def creep(rod: Rod, factor: float) -> Creep:
     require_free_between(rod, "A creep study")
     first = later = rod
     if phi > 0 and feels_modulus(rod):
-        first = bend(rod, guess=rod.angle)  # on the nodes of `later`, so that the difference is creep alone
+        # first and later have the same nodes, so their difference is due to creep alone
+        first = bend(rod, guess=rod.angle)
         force, moment = dead_loads(rod, 1 + phi)
         try:
             later = bend(_softened(first, 1 + phi), force=force, moment=moment, guess=rod.angle)
@@ -164,7 +168,7 @@ def require_creep(factor: object) -> float:
     Raises
     ------
     InputError
-        Negative, not finite, or no number.
+        The factor is negative, not finite, or not a number.
     """
     if not is_number(factor):
         raise InputError(f"creep is {factor!r}: give the creep factor, a number of 0 or more, such as 0.8")
@@ -176,12 +180,15 @@ def require_creep(factor: object) -> float:
 
 
 def _is_linear(law: MaterialLaw | None) -> bool:
-    """Return True if the material follows Hooke's law; a section that curls counts as linear."""
+    """Return True if the material obeys Hooke's law.
+
+    A law for the curl of the cross-section alone counts as linear.
+    """
     return law is None or (isinstance(law, CurlingLaw) and law.below is None)
 
 
 def _softened(rod: Rod, times: float) -> Rod:
-    """Return the rod with its modulus divided by 1 + phi and the same weight."""
+    """Return the rod with its modulus divided by `times` = 1 + phi and with the same weight."""
     softer = rod if rod.gravity is None else replace(rod, gravity=rod.gravity.scaled(times))
     if rod.bending_stiffness is None:
         return softer

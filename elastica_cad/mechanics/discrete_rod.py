@@ -1,4 +1,4 @@
-"""The discrete rod of section 7.1: its equations, energy and second variation, and banded linear algebra."""
+"""Discrete rod of the paper's section 7.1: equations, energy, second variation, and banded linear algebra."""
 
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
@@ -15,19 +15,19 @@ from elastica_cad.mechanics.bracing import Bracing
 from elastica_cad.mechanics.loads import Supports
 
 RANK_TOLERANCE = 1e-9
-"""Relative tolerance for dependent rows; a straight rod has rank 1."""
+"""Relative tolerance for linearly dependent rows; the constraint rows of a straight rod have rank 1."""
 
 _FEW = 40
-"""Least number of edges for an iterative search of a mode; shorter rods use dense algebra."""
+"""Least number of edges for an iterative search of the lowest mode; dense algebra is used for shorter rods."""
 
 _SMOOTH = 10
-"""Number of polynomials in the compiled code's first search for the lowest mode."""
+"""Number of polynomials from which the compiled code starts its search for the lowest mode."""
 
 _EPS = float(np.finfo(float).eps)
 
 
 def solve_tridiagonal(diagonal: FloatArray, off: FloatArray, right: FloatArray) -> FloatArray:
-    """Solve the symmetric tridiagonal system with pivoting; `right` is (n,) or (n, k)."""
+    """Solve a symmetric tridiagonal system with pivoting; the right-hand side `right` is (n,) or (n, k)."""
     if diagonal.size == 1:
         return np.asarray(right / diagonal[0])
     solution, info = lapack().dgtsv(off, diagonal, off, right)[-2:]
@@ -49,7 +49,7 @@ def solve_bordered(
     columns: FloatArray | None = None,
     corner: FloatArray | float = 0.0,
 ) -> tuple[FloatArray, FloatArray]:
-    """Solve [[A, columns], [rows, corner]] (x, y) = (right, below) with A symmetric tridiagonal.
+    """Solve [[A, columns], [rows, corner]] (x, y) = (right, below) with A symmetric tridiagonal (n, n).
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def solve_bordered(
     -------
     x : (n,) array
     y : (k,) array
-        Dependent rows are solved in the least-squares sense with the least y.
+        If rows are linearly dependent, this is the least-squares solution of least norm.
     """
     k = below.size
     if k == 0:
@@ -96,7 +96,7 @@ def orthonormal_rows(rows: FloatArray) -> FloatArray:
 
 
 def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) -> int:
-    """Count the eigenvalues at or below `shift` of the symmetric tridiagonal matrix (Sturm count)."""
+    """Return the number of eigenvalues at or below `shift` of a symmetric tridiagonal matrix (Sturm count)."""
     if diagonal.size == 1:
         return int(diagonal[0] <= shift)
     reach = _reach(diagonal, off)
@@ -111,11 +111,11 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
 
 
 Terms: TypeAlias = tuple[FloatArray, FloatArray]
-"""Linear forms G (r, n) and symmetric, invertible coefficients C (r, r); the term G^t C G is added to a matrix."""
+"""Linear forms G (r, n) and a symmetric, invertible matrix C (r, r); G^t C G is added to a matrix (n, n)."""
 
 
 def _bordered(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
-    """Return the border (k + r, n) of a matrix and its corner: 0 for constraints, -C^-1 for terms."""
+    """Return the rows (k + r, n) that border a matrix and the corner block: 0 for constraints, -C^-1 for terms."""
     k = len(basis)
     if terms is None:
         return basis, np.zeros((k, k))
@@ -130,8 +130,11 @@ def constrained_inertia(
 ) -> int:
     """Count the eigenvalues below `shift` of the tridiagonal matrix A on the null space of `rows` (k, n).
 
-    Sylvester's law on the bordered matrix: neg = neg(A - shift) + pos(S) - rank, S = C (A - shift)^-1 C^t. Terms
-    that are added to A are more rows of the border, with minus their inverse coefficients in the corner.
+    By Sylvester's law for the bordered matrix their number is neg(A - shift) + pos(S) - rank, with S = C (A -
+    shift)^-1 C^t,
+    C = `rows`, and the numbers neg and pos of negative and positive eigenvalues. Terms that are added to A become
+    more
+    rows of the border, with minus their inverse coefficients in the corner.
     """
     constraints = orthonormal_rows(rows)
     basis, corner = _bordered(constraints, terms)
@@ -140,7 +143,8 @@ def constrained_inertia(
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     reach = _reach(diagonal, off)
     if not np.abs(solved).max() * 16 * _EPS * reach < 1:
-        # the matrix of an unbent rod between hinges is singular; this shift makes the count agree with the solution
+        # without bending and between hinges, A is singular; this shift makes the count agree with the
+        # solution
         shift -= 64 * _EPS * reach
         solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     negative = count_negative(diagonal, off, shift)
@@ -155,14 +159,14 @@ def lowest_constrained(
 ) -> tuple[FloatArray, FloatArray]:
     """Return the lowest eigenpairs of the symmetric tridiagonal matrix A on the null space of `rows` (k, n).
 
-    Method: Lanczos iteration on the inverse, shifted below the lowest eigenvalue. Each step is one positive
-    definite tridiagonal solve. `terms` are added to A.
+    The method is Lanczos iteration on the inverse of A, shifted below the lowest eigenvalue. Each step solves a
+    positive definite tridiagonal system. `terms` are added to A.
 
     Returns
     -------
     values : (count,) array
     vectors : (count, n) array
-        Orthonormal, orthogonal to `rows`.
+        Orthonormal eigenvectors, orthogonal to `rows`.
     """
     n = diagonal.size
     basis = orthonormal_rows(rows)
@@ -174,7 +178,7 @@ def lowest_constrained(
     from scipy.sparse.linalg import LinearOperator, eigsh
 
     d, e, shift = _factored_below(diagonal, off, min(n, rank + count))
-    if terms is not None:  # terms may lower the lowest eigenvalue
+    if terms is not None:  # because terms may lower the lowest eigenvalue
         step = _reach(diagonal, off) / n**2
         while constrained_inertia(diagonal, off, rows, shift, terms):
             shift, step = shift - step, 2 * step
@@ -195,9 +199,10 @@ def lowest_constrained(
 
 
 def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[FloatArray, FloatArray, float]:
-    """Return D and L of L D L^T for the matrix minus a shift, and the shift.
+    """Return D and L of the factors L D L^T of a tridiagonal matrix minus a shift, and the shift.
 
-    The shift is below the lowest eigenvalue; its distance follows from the spread of the first `last` eigenvalues.
+    The shift is less than the lowest eigenvalue by a distance that depends on the spread of the first `last`
+    eigenvalues.
     """
     reach = _reach(diagonal, off)
     tolerance = 0.01 * reach / diagonal.size**2
@@ -205,7 +210,7 @@ def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[F
     step = 0.3 * (lowest[last - 1] - lowest[0]) + 10 * tolerance
     shift = lowest[0] - step
     d, e, info = lapack().dpttrf(diagonal - shift, off)
-    # by rounding the matrix is not positive definite: lower the shift
+    # if rounding makes the matrix indefinite, lower the shift
     while info != 0 and shift > -2 * reach - step:
         step *= 2
         shift -= step
@@ -219,7 +224,7 @@ def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[F
 
 
 class ConstrainedMode(NamedTuple):
-    """Lowest eigenvalue mu of A v = mu W v on C v = 0, with v (n,), and nu (k,) of A v - mu W v = C^t nu."""
+    """Lowest eigenvalue mu of A v = mu W v + C^t nu with C v = 0, its vector v (n,) and the multipliers nu (k,)."""
 
     value: float
     mode: FloatArray
@@ -229,9 +234,10 @@ class ConstrainedMode(NamedTuple):
 def lowest_weighted(
     diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray, terms: Terms | None = None
 ) -> ConstrainedMode:
-    """Return the lowest mode of a tridiagonal matrix A with weights `lengths` (n,) where `rows` (k, n) vanish.
+    """Return the lowest mode v of a tridiagonal matrix A with weights W (n,), subject to `rows` @ v = 0.
 
-    v^t W v = 1, its largest entry positive. `terms` are added to A.
+    W are the `lengths`. The mode is scaled to v^t W v = 1, and its largest entry is positive. `terms` are added
+    to A.
     """
     if _native.compiled is not None and diagonal.size >= _FEW and terms is None and len(rows) <= 2:
         lowest = _native.lowest_mode(diagonal, off, lengths, rows, _polynomials(diagonal.size))
@@ -258,7 +264,10 @@ def lowest_weighted(
 
 @lru_cache(maxsize=4)
 def _polynomials(n: int) -> FloatArray:
-    """Return orthonormal polynomials (n, _SMOOTH) on n equal steps; cached, because their computation is slow."""
+    """Return orthonormal polynomials (n, _SMOOTH) on n equal steps.
+
+    The result is cached, because its computation is slow.
+    """
     powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, n), _SMOOTH - 1)
     return np.asarray(np.linalg.qr(powers)[0])
 
@@ -280,7 +289,7 @@ def _reach(diagonal: FloatArray, off: FloatArray) -> float:
     return float(np.abs(diagonal).max() + 2 * np.abs(off).max(initial=0.0))
 
 
-# largest angle of an edge; no strip is wound so far, and cos and sin lose ten digits there
+# largest angle of an edge; beyond it, cos and sin lose ten digits, and no strip has so many turns
 _WOUND_UP_RAD = 1e6
 
 
@@ -294,41 +303,33 @@ def shoot(
     angle: float,
     natural_curvature: float | FloatArray = 0.0,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return angles and moments of the discrete rod in balance that starts with `moment` and `angle`.
+    """Return the angles and moments of a discrete rod in equilibrium that starts with `moment` and `angle`.
 
-    alpha_{i+1} = alpha_i + w_i (M_i / K_i + kappa_0),  M_{i+1} = M_i + l <b_{i+1}, T(alpha_{i+1})>: the
-    stationarity of the discrete energy (paper, section 7.1) read from left to right, so the moment imbalance
-    of `DiscreteRod.moment_imbalance` vanishes to rounding error.
+    The recursion is alpha_{i+1} = alpha_i + w_i (M_i / K_i + kappa_0), M_{i+1} = M_i + l <b_{i+1},
+    T(alpha_{i+1})>. It
+    contains the equations for a stationary discrete energy (paper, section 7.1) in the order of the nodes. The
+    result
+    of `DiscreteRod.moment_imbalance` is therefore zero except for rounding errors.
 
     Parameters
     ----------
     stiffness, w : (n+1,) arrays
-        K and Voronoi lengths (mm) of the nodes.
+        Stiffness K and Voronoi lengths (mm) of the nodes.
     force : (n, 2) array
-        lambda of the edges, 1/mm2; b = R^t lambda.
+        Minus the internal force, lambda, of the edges, 1/mm2; b is lambda turned by -90 degrees.
     edge_length : float
-        mm.
+        Edge length l, mm.
     moment, angle : float
-        M_0, 1/mm, and the held angle alpha_0 at the start, rad.
+        Moment M_0, 1/mm, and held angle alpha_0 at the start, rad.
     natural_curvature : float or (n+1,) array
-        kappa_0, 1/mm.
+        Curvature kappa_0 of the unloaded rod, 1/mm.
 
     Returns
     -------
     angles : (n+2,) array
         alpha_0, the n edge angles, and the angle at the end; NaN from the first angle beyond `_WOUND_UP_RAD`.
     moments : (n+1,) array
-
-    Examples
-    --------
-    A quarter circle: a constant moment and no force.
-
-    >>> from elastica_cad.mechanics.discrete_rod import node_weights
-    >>> angles, moments = shoot(
-    ...     np.ones(5), node_weights(0.25, 4), np.zeros((4, 2)), 0.25, moment=np.pi / 2, angle=0.0
-    ... )
-    >>> round(float(angles[-1]), 6)
-    1.570796
+        Bending moments of the nodes, 1/mm.
     """
     bends, rests = w / stiffness, np.ascontiguousarray(np.broadcast_to(w * natural_curvature, w.shape))
     across, along = edge_length * force[:, 1], -edge_length * force[:, 0]
@@ -343,7 +344,7 @@ def _shoot_in_python(
     n, (bend, rest) = bends.size - 1, (bends.tolist(), rests.tolist())
     pull_x, pull_y = across.tolist(), along.tolist()
     angles, moments = [alpha], [M]
-    for i in range(n):  # plain floats, because array expressions for each step are twenty times slower
+    for i in range(n):  # plain floats, because array operations in each step take twenty times longer
         alpha += bend[i] * M + rest[i]
         if not -_WOUND_UP_RAD < alpha < _WOUND_UP_RAD:
             alpha = M = nan
@@ -363,7 +364,7 @@ def tangents(angles: FloatArray) -> FloatArray:
 
 
 def node_weights(edge_length: float | FloatArray, edges: int) -> FloatArray:
-    """Return Voronoi lengths w (n+1,): half the sum of the incident edge lengths, mm."""
+    """Return the Voronoi lengths w (n+1,) of the nodes: half the sum of the lengths of the incident edges, mm."""
     half = np.empty(edges)
     half[:] = edge_length
     half /= 2
@@ -374,7 +375,7 @@ def node_weights(edge_length: float | FloatArray, edges: int) -> FloatArray:
 
 
 def edge_positions(start: FloatArray, tangents: FloatArray, edge_length: float | FloatArray) -> FloatArray:
-    """Return the nodes gamma (n+1, 2) of the chain of edges along `tangents` (n, 2) from `start`, mm."""
+    """Return the nodes (n+1, 2), mm, of the chain of edges along `tangents` (n, 2) from the point `start`."""
     position = np.empty((tangents.shape[0] + 1, 2))
     position[0] = start
     np.cumsum(np.reshape(edge_length, (-1, 1)) * tangents, axis=0, out=position[1:])
@@ -383,9 +384,11 @@ def edge_positions(start: FloatArray, tangents: FloatArray, edge_length: float |
 
 
 def edge_forces(first: FloatArray, load: FloatArray) -> FloatArray:
-    """Return lambda of all edges (n, 2), 1/mm2, from lambda of the first edge and the nodal loads (n+1, 2).
+    """Return the force lambda of all edges (n, 2), 1/mm2, from its first value and the nodal loads (n+1, 2).
 
-    lambda_{i+1} = lambda_i + q_i; with weight q_i = -w_i K_i e, b_{i+1} = b_i - w_i K_i R^t e.
+    Lambda is minus the internal force: lambda_{i+1} = lambda_i + q_i. The weight is q_i = -w_i K_i e, with
+    Voronoi lengths w_i, stiffness K_i and a vector
+    e against gravity.
     """
     force = np.empty((load.shape[0] - 1, 2))
     force[0] = first
@@ -403,7 +406,10 @@ def bending_moments(
     natural_curvature: float | FloatArray = 0.0,
     end_moments: tuple[float, float] = (0.0, 0.0),
 ) -> FloatArray:
-    """Return the moments M_i = K_i ((alpha_{i+1} - alpha_i) / w_i - kappa_0) of all nodes (n+1,), 1/mm.
+    """Return the bending moments of all nodes (n+1,), 1/mm.
+
+    The moments are M_i = K_i ((alpha_{i+1} - alpha_i) / w_i - kappa_0), with stiffness K_i, angles alpha_i, Voronoi
+    lengths w_i and natural curvature kappa_0.
 
     Parameters
     ----------
@@ -428,16 +434,17 @@ def bending_moments(
 
 @dataclass(frozen=True, eq=False)
 class Margin:
-    """Lowest eigenvalue of the second variation on the tangent space of the end constraints.
+    """Stability margin: lowest eigenvalue of the second variation for changes that the supports allow.
 
     Attributes
     ----------
     value : float
-        The eigenvalue of h -> int K h'^2 - <lambda, gamma'> h^2 against int h^2, times length^2.
+        Lowest value of int (K h'^2 - <lambda, gamma'> h^2) ds / int h^2 ds over the changes h of the tangent's
+        angle, times length^2. K is the stiffness, lambda minus the internal force, and gamma' the tangent.
     mode : (n,) array
-        Lowest mode h at the edges, scaled to int h^2 = 1; unit 1/sqrt(mm).
+        Lowest mode h at the edges, scaled to int h^2 ds = 1; unit 1/sqrt(mm).
     multipliers : (2,) array
-        nu of H v - mu W v = C^t nu, for x and y; zero for a coordinate that is not held at both ends.
+        Multipliers nu of H v - mu W v = C^t nu for x and y; zero for a coordinate that is not held at both ends.
     """
 
     value: float
@@ -447,18 +454,19 @@ class Margin:
 
 @dataclass(frozen=True, eq=False)
 class MarginDerivatives:
-    """Partial derivatives of the margin.
+    """Partial derivatives of the stability margin.
 
     Attributes
     ----------
     stiffness : (n+1,) array
-        With respect to the nodal K.
+        Derivatives with respect to the nodal stiffness.
     force : (n, 2) array
-        With respect to each edge's lambda, mm2.
+        Derivatives with respect to minus the internal force of each edge, mm2.
     angles : (n,) array
-        With respect to each edge's angle.
+        Derivatives with respect to the angle of each edge.
     length : float
-        With respect to the total length if all edges are scaled and K, angles and lambda stay, 1/mm.
+        Derivative with respect to the total length, 1/mm, if all edges are scaled, and stiffness, angles and force
+        stay the same.
     """
 
     stiffness: FloatArray
@@ -474,19 +482,19 @@ class DiscreteRod:
     Attributes
     ----------
     stiffness : (n+1,) array
-        K at the nodes; dM/dkappa where the material does not follow Hooke's law.
+        Stiffness at the nodes: dM/dkappa if the material does not obey Hooke's law.
     angles : (n,) array
         Edge angles, rad.
     force : (n, 2) or (2,) array
-        lambda of the edges, 1/mm2 (minus the usual internal force).
+        Force lambda of the edges, 1/mm2: minus the usual internal force.
     edge_length : float or (n,) array
-        mm.
+        Length of the edges, mm.
     supports : Supports
         By default both ends are clamped.
     start : (2,) array
         Position of the first node, mm.
     bracing : Bracing or None
-        Elements between the ends.
+        Contribution of elements between the ends to the second variation.
 
     Examples
     --------
@@ -527,12 +535,12 @@ class DiscreteRod:
 
     @cached_property
     def pull(self) -> FloatArray:
-        """<lambda, T> of the edges (n,), 1/mm2: minus the axial force."""
+        """Component of the force lambda along each edge (n,), 1/mm2: minus the tension."""
         return np.asarray(self.force[..., 0] * self.tangents[:, 0] + self.force[..., 1] * self.tangents[:, 1])
 
     @cached_property
     def shear(self) -> FloatArray:
-        """<b, T> of the edges (n,), 1/mm2: the slope of the moment, b = R^t lambda."""
+        """Slope of the bending moment along each edge (n,), 1/mm2: normal component of the force lambda."""
         return np.asarray(self.force[..., 1] * self.tangents[:, 0] - self.force[..., 0] * self.tangents[:, 1])
 
     @cached_property
@@ -548,10 +556,12 @@ class DiscreteRod:
 
     @cached_property
     def hessian(self) -> tuple[FloatArray, FloatArray]:
-        """Tridiagonal Hessian H of the energy in the edge angles: diagonal (n,), off-diagonal (n-1,), 1/mm.
+        """Tridiagonal Hessian H of the energy by the edge angles: diagonal (n,) and off-diagonal (n-1,), 1/mm.
 
-        h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2, with h_0 = h_{n+1} = 0
-        if the angle is held; the term of the end node is left out if the angle is free.
+        h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2, where h_i is the change of
+        an edge angle, K_i and w_i are the stiffness and Voronoi length of a node, and l_i and T_i the length and
+        tangent of an edge. At an end with a held angle, h_0 or h_{n+1} is 0. At an end with a free angle, the
+        term of the end node is omitted.
         """
         spring = self.stiffness / self.node_lengths
         self._drop_free(spring)
@@ -559,9 +569,11 @@ class DiscreteRod:
 
     @cached_property
     def constraint_rows(self) -> FloatArray:
-        """Rows C (p, n), mm, of d(gamma_l - gamma_0) = C d(alpha), for the coordinates held at both ends.
+        """Derivatives C (p, n), mm, by the edge angles of the coordinates of the end that both supports hold.
 
-        C = l_i (-sin alpha_i, cos alpha_i). Rows along a straight rod vanish to first order and are left out.
+        The columns are l_i (-sin alpha_i, cos alpha_i), with edge length l_i and angle alpha_i. Rows along a
+        straight rod
+        vanish to first order and are omitted.
         """
         sides = (-1, self.tangents[:, 1]), (1, self.tangents[:, 0])
         rows = np.zeros((len(self.held), self.angles.size))
@@ -573,18 +585,18 @@ class DiscreteRod:
 
     @cached_property
     def unstable_modes(self) -> int:
-        """Number of unstable modes: the inertia of the Hessian on the constraints."""
+        """Number of unstable modes: negative eigenvalues of the Hessian under the constraints."""
         rows, terms = self._braced(self.constraint_rows)
         return constrained_inertia(*self.hessian, rows, terms=terms)
 
     def lowest_modes(self, count: int = 1) -> tuple[FloatArray, FloatArray]:
-        """Return the lowest eigenvalues (count,) and modes (count, n) of the Hessian on the constraints."""
+        """Return the lowest eigenvalues (count,) and modes (count, n) of the Hessian under the constraints."""
         rows, terms = self._braced(self.constraint_rows)
         return lowest_constrained(*self.hessian, rows, count, terms)
 
     @cached_property
     def margin(self) -> Margin:
-        """Stability margin, O(n); positive means stable."""
+        """Stability margin; positive means stable. Its computation takes O(n) operations."""
         lengths = self.edge_lengths
         diagonal, off, rows = self._second_variation
         lowest = lowest_weighted(diagonal, off, lengths, *self._braced(rows))
@@ -594,9 +606,10 @@ class DiscreteRod:
 
     @cached_property
     def margin_derivatives(self) -> MarginDerivatives:
-        """Derivatives of the lowest eigenvalue mu of H v = mu W v + C^t nu, with v^t W v = 1 and C v = 0.
+        """Derivatives of the lowest eigenvalue mu of H v = mu W v + C^t nu with v^t W v = 1 and C v = 0.
 
-        They are d(mu) = v^t dH v - mu v^t dW v - 2 nu^t dC v, where nu are the multipliers of the constraints C.
+        H is the Hessian, W the diagonal matrix of edge lengths, and nu are the multipliers of the constraints C.
+        The derivatives are d(mu) = v^t dH v - mu v^t dW v - 2 nu^t dC v.
         """
         v, nu, lengths = self.margin.mode, self.margin.multipliers, self.edge_lengths
         total = float(lengths.sum())
@@ -625,18 +638,18 @@ class DiscreteRod:
         )  # fmt: skip
 
     def _braced(self, rows: FloatArray) -> tuple[FloatArray, Terms | None]:
-        """Return the constraints of ends and elements, and the terms of the elements."""
+        """Return the constraints of the ends and elements, and the terms that the elements add to the Hessian."""
         if self.bracing is None:
             return rows, None
         terms = (self.bracing.terms, self.bracing.coefficients) if len(self.bracing.terms) else None
         return np.concatenate([rows, self.bracing.rows]), terms
 
     def moment_imbalance(self, moments: FloatArray) -> FloatArray:
-        """Return M_{i-1} - M_i + l_i <b_i, T_i> of the edges (n,), 1/mm: the gradient of the energy."""
+        """Return the moment imbalance of the edges (n,), 1/mm: the gradient of the energy by the edge angles."""
         return np.asarray(moments[:-1] - moments[1:] + self.edge_length * self.shear)
 
     def reversed(self) -> "DiscreteRod":
-        """Return the same rod, numbered from its end."""
+        """Return the same rod with its nodes numbered from the other end."""
         force = np.broadcast_to(self.force, self.tangents.shape)
         return DiscreteRod(
             self.stiffness[::-1], self.angles[::-1] + np.pi, -force[::-1], self.edge_lengths[::-1],

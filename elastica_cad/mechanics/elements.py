@@ -1,12 +1,12 @@
-"""Rails, pins, ties and point forces, which hold or load a strip between its ends.
+"""Rails, pins, ties and point forces, which support or load a strip between its ends.
 
-A force f on the strip at the station p = gamma(s_j) makes the moment
+A force f_j on the strip gamma(s) at the point p_j = gamma(s_j) changes the bending moment to
 
     M(s) = a + <b, gamma(s)> - sum over s_j < s of det(f_j, gamma(s) - p_j),
 
-so M is continuous, its slope steps, and lambda steps by f_j. Each element has one or two unknown numbers, and M is
-linear in them as it is in a and b. A tie acts at two stations with opposite forces. The page "Forces between the
-ends" of the manual has the derivation in short.
+where a and b are constants. M is continuous, its slope jumps, and the internal force jumps by f_j. Each element has
+one or two unknown numbers. M is linear in these numbers and in a and b. A tie acts at two points with opposite
+forces. The page "Forces between the ends" of the manual has a short derivation.
 """
 
 from collections.abc import Iterable, Sequence
@@ -30,21 +30,21 @@ _NOTCH = Option("Width of a notch in each edge of the strip, for two cords; 0 fo
 
 
 class Element:
-    """Rail, pin or tie, which holds a strip between its ends."""
+    """Support of a strip between its ends: rail, pin or tie."""
 
 
 @dataclass(frozen=True)
 class Rail(Element):
-    """Rail across the strip that pushes normal to it; the strip slides over the rail.
+    """Rail across the strip that pushes normal to the strip; the strip slides over the rail.
 
-    The direction of the push follows from the balance: a bar is mounted on the side from which it pushes.
+    The equilibrium determines the direction of the push. Mount a bar on the side from which it pushes.
 
     Parameters
     ----------
     at : float or (float, float)
-        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest place.
+        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest point of it.
     one_sided : bool
-        True for a bar, from which the strip may lift off. False for a slot or two bars.
+        True for a single bar, from which the strip may lift off. False for a slot, or for a bar on each side.
 
     Examples
     --------
@@ -62,15 +62,15 @@ class Rail(Element):
 
 @dataclass(frozen=True)
 class Pin(Element):
-    """Pin that holds a place of the strip and lets the strip turn, such as a ring or a screw through a lug.
+    """Pin that fixes a point of the strip and lets the strip turn, such as a ring or a screw through a lug.
 
     Parameters
     ----------
     at : float or (float, float)
-        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest place.
+        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest point of it.
     hole, notch : float
-        Diameter of a hole on the centre line, or width and depth of a notch in each edge, mm; 0 for none. The strip
-        is widened there, so that it bends as without these cuts.
+        Diameter of a hole on the centre line, or width and depth of a notch in each edge, mm; 0 for none. The
+        strip is widened at the cut, so that it bends like a strip without a cut.
 
     Examples
     --------
@@ -89,18 +89,19 @@ class Pin(Element):
 
 @dataclass(frozen=True)
 class Tie(Element):
-    """Taut cord between two places of the strip, which it pulls towards each other.
+    """Taut cord between two points of the strip, which it pulls towards each other.
 
     Parameters
     ----------
     start, end : float or (float, float)
-        Arc lengths along the drawn curve, mm, or points near the curve, which are moved to the nearest places.
+        Arc lengths along the drawn curve, mm, or points near the curve, which are moved to the nearest points of
+        it.
     length : float, optional
-        Length of the cord for `bend`, mm; by default, the distance between its places.
+        Length of the cord for `bend`, mm; by default, the distance between its two points.
     hole, notch : float
         Diameter of a hole on the centre line, or width and depth of a notch in each edge for two
-        cords, mm; 0 for none. The strip is widened there, so that it bends as without these
-        cuts.
+        cords, mm; 0 for none. The strip is widened at the cut, so that it bends like a strip without
+        a cut.
 
     Examples
     --------
@@ -129,9 +130,9 @@ class PointForce:
     Parameters
     ----------
     at : float or (float, float)
-        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest place.
+        Arc length along the drawn curve, mm, or a point near the curve, which is moved to the nearest point of it.
     force : (float, float)
-        N, in the plane of the curve.
+        Components of the force in the plane of the curve, N.
 
     Examples
     --------
@@ -148,7 +149,7 @@ class PointForce:
 
 
 def _require_cut(element: "Pin | Tie") -> None:
-    """Refuse negative sizes of cuts, and a hole and notches at the same place."""
+    """Refuse negative sizes of cuts, and a hole and notches at the same point."""
     require_declared(type(element), vars(element), NOUNS[type(element)])
     if element.hole and element.notch:
         raise InputError(
@@ -158,23 +159,23 @@ def _require_cut(element: "Pin | Tie") -> None:
 
 
 NOUNS = {Rail: "rail", Pin: "pin", Tie: "tie", PointForce: "point force", PointMass: "point mass"}
-"""Names of the records in messages."""
+"""Names of elements and loads in messages."""
 
 
 def noun_of(element: Element | PointForce | PointMass) -> Refusal:
-    """Return the name of the kind of element in a message."""
+    """Return the noun for an element or load in messages."""
     return note(NOUNS[type(element)])
 
 
 def require_elements(between: object) -> tuple[Element, ...]:
-    """Return the elements as a tuple; refuse other records."""
+    """Return the elements as a tuple; refuse objects of other classes."""
     return several("between", between, Rail | Pin | Tie, "Rail, Pin or Tie")
 
 
 def weight_with_loads(
     weight: Weight | None, gravity: Gravity | None, loads: object
 ) -> tuple[Weight | None, tuple[PointForce, ...]]:
-    """Return the weight with the masses of the loads, and the point forces."""
+    """Return the weight with the point masses among the loads, and the point forces among the loads."""
     point_loads = several("loads", loads, PointMass | PointForce, "PointMass or PointForce")
     masses = tuple(load for load in point_loads if isinstance(load, PointMass))
     forces = tuple(load for load in point_loads if isinstance(load, PointForce))
@@ -194,22 +195,22 @@ NEAR_SHARE = 0.05
 """Largest distance of a point from the curve, as a fraction of the length, that is moved to the curve."""
 
 AT_END_SHARE = 1e-6
-"""Distance from an end, as a fraction of the length, below which a station counts as at the end."""
+"""Distance from an end, as a fraction of the length, below which a position counts as at the end."""
 
-_FOOT_STEPS = 20  # number of Newton steps from the nearest sample of a curve to its nearest place
+_FOOT_STEPS = 20  # largest number of Newton steps from the nearest sample of a curve to its nearest point
 
 
 @dataclass(frozen=True, eq=False)
 class PlacedElement:
-    """Element or load with its stations on a curve.
+    """Element or load with its position on a curve.
 
     Attributes
     ----------
     element : Rail, Pin, Tie or PointForce
     s : (k,) array
-        Arc lengths of the stations, mm.
+        Arc lengths of the points at which the element acts, mm.
     units : (u, k, 2) array
-        Forces on the strip at the stations for the value 1 of each of its u unknown numbers. The only number of a
+        Forces on the strip at the k points for the value 1 of each of the u unknown numbers. The single number of a
         `PointForce` is known.
     """
 
@@ -219,9 +220,9 @@ class PlacedElement:
 
     @classmethod
     def on(cls, element: Element | PointForce, drawn: PlaneCurve, curve: PlaneCurve) -> "PlacedElement":
-        """Place an element that was given along the `drawn` curve on the `curve` that is bent.
+        """Convert the position of an element from the `drawn` curve to the realizable `curve`.
 
-        Rails and pins keep their point in space, ties and loads their fraction of the length.
+        Rails and pins keep their point in the plane. Ties and loads keep their fraction of the length.
         """
         if isinstance(element, Tie):
             s = np.array([_station(at, drawn, element) for at in (element.start, element.end)])
@@ -249,14 +250,14 @@ class PlacedElement:
 
     @property
     def unknowns(self) -> int:
-        """Number of unknown numbers."""
+        """Number of unknown numbers that determine the force."""
         return 0 if isinstance(self.element, PointForce) else len(self.units)
 
 
 def place_elements(
     elements: Iterable[Element | PointForce], drawn: PlaneCurve, curve: PlaneCurve, supports: Supports
 ) -> tuple[PlacedElement, ...]:
-    """Return the elements on the curve that is bent; refuse those that the ends hold already."""
+    """Return the elements on the realizable curve; refuse elements at points that the ends already hold."""
     placed = tuple(PlacedElement.on(element, drawn, curve) for element in elements)
     near = AT_END_SHARE * curve.length
     held = [s for s, end in zip((0.0, curve.length), supports.ends, strict=True) if end.x and end.y]
@@ -278,7 +279,7 @@ def place_elements(
 
 
 def with_placed_masses(weight: Weight, curve: PlaneCurve) -> Weight:
-    """Return the weight with its masses at arc lengths along the curve."""
+    """Return the weight with the positions of its masses converted to arc lengths along the curve."""
     masses = tuple(
         replace(mass, at=_station(mass.at, curve, mass)) if isinstance(mass.at, tuple) else mass
         for mass in weight.masses
@@ -287,7 +288,7 @@ def with_placed_masses(weight: Weight, curve: PlaneCurve) -> Weight:
 
 
 def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | PointMass) -> float:
-    """Return the arc length, mm, of a place along the drawn curve."""
+    """Return the arc length, mm, of a point or arc length on the drawn curve; refuse positions off the curve."""
     if isinstance(at, tuple):
         s = _foot(curve, np.array(at))
         off = float(np.hypot(*(curve.at(np.array([s])).position[0] - at)))
@@ -310,13 +311,13 @@ def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | Point
 
 
 def _foot(curve: PlaneCurve, point: FloatArray) -> float:
-    """Return the arc length, mm, of the place of the curve that is nearest to a point (2,)."""
+    """Return the arc length, mm, of the point of the curve that is nearest to a given point (2,)."""
     nodes = curve.survey
     s = float(nodes.s[np.hypot(*(nodes.position - point).T).argmin()])
     for _ in range(_FOOT_STEPS):
         here = curve.at(np.array([s]))
         off, tangent = point - here.position[0], np.array([np.cos(here.angle[0]), np.sin(here.angle[0])])
-        # at least 0.3, because the step diverges at the evolute
+        # at least 0.3, because Newton steps diverge near the evolute
         spread = max(1 - float(here.curvature[0] * (off @ left_of(tangent))), 0.3)
         before, s = s, float(np.clip(s + off @ tangent / spread, 0.0, curve.length))
         if abs(s - before) <= 1e-12 * curve.length:
@@ -326,16 +327,16 @@ def _foot(curve: PlaneCurve, point: FloatArray) -> float:
 
 @dataclass(frozen=True)
 class Mount:
-    """Properties of a mounted element that stay while the strip is bent.
+    """Properties of a mounted element that do not change while the strip is bent.
 
     Attributes
     ----------
     point : (float, float)
         Point at which a rail or pin holds the strip, mm; not used for ties.
     side : int
-        Side of the strip to which a rail pushes: 1 for left, -1 for right, 0 if unknown or both.
+        Direction in which a rail pushes the strip: 1 for left, -1 for right, 0 if unknown or both.
     length : float
-        Length of the cord of a tie, mm; not used for others.
+        Length of the cord of a tie, mm; not used for rails and pins.
     """
 
     point: tuple[float, float] = (0.0, 0.0)
@@ -351,11 +352,12 @@ class ElementForce:
     ----------
     element : Rail, Pin, Tie or PointForce
     s : (k,) array
-        Arc lengths of the stations, mm.
+        Arc lengths of the points at which the element acts, mm.
     force : (k, 2) array
-        Force on the strip at the stations, 1/mm2; times the least bending stiffness of the rod (N mm2) in N.
+        Forces on the strip at these points, 1/mm2. Multiply by the least bending stiffness of the rod (N mm2) to
+        obtain N.
     mount : Mount or None
-        Set by `bend`. None for a taut element of a rod that has not been bent since its design.
+        Data set by `bend`; None for a taut element of a rod that has not been bent since its design.
     """
 
     element: Element | PointForce
@@ -365,7 +367,7 @@ class ElementForce:
 
     @property
     def mounting(self) -> Mount:
-        """The mount, or one without point and length."""
+        """The mount, or an empty `Mount` if the element has none."""
         return self.mount or Mount()
 
     @property
@@ -376,24 +378,27 @@ class ElementForce:
 
     @property
     def on_curve(self) -> Any:
-        """The element or load with its places as arc lengths along the rod."""
+        """The element or load with its positions as arc lengths along the rod."""
         names = ("start", "end") if isinstance(self.element, Tie) else ("at",)
         element: Any = self.element
         return replace(element, **dict(zip(names, self.s.tolist(), strict=True)))
 
     @property
     def size(self) -> float:
-        """Size of the force, 1/mm2; the pull of a tie."""
+        """Magnitude of the force, 1/mm2; for a tie, its pull."""
         return float(np.hypot(*self.force[0]))
 
     def distance_on(self, curve: PlaneCurve) -> float:
-        """Return the distance between the first and the last station on a curve, mm: the length of a taut cord."""
+        """Return the distance on a curve between the first and the last point of the element, mm.
+
+        It is the length of a taut cord.
+        """
         ends = curve.at(self.s).position
         return float(np.hypot(*(ends[-1] - ends[0])))
 
 
 def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[ElementForce, ...]:
-    """Return the forces for the numbers (u,) of all elements in order."""
+    """Return the elements with the forces for their unknown numbers (u,), in the order of the elements."""
     ends = np.cumsum([placed_element.unknowns for placed_element in placed], dtype=int)
     return tuple(
         ElementForce(
@@ -408,8 +413,9 @@ def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[Ele
 def edge_weights(s: float, edge_length: float, edges: int, order: int = 0) -> FloatArray:
     """Return the weights (n,) of the edge vectors in the position at arc length s, or their derivatives by s.
 
-    The position is on the quadratic B-spline of the nodes, which touches each edge at its middle. Its tangent is
-    continuous, so a rail slides over it without steps. It is straight in the outer halves of both end edges.
+    The position is on the quadratic B-spline of the nodes, which touches each edge at its midpoint. Its tangent is
+    continuous, so a rail slides smoothly from edge to edge. The spline is straight in the outer halves of both end
+    edges.
     """
     x = s / edge_length
     if 0.5 < x < edges - 0.5:
@@ -429,7 +435,7 @@ def edge_weights(s: float, edge_length: float, edges: int, order: int = 0) -> Fl
 
 
 def lumped(forces: Iterable[ElementForce], nodes: int, length: float) -> FloatArray:
-    """Return the forces divided between the nodes (n, 2) of a rod beside their stations, 1/mm2."""
+    """Return forces between nodes as forces (n, 2), 1/mm2, on the neighbouring nodes of a rod."""
     load = np.zeros((nodes, 2))
     for action in forces:
         for s, force in zip(action.s, action.force, strict=True):

@@ -1,4 +1,4 @@
-"""Verdict on a curve, and comparison with other curves if it was fitted to measured points."""
+"""Check whether a curve is realizable, and compare the result with other fits of its measured points."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -44,26 +44,26 @@ from elastica_cad.mechanics.theorem1 import (
 from elastica_cad.refusals import Length, Listed, note
 
 MOST_POINTS = 400
-"""Largest number of points to which the other curves are fitted; further points are left out."""
+"""Largest number of measured points to which other curves are fitted; the points are thinned to this number."""
 
 MOST_ON_LINE = 2
-"""Largest number of inflections that are on a line for every curve."""
+"""Largest number of inflections that are on a common line for every curve."""
 
 ADDED_INFLECTIONS = 2
-"""Number of inflections that are added by an oscillation of a fit."""
+"""Number of inflections that one oscillation adds to a fitted curve."""
 
 
 def _compare_fits(
     check: EquilibriumCheck, drawn: PlaneCurve, judge: Callable[[PlaneCurve], EquilibriumCheck]
 ) -> Undecided | None:
-    """Return both verdicts if another curve through the measured points has a different verdict, or None.
+    """Return both results if another fit of the measured points has a different result, or None.
 
     Parameters
     ----------
     check : EquilibriumCheck
-        Verdict on the `drawn` curve.
+        Result for the `drawn` curve.
     judge : callable
-        Verdict on another curve.
+        Function that checks another curve.
     """
     points = None if drawn.provenance is None else drawn.provenance.measured
     if (
@@ -83,10 +83,11 @@ def _compare_fits(
 
 
 def _has_loose_inflections(check: EquilibriumCheck, other: EquilibriumCheck, points: MeasuredPoints) -> bool:
-    """Return True if a curve is refused for a line through inflections that the points do not require.
+    """Return True if a curve is refused only because of inflections that the measured points do not require.
 
-    The points require at most two inflections, which are always on a line. The curve has an additional pair, and
-    another fit has fewer inflections.
+    The points require at most two inflections, which are always on a common line. The refused curve has at least
+    two
+    inflections more, and another fit has fewer inflections than the refused curve.
     """
     count, required = len(check.off_line), points.bend_changes
     if check.realizable or check.bent_beforehand or len(other.inflections) >= count:
@@ -97,7 +98,7 @@ def _has_loose_inflections(check: EquilibriumCheck, other: EquilibriumCheck, poi
 def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurve]:
     """Yield two fits within the resolution of the points, a fit to every other point, and a smoother fit.
 
-    The deviation of the smoother fit is at most half of that of the fit to every other point.
+    The smoother fit deviates from the points by at most half as much as the fit to every other point.
     """
     step = -(-len(points.points) // MOST_POINTS)
     some, half = _thinned(points.points, step), _thinned(points.points, 2 * step)
@@ -115,7 +116,6 @@ def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurv
 
 
 def _thinned(points: FloatArray, step: int) -> FloatArray:
-    """Return every `step`-th point and the last point."""
     return np.concatenate([points[:-1:step], points[-1:]])
 
 
@@ -132,10 +132,11 @@ def examine(
     *,
     heavy: bool = False,
 ) -> EquilibriumCheck:
-    """Check the conditions of Theorem 1 in turn: curvature, unbent ends, line.
+    """Check the conditions of Theorem 1: curvature, ends without bending, and a line through the inflections.
 
-    With weight (`heavy`) the line is not needed (paper, section 5), but the other conditions remain. The verdict on
-    a curve that was fitted to points is compared with the verdicts on other fits (`undecided`).
+    With weight (`heavy`) no line is needed (paper, section 5), but the other conditions remain. A curve that was
+    fitted
+    to points is compared with other fits; if their results differ, the result is `undecided`.
     """
     judge = partial(
         _examine_curve,
@@ -157,7 +158,7 @@ def _examine_curve(
     *,
     heavy: bool,
 ) -> EquilibriumCheck:
-    """Check the conditions of Theorem 1 on a curve."""
+    """Check the conditions of Theorem 1 on one curve, without other fits."""
     check = examine_curvature(curve, supports, natural_curvature)
     check = _with_unbent_ends(check, supports, natural_curvature, tolerance)
     if heavy or check.any_stiffness or not check.zeros:
@@ -165,21 +166,26 @@ def _examine_curve(
     return _check_line(check, supports, natural_curvature, tolerance)
 
 
-# curvature of an end, as a fraction of the largest curvature, below which the end is unbent
+# largest curvature of an unbent end, as a fraction of the largest curvature of the curve
 UNBENT_SHARE = 1e-12
 
 MEANT_SHARE = 0.01
-"""Largest distance, as a fraction of the length, of a zero of the curvature from an end that is free to turn, for
-the end to count as unbent. It is the accuracy of a drawing. The zero may be beyond the end."""
+"""Largest distance of a curvature zero from an end that is free to turn, as a fraction of the length.
+
+Within this accuracy of a drawing, the end counts as unbent. The zero may be beyond the end.
+"""
 
 
 def _with_unbent_ends(
     check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature, tolerance: float
 ) -> EquilibriumCheck:
-    """Check the curve again after moving control points so that its almost unbent ends are exactly unbent.
+    """Check the curve again after its control points are moved so that almost unbent ends are exactly unbent.
 
-    Almost unbent ends are free to turn, or their curvature vanishes to rounding. Positions and
-    tangents of both ends stay. The curve is not changed if it would move farther than `tolerance` times its length.
+    An end is almost unbent if it is free to turn and a zero of the curvature is near, or if its curvature is zero
+    except
+    for rounding. Positions and tangents of both ends do not change. The original result is returned if the curve
+    would
+    move farther than `tolerance` times its length.
     """
     if check.curve.is_closed or check.any_stiffness:
         return check
@@ -199,18 +205,18 @@ def _with_unbent_ends(
 
 
 def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> bool:
-    """Return True if an inflection that belongs to an end differs from the end by more than rounding."""
+    """Return True if an end that counts as a zero of the curvature has a curvature above rounding errors."""
     return bool(list(_traces(ExcessCurvature(check.curve, natural_curvature), check)))
 
 
 def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
-    """Return the largest distance of points of the same parameter, mm."""
+    """Return the largest distance between points of two curves at the same parameter, mm."""
     t = np.linspace(*before.domain, 1001)
     return float(np.hypot(*np.moveaxis(np.asarray(after.evaluate(t)) - before.evaluate(t), -1, 0)).max())
 
 
 def _traces(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
-    """Yield the parameters of ends that count as zeros although their curvature exceeds rounding."""
+    """Yield the parameters of ends that count as zeros although their curvature exceeds rounding errors."""
     ends = np.array([z.t for z in check.zeros if z.kind == "end"])
     if ends.size:
         size = float(np.abs(excess.survey).max())
@@ -218,7 +224,7 @@ def _traces(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]
 
 
 def _meant(excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports) -> Iterable[float]:
-    """Yield the parameters of almost unbent ends that are free to turn."""
+    """Yield the parameters of ends that are free to turn and almost unbent."""
     unbent = {z.t for z in check.zeros if z.kind == "end"}
     for t, support in zip(check.curve.domain, supports.ends, strict=True):
         if support.angle or t in unbent:
@@ -229,7 +235,7 @@ def _meant(excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports)
 
 
 def _ends_near_zeros(check: EquilibriumCheck) -> set[float]:
-    """Return the parameters of ends that are near an inner zero of the curvature."""
+    """Return the parameters of ends that are near a zero of the curvature inside the curve."""
     (start, end), near = check.curve.domain, MEANT_SHARE * check.length
     inner = [z.s for z in check.zeros if z.kind != "end"]
     return {start for s in inner if s < near} | {end for s in inner if s > check.length - near}
@@ -244,27 +250,28 @@ def _unbent(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
 
 
 _SAME_PLACE_SHARE = 1e-6
-"""Largest distance of places, as a fraction of the length, that count as the same inflection."""
+"""Largest distance between points, as a fraction of the length, that count as the same inflection."""
 
 _WIDEST_RATIO = 1e4
-"""Largest stiffness ratio of a realizable curve; above it, rounding would decide the verdict."""
+"""Largest stiffness ratio of a realizable curve; above it, the result would depend on rounding errors."""
 
 _TANGENT_RAD = 1e-6
-"""Sine of the angle between line and curve; smaller values count as tangent."""
+"""Sine of the angle between line and curve below which they count as tangent."""
 
-# distance from a zero of the curvature, in lengths, within which K is a quotient of two small numbers
+# distance from a zero of the curvature, as a fraction of the length, at which K is 0 / 0 except for
+# rounding
 _AT_ZERO_SHARE = 1e-4
 _LINES = {
     "": ("one line", "The line through its inflections"),
     "vertical": ("one vertical line", "The vertical line that the supports require"),
     "horizontal": ("one horizontal line", "The horizontal line that the supports require"),
 }
-_TURNS = 67  # number of directions that are tried for a line through the only inflection
+_TURNS = 67  # number of directions that are tried for a line through a single inflection
 
 
 @dataclass(frozen=True)
 class LineMeeting:
-    """Inadmissible contact (mm) of a line and the curve; kind "crossing", "touch" or "tangent"."""
+    """Point at arc length s, mm, at which line and curve meet inadmissibly: "crossing", "touch" or "tangent"."""
 
     s: float
     kind: str
@@ -272,17 +279,17 @@ class LineMeeting:
 
 @dataclass(frozen=True)
 class SeparatingLine:
-    """Lines through a single inflection that meet the curve nowhere else.
+    """Lines through the only inflection of a curve that meet the curve at no other point.
 
     Attributes
     ----------
     line : InflectionLine or None
-        Middle line, or None if no line exists.
+        Line in the middle of the admissible directions, or None if no line exists.
     spread : float
-        Angle, rad, subtended at the inflection by the curve, with the part of opposite curvature mirrored at the
+        Angle, rad, that the curve subtends at the inflection, if its part before the inflection is mirrored at the
         inflection. Lines exist if the angle is less than pi.
     places : (float, float)
-        Arc lengths of the two points that bound the lines, mm.
+        Arc lengths, mm, of the two points of the curve that limit the admissible directions.
     """
 
     line: InflectionLine | None
@@ -293,7 +300,7 @@ class SeparatingLine:
 def _check_line(
     check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature, tolerance: float
 ) -> EquilibriumCheck:
-    """Check that a line for the moment exists, for a curve whose curvature was checked and has zeros."""
+    """Check whether the zeros of the curvature admit a line of zero moment."""
     force_x, force_y = supports.transmits_force
     if not (force_x or force_y):
         reason = note(
@@ -309,7 +316,7 @@ def _check_line(
 
 
 def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> EquilibriumCheck:
-    """Check that a line through the only zero meets the curve nowhere else."""
+    """Check whether a line through the only zero of the curvature meets the curve at no other point."""
     zero = check.zeros[0]
     lines = find_separating_line(check.curve, zero, zero.after or -zero.before)
     checked = replace(check, line=lines.line, off_line=((zero.s, 0.0),))
@@ -332,7 +339,7 @@ def _with_line(
     natural_curvature: NaturalCurvature,
     tolerance: float,
 ) -> EquilibriumCheck:
-    """Check the only possible line, through two or more zeros or of given direction."""
+    """Check the only possible line, which has a given direction or passes through two or more zeros."""
     line = fit_inflection_line(_positions(check), normal)
     distance = line.distance(_positions(check))
     off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
@@ -369,13 +376,13 @@ def _with_line(
 def _moved_onto(
     line: InflectionLine, check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature
 ) -> EquilibriumCheck | None:
-    """Check the curve again with its inflections moved onto the line; return None if they cannot be moved."""
-    # moved control points would open a closed curve
+    """Check the curve with its inflections moved onto the line; return None if they cannot be moved."""
+    # moving control points would open a closed curve
     if isinstance(natural_curvature, RestCurvature) or check.curve.is_closed:
         return None
 
     moved_check = check
-    for _ in range(2):  # a second time if an inflection was moved to an end
+    for _ in range(2):  # repeat if the first move brought an inflection to an end
         try:
             moved = project_inflections(moved_check.curve, moved_check.zeros, line, natural_curvature)
         except NotConvergedError:
@@ -390,7 +397,7 @@ def _moved_onto(
 def _off_the_border(
     check: EquilibriumCheck, natural_curvature: NaturalCurvature, spare: float = 0.0
 ) -> EquilibriumCheck:
-    """Return the check, refused if the curve needs a stiffness ratio that no strip can have."""
+    """Return the check, refused if the curve needs a larger stiffness ratio than a strip can have."""
     if check.line is None or not check.realizable:
         return check
     at = _widest_place(ExcessCurvature(check.curve, natural_curvature), check.line, check.zeros, spare)
@@ -424,7 +431,7 @@ def _refused(check: EquilibriumCheck, reason: str) -> EquilibriumCheck:
 
 
 def fit_inflection_line(points: FloatArray, normal: FloatArray | None = None) -> InflectionLine:
-    """Return the line of least squares through points (k, 2), with a given normal if there is one."""
+    """Return the least-squares line through points (k, 2), with the given normal if there is one."""
     centre = points.mean(axis=0)
     if normal is None:
         _, _, vt = np.linalg.svd(points - centre)
@@ -438,11 +445,11 @@ def fit_inflection_line(points: FloatArray, normal: FloatArray | None = None) ->
 def _line_meetings(
     curve: PlaneCurve, line: InflectionLine, zeros: Sequence[CurvatureZero]
 ) -> tuple[LineMeeting, ...]:
-    """Return the places where the line violates condition (1) of Theorem 1.
+    """Return the points of the curve at which the line violates condition (1) of Theorem 1.
 
-    These are crossings away from zeros of the curvature, tangency at a zero, and zeros at which the curve crosses
-    in the wrong direction. The sign of the moment a + <b, gamma> relative to the curvature must be the same
-    everywhere.
+    Violations are crossings away from zeros of the curvature, tangency at a zero, and zeros at which the curve
+    crosses the line in the wrong direction. By the condition, moment a + <b, gamma> and curvature of the curve
+    gamma must have the same sign everywhere, or opposite signs everywhere.
     """
     near = _SAME_PLACE_SHARE * curve.length
     bad: list[LineMeeting] = []
@@ -468,11 +475,13 @@ def _line_meetings(
 def _widest_place(
     excess: ExcessCurvature, line: InflectionLine, zeros: Sequence[CurvatureZero], spare: float
 ) -> float | None:
-    """Return the place (mm) where the stiffness ratio would exceed `_WIDEST_RATIO`, or None.
+    """Return the arc length, mm, at which the stiffness ratio would exceed `_WIDEST_RATIO`, or None.
 
-    K = distance from the line / (kappa - kappa_0). At a zero K is the limit, the sine of the angle between curve
-    and line over the slope of the curvature. With a single zero the line may turn about this zero by `spare` rad in
-    both directions.
+    The stiffness is K = distance from the line / (kappa - kappa_0), with curvature kappa and natural curvature
+    kappa_0. At
+    a zero of kappa - kappa_0 its limit is the sine of the angle between curve and line over the slope of the
+    curvature.
+    With a single zero the line may turn about this zero by up to `spare` rad in both directions.
     """
     curve, kappa = excess.curve, excess.survey
     nodes = curve.survey
@@ -497,18 +506,20 @@ def _widest_place(
 
 
 def _at_zeros(excess: ExcessCurvature, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return unit tangents (k, 2) and slopes (k,) of kappa - kappa_0 at its zeros (at an end, from inside)."""
+    """Return unit tangents (k, 2) and slopes (k,) of kappa - kappa_0 at its zeros (one-sided at an end)."""
     _, d1, d2, d3 = excess.curve.derivatives(t, 3)
     slope = curvature_slope(d1, d2, d3) - excess.rest_at(t, 1, left=bool(t[-1] >= excess.curve.domain[1]))
     return d1 / np.hypot(d1[:, :1], d1[:, 1:]), slope
 
 
 def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign: int) -> SeparatingLine:
-    """Return the lines through the only zero of kappa - kappa_0 that give the moment the sign of the bending.
+    """Return the lines through the only zero of kappa - kappa_0 for which the moment has the sign of the bending.
 
-    With p the inflection, M = <b, gamma - p> must have the sign of kappa - kappa_0, so all directions
-    sign(kappa - kappa_0) (gamma - p) must be in the open half plane <b, .> > 0. Their angle is continuous along
-    the curve (its limit at p is the tangent). Such a b exists if and only if the angle spans less than pi.
+    Let p be the zero. The moment M = <b, gamma - p> must have the sign of kappa - kappa_0. All directions
+    sign(kappa - kappa_0) (gamma - p) must therefore be in the open half plane <b, .> > 0. Their angle is
+    continuous along
+    the curve gamma; at p it is that of the tangent. Such a vector b exists if and only if the angle spans less
+    than pi.
 
     Parameters
     ----------
@@ -524,7 +535,7 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
         return SeparatingLine(None, spread, (low, high))
     middle = (views.low + views.high) / 2
     x, y = views.point
-    # the line is at right angles to the middle direction, so that its normal b has the middle direction
+    # the line is perpendicular to the middle direction, because its normal is b
     direction = curvature_sign * np.array([np.sin(middle), -np.cos(middle)])
     line = InflectionLine((x, y), (float(direction[0]), float(direction[1])))
     return SeparatingLine(line, spread, (low, high))
@@ -544,10 +555,10 @@ MOST_STEPS = 12
 """Largest number of Newton steps that move inflections onto a line."""
 
 ON_LINE_SHARE = 1e-12
-"""Largest distance between the line and an inflection that counts as on it, relative to the size of the curve."""
+"""Distance of an inflection from the line below which it is on the line, as a fraction of the size of the curve."""
 
 LARGEST_MOVE_SHARE = 0.05
-"""Largest move of a control point, in lengths of the curve."""
+"""Largest move of a control point, as a fraction of the length of the curve."""
 
 
 def project_inflections(
@@ -556,15 +567,16 @@ def project_inflections(
     line: InflectionLine,
     natural_curvature: float = 0.0,
 ) -> PlaneCurve:
-    """Return the curve with control points moved so that all `zeros` of kappa - kappa_0 are on a line.
+    """Return the curve with control points moved so that all `zeros` of its excess curvature are on a line.
 
-    End points and end tangents are kept if the curve has enough control points. A zero at an end stays there, and
-    tangents stay continuous where pieces of a pen path meet.
+    The excess curvature is the curvature minus the `natural_curvature`. End points and end tangents do not change
+    if the curve has enough control points. A zero at an end remains at the end. Tangents remain continuous at
+    joints between the pieces of a path.
 
     Raises
     ------
     NotConvergedError
-        The control points cannot bring the inflections onto the line.
+        No move of the control points brings the inflections onto the line.
 
     References
     ----------
@@ -586,7 +598,7 @@ def project_inflections(
 def _on_line(
     curve: PlaneCurve, zeros: Sequence[CurvatureZero], line: InflectionLine, kappa_0: float
 ) -> list[Constraint]:
-    """Return the constraints that all zeros are on the line, also those at ends without moment."""
+    """Return the constraints that all zeros, also those at the ends, are on the line."""
     inner = np.array([z.t for z in zeros if z.kind != "end"])
     ends = np.array([z.t for z in zeros if z.kind == "end"])
     wanted: list[Constraint] = []
@@ -598,7 +610,7 @@ def _on_line(
 
 
 def _kept_ends(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:
-    """Return lists of constraints to try, the strictest first, for ends that are not on the line."""
+    """Return sets of constraints on ends that are not on the line; the caller tries the strictest set first."""
     pinned = {z.t for z in zeros if z.kind == "end"}
     place, turn = EndPositions.of(curve), EndTangents.of(curve)
     start, end = (t not in pinned for t in curve.domain)

@@ -1,4 +1,4 @@
-"""Section of two glued layers (paper, section 8.1), narrow or so wide that it bends as a plate."""
+"""Cross-section of two glued layers (paper, section 8.1), narrow or so wide that it bends as a plate."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -19,24 +19,24 @@ from elastica_cad.mechanics.stiffness_law import FixedLaw, at_stations
 from elastica_cad.refusals import Length
 
 _TOUCH_SHARE = 1e-5
-"""Relative slack on limits, because the stiffness between its nodes has an error of 1e-6."""
+"""Relative tolerance of the limits on stiffness, because the stiffness between the nodes has an error of 1e-6."""
 
 
 @dataclass(frozen=True)
 class LaminatedSection:
-    """Two rectangles glued back to back, exact about their own neutral axis.
+    """Two rectangular layers glued together, with the exact bending stiffness about the common neutral axis.
 
-    The base (width w1, thickness h1) is the outline; the backing (w2 <= w1, h2) adds stiffness. Each layer has its
-    own modulus along the strip, so the grain of plywood may run either way. The paper's formula of section 8.1 does
-    not move the neutral axis, and is 12 to 37 % too soft at h1/h2 = 1/2. With A_i = E_i w_i h_i and d
-    = (h1 + h2)/2:
+    The base (width w1, thickness h1) is the outline; the backing (w2 <= w1, h2) adds stiffness. Each layer has
+    its own Young's modulus E_i along the strip, because the grain of plywood may be parallel or perpendicular to
+    it. The paper's formula (section 8.1) keeps the neutral axis of the base, and its stiffness is 12 to 37 % too
+    low at h1/h2 = 1/2. With A_i = E_i w_i h_i and d = (h1 + h2)/2, the bending stiffness is
 
         E I = (A1 h1^2 + A2 h2^2) / 12 + d^2 A1 A2 / (A1 + A2)
 
     Parameters
     ----------
     base, backing : Sheet
-        Outer and glued-on sheet.
+        Sheet of the base, and sheet of the layer that is glued on.
 
     Examples
     --------
@@ -52,7 +52,7 @@ class LaminatedSection:
     backing: Sheet
 
     def on(self, base_width: ArrayLike) -> "BackingLaw":
-        """Return the law of the backing's width on a base of given widths (n,), mm."""
+        """Return the stiffness law for the width of the backing on a base of given widths (n,), mm."""
         return BackingLaw(self, positive(base_width, "base width"))
 
     @property
@@ -61,16 +61,17 @@ class LaminatedSection:
         return self.base.thickness + self.backing.thickness
 
     def bending_stiffness(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Return E I (n,), N mm2, of widths (n,), mm."""
+        """Return the bending stiffness E I (n,), N mm2, for widths (n,), mm, of base and backing."""
         return self._stiffness(*self._widths(base_width, backing_width))
 
     def backing_width(self, base_width: ArrayLike, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the backing widths w2 (n,), mm, for E I (n,), N mm2, as roots of quadratics.
+        """Return the backing widths (n,), mm, for bending stiffnesses E I (n,), N mm2, from quadratic equations.
 
         Raises
         ------
         InputError
-            E I is below that of the base alone or above that of two full layers; the message names the station.
+            E I is less than that of the base alone or more than that of two layers of full width. The message
+            states the position.
         """
         w1 = positive(base_width, "base width")
         EI = positive(bending_stiffness, "bending stiffness")
@@ -89,17 +90,17 @@ class LaminatedSection:
         A1, _ = self._axial(w1, 0.0 * w1)
         _, h2, d = self._heights
         p = h2**2 / 12
-        # with x = A2:  p x^2 + q x - D A1 = 0;  D is the stiffness that the backing must add
+        # with x = A2: p x^2 + q x - D A1 = 0, where D is the stiffness that the backing must add
         D = np.maximum(EI - least, 0.0)
         q = A1 * (p + d**2) - D
         root = np.sqrt(q**2 + 4 * p * D * A1)
-        # the form without cancellation depends on the sign of q
+        # the formula without cancellation depends on the sign of q
         safe = np.where(q > 0, q + root, 1.0)
         x = np.where(q > 0, 2 * D * A1 / safe, (root - q) / (2 * p))
         return np.minimum(x / (self.backing.youngs_modulus * h2), w1)
 
     def stiffening(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Return d(E I) / d(w2) (n,), N mm; always positive."""
+        """Return the derivative (n,) of E I by the width of the backing, N mm; always positive."""
         w1, w2 = self._widths(base_width, backing_width)
         A1, A2 = self._axial(w1, w2)
         _, h2, d = self._heights
@@ -114,7 +115,7 @@ class LaminatedSection:
         return np.asarray(h1 / 2 + d * A2 / (A1 + A2))
 
     def distances(self, base_width: ArrayLike, backing_width: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Return the distance (n,) of the outermost fibre of base and backing from the neutral axis, mm.
+        """Return the distances (n,) of the outermost fibres of base and backing from the neutral axis, mm.
 
         The distance for the backing is 0 at stations without a backing.
         """
@@ -131,23 +132,23 @@ class LaminatedSection:
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, LayerStrain]:
-        """Return the strains of base and backing by their distances from the neutral axis.
+        """Return the strains of base and backing from the distances of their fibres from the neutral axis.
 
         Parameters
         ----------
         curvature : (n,) array_like
-            1/mm, signed or not.
+            Curvature, 1/mm; its sign has no effect without a natural curvature.
         base_width, backing_width : (n,) array_like
-            mm.
+            Widths of the layers, mm.
         natural_curvature : float
-            Curvature of the laminate at rest, 1/mm.
+            Curvature of the unloaded laminate, 1/mm.
         """
         bend = np.abs(np.asarray(curvature, dtype=float) - natural_curvature)
         outer, inner = self.distances(base_width, backing_width)
         return layer_strain(self.base, outer, bend), layer_strain(self.backing, inner, bend)
 
     def curvature_limit(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Return the largest |kappa - kappa_0| (n,), 1/mm, that both layers withstand."""
+        """Return the largest change of curvature (n,), 1/mm, that both layers withstand."""
         outer, inner = self.distances(base_width, backing_width)
         return np.minimum(
             self.base.max_strain / outer,
@@ -155,27 +156,28 @@ class LaminatedSection:
         )
 
     def weight_per_length(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Return the weights, N/mm (n,), of widths (n,), mm; linear in both widths, not in E I."""
+        """Return the weights per length (n,), N/mm, for widths (n,), mm; linear in both widths, but not in E I."""
         w1, w2 = self._widths(base_width, backing_width)
         return np.asarray(areal_weight(self.base) * w1 + areal_weight(self.backing) * w2)
 
     def weight(
         self, s: ArrayLike, base_width: ArrayLike, stiffness: ArrayLike, bending_stiffness: float
     ) -> Weight:
-        """Return the weight law alpha(s) + beta(s) K, linearised at the given K.
+        """Return the weight per length alpha(s) + beta(s) K, linearised at the given relative stiffness K.
 
         Parameters
         ----------
         s : (n,) array_like
             Arc length of the stations, mm.
         base_width, stiffness : (n,) array_like
-            w1, mm, and K.
+            Width of the base, mm, and relative stiffness K.
         bending_stiffness : float
-            B, N mm2, the E I where K = 1: the scale c.
+            E I where K = 1, N mm2.
 
         Notes
         -----
-        `optimal_laminate` alternates this linearisation and the search for an optimal K, which is Newton's method.
+        `optimal_laminate` alternates this linearisation and the search for an optimal K; together they are Newton's
+        method.
         """
         require_positive(bending_stiffness, "bending stiffness", "N mm2")
         K, w1 = matched(positive(stiffness, "stiffness"), positive(base_width, "base width"))
@@ -187,14 +189,19 @@ class LaminatedSection:
     def scale_range(
         self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0
     ) -> ScaleRange:
-        """Return the scales c with `least_backing` <= w2 <= w1 everywhere (paper, 8.1, with the exact section).
+        """Return the scales c of E I = c K for which the backing fits on the base everywhere (paper, section 8.1).
+
+        The width of the backing is at least `least_backing` and at most that of the base. The exact cross-section
+        is
+        used.
 
         Parameters
         ----------
         base_width, stiffness : (n,) array_like
-            w1, mm, and K.
+            Width of the base, mm, and relative stiffness K.
         least_backing : float
-            Narrowest backing that can be cut and glued, mm; a narrower base gets a backing of its full width.
+            Least width of backing that can be cut and glued, mm; on a narrower base, the backing has its full
+            width.
         """
         w1 = positive(base_width, "base width")
         if not (is_number(least_backing) and least_backing >= 0):
@@ -206,14 +213,16 @@ class LaminatedSection:
     def thickness_ratio(
         self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0
     ) -> float:
-        """Return the largest h1/h2 that can be built with these materials and an unchanged base.
+        """Return the largest thickness ratio of base to backing that can be built with an unchanged base.
 
-        Any smaller ratio (a thicker backing) is possible too; inf if the base needs no backing.
+        Every smaller ratio, with a thicker backing, is possible too. The result is inf if the base needs no
+        backing.
 
         Raises
         ------
         InputError
-            No thickness is possible, because `least_backing` is too stiff where the base should stay soft.
+            No thickness is possible, because a backing of width `least_backing` is too stiff where the stiffness
+            must be low.
         """
         K, w1 = positive(stiffness, "stiffness"), positive(base_width, "base width")
 
@@ -241,11 +250,11 @@ class LaminatedSection:
 
     @property
     def _heights(self) -> tuple[float, float, float]:
-        """h1, h2 and the distance of the layers' own axes."""
+        """Thickness of base and backing, and distance of their middle planes, mm."""
         return self.base.thickness, self.backing.thickness, self.thickness / 2
 
     def _stiffness(self, w1: FloatArray, w2: FloatArray) -> FloatArray:
-        """Return E I (n,), N mm2, of valid widths."""
+        """Return E I (n,), N mm2, for widths w1, w2 (n,), mm, that were checked before."""
         A1, A2 = self._axial(w1, w2)
         h1, h2, d = self._heights
         return np.asarray((A1 * h1**2 + A2 * h2**2) / 12 + d**2 * A1 * A2 / (A1 + A2))
@@ -273,13 +282,13 @@ class LaminatedSection:
 
 @dataclass(frozen=True, eq=False)
 class BackingLaw:
-    """Laminate as a `StiffnessLaw` of the width of the backing on a given base.
+    """`StiffnessLaw` of a laminate whose parameter is the width of the backing on a given base.
 
     Attributes
     ----------
     section : LaminatedSection
     base_width : (n,) array
-        mm.
+        Width of the base, mm.
 
     Examples
     --------
@@ -292,7 +301,7 @@ class BackingLaw:
     base_width: FloatArray
 
     def bending_stiffness(self, backing_width: ArrayLike) -> FloatArray:
-        """Return E I (n,), N mm2, of backing widths (n,), mm."""
+        """Return E I (n,), N mm2, for backing widths (n,), mm."""
         return self.section.bending_stiffness(self.base_width, backing_width)
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
@@ -300,13 +309,13 @@ class BackingLaw:
         return self.section.backing_width(self.base_width, bending_stiffness)
 
     def weight_per_length(self, backing_width: ArrayLike) -> FloatArray:
-        """Return the weights, N/mm (n,), of backing widths (n,), mm."""
+        """Return the weights per length (n,), N/mm, for backing widths (n,), mm."""
         return self.section.weight_per_length(self.base_width, backing_width)
 
     def strains(
         self, curvature: ArrayLike, backing_width: ArrayLike, *, natural_curvature: float = 0.0
     ) -> tuple[LayerStrain, ...]:
-        """Return the strain of base and backing."""
+        """Return the strains of base and backing."""
         return self.section.strains(
             curvature, self.base_width, backing_width, natural_curvature=natural_curvature
         )
@@ -314,7 +323,7 @@ class BackingLaw:
 
 @dataclass(frozen=True, eq=False)
 class BoundedBacking(BackingLaw, FixedLaw):
-    """Backing of limited width on a base of given width, as `section` of `nearest_rod`.
+    """Backing with limits of its width on a base of given width, for the argument `section` of `nearest_rod`.
 
     Attributes
     ----------
@@ -326,24 +335,17 @@ class BoundedBacking(BackingLaw, FixedLaw):
 
     @property
     def quantity(self) -> str:
-        """Quantity of the law: width of the backing."""
+        """Name of the parameter of the law: width of the backing."""
         return "backing"
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the backing widths (n,), mm, for E I (n,), N mm2, clipped to the limits."""
+        """Return the backing widths (n,), mm, for E I (n,), N mm2; they are clipped to the limits."""
         least, most = self.bending_stiffness(np.array(self.limits))
         return np.clip(super().parameter(np.clip(bending_stiffness, least, most)), *self.limits)
 
 
 def stack_stiffness(layers: Sequence[tuple[Sheet, ArrayLike]]) -> FloatArray:
-    """Return E I (n,), N mm2, of glued sheets of given widths (n,), mm, about their common neutral axis.
-
-    Examples
-    --------
-    >>> card = Sheet("card", 1.0, 12.0, density=600.0, max_strain=0.01)
-    >>> stack_stiffness([(card, 10.0)] * 3).round(9).item()
-    270.0
-    """
+    """Return E I (n,), N mm2, of glued sheets with given widths (n,), mm, about their common neutral axis."""
     heights = np.array([sheet.thickness for sheet, _ in layers])
     middles = np.cumsum(heights) - heights / 2
     axial = [
@@ -361,19 +363,22 @@ def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text
 
 
 PIECES = 8
-"""Number of elements in half of the backing, and in a border of the base; the error of the factor is then 1e-4."""
+"""Number of finite elements in half of the backing, and in each part of the base beside the backing.
+
+The error of the factor is then 1e-4.
+"""
 
 LEAST_SHARE = 2e-3
-"""Least width of border and backing, as a fraction of the width."""
+"""Least width of the backing and of the base beside it, as a fraction of the width of the base."""
 
 TERMS, STATIONS = 24, 60
-"""Number of terms of the polynomials in curvature, and number of stations at which they are computed."""
+"""Number of terms of the polynomials in curvature, and number of curvatures at which the factor is computed."""
 
 LARGEST_STRAIN = 0.05
-"""Largest surface strain for which factors are computed; no sheet withstands it."""
+"""Largest surface strain for which the factor is computed; no sheet withstands it."""
 
 FINE_SEARLE = 3.0
-"""Limit of width^2 kappa / thickness: samples are uniform below it and uniform in its logarithm above it."""
+"""Limit of width^2 kappa / thickness; curvature samples are uniform below it and logarithmic above it."""
 
 
 def laminate_factor(
@@ -383,19 +388,22 @@ def laminate_factor(
     section: LaminatedSection,
     natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
-    """Return M / (E I (kappa - kappa_0)) of a two-layer strip, the narrower layer in the middle.
+    """Return M / (E I (kappa - kappa_0)) of a two-layer strip, with the narrower layer in the middle.
 
-    The curvature is uniform. The borders of the base are away from the neutral axis and carry stress along the
-    bend, which presses them towards that axis. They deflect, so the strip is softer than its section. The whole
-    section also curls because of Poisson's ratio.
+    M is the bending moment, E I the bending stiffness of the cross-section, and kappa the uniform curvature. The
+    base beside the backing is at a distance from the neutral axis and has stress along the bend. The stress
+    presses it
+    towards the neutral axis. It deflects, so the strip is softer than its cross-section. The whole cross-section
+    also
+    curls because of Poisson's ratio.
 
     Parameters
     ----------
     base_width, backing_width, curvature : array_like
-        (n,) or numbers, mm and 1/mm; a positive curvature stretches the backing.
+        Widths, mm, and curvature, 1/mm; (n,) or numbers. A positive curvature stretches the backing.
     section : LaminatedSection
     natural_curvature : array_like
-        kappa_0, the curvature before bending, 1/mm.
+        Curvature kappa_0 before bending, 1/mm.
 
     Returns
     -------
@@ -403,16 +411,15 @@ def laminate_factor(
 
     Notes
     -----
-    Least energy, per length, of the deflection w(y) across the strip, outward positive: a plate in plane stress,
-    free to contract, with the strain eps_0 + (kappa - kappa_0) z + kappa w along the strip and -z w'' across;
-    Hermite cubics on half of the section. For a single sheet the result equals `anticlastic_factor`. Curvature that
-    varies within a few widths, and clamps that keep the ends flat, are not modelled.
-
-    Examples
-    --------
-    >>> card = Sheet("card", 0.5, 9000.0, density=600.0, max_strain=0.01, poisson_ratio=0.0)
-    >>> laminate_factor(24.0, 12.0, [1e-4, 0.01], LaminatedSection(card, card)).round(3).tolist()
-    [1.0, 0.91]
+    The deflection w(y) across the strip, outward positive, minimizes the energy per length. The strip is a plate
+    in plane
+    stress that can contract freely. Its strain is eps_0 + (kappa - kappa_0) z + kappa w along the strip and -z
+    w'' across
+    it, at height z. The finite elements are Hermite cubics on half of the cross-section. For a single sheet the
+    result
+    equals `anticlastic_factor`. Curvature that varies within a few widths, and clamps that keep the ends flat,
+    are not
+    modelled.
     """
     b1, b2, kappa, rest = (
         np.atleast_1d(value).astype(float)
@@ -421,7 +428,8 @@ def laminate_factor(
     b2 = np.clip(b2, LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
     h1, h2 = section.base.thickness, section.backing.thickness
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
-    # w, its slopes and eps_0 are divided by kappa - kappa_0, so that they are finite where it vanishes
+    # w, its slopes and eps_0 are divided by kappa - kappa_0, so that they are finite where kappa - kappa_0
+    # is zero
     unknowns = 4 * PIECES + 3
     columns = np.column_stack(
         [2 * np.arange(2 * PIECES)[:, None] + np.arange(4), np.full(2 * PIECES, unknowns - 1)]
@@ -432,7 +440,7 @@ def laminate_factor(
         ([base, backing], b2 / 2, columns[:PIECES]),
         ([base], (b1 - b2) / 2, columns[PIECES:]),
     ):
-        # all elements of a part have the same length
+        # all elements of one part of the cross-section have the same length
         form, (w, curl, weight) = _energy(layers), _hermite(half / PIECES)
         w, lever = (
             np.concatenate([w * by[:, None, None], np.ones_like(w[:, :1])], axis=1)
@@ -460,7 +468,10 @@ def laminate_factor(
 
 
 def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
-    """Return twice the energy per area as a form (3, 3) in strain, curvature along the strip and w''."""
+    """Return twice the energy per area as a quadratic form (3, 3).
+
+    Its variables are the strain and the curvature along the strip, and the curvature w'' across it.
+    """
     along, coupled = np.zeros(3), np.zeros(3)
     for sheet, low, high in layers:
         Q, nu = sheet.youngs_modulus / (1 - sheet.poisson_ratio**2), sheet.poisson_ratio
@@ -468,12 +479,15 @@ def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
         along, coupled = along + moments, coupled + nu * moments
     (A, B, D), (An, Bn, Dn) = along, coupled
     rows = [[A, B, -Bn], [B, D, -Dn], [-Bn, -Dn, D]]
-    across = np.array([An, Bn, -B])  # the strain across the strip takes the value of least energy
+    across = np.array([An, Bn, -B])  # the strain across the strip minimizes the energy
     return np.asarray(rows - np.outer(across, across) / A)
 
 
 def _hermite(length: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return cubics and second derivatives (n, 4, 4) at Gauss points of elements (n,), and weights (n, 4)."""
+    """Return Hermite cubics and their second derivatives (n, 4, 4), and weights (n, 4), at Gauss points.
+
+    The elements have lengths (n,).
+    """
     x, weight = gauss_rule(4)
     t, ones, long = (x + 1) / 2, np.ones((length.size, 1)), length[:, None]
     values = np.stack(
@@ -488,12 +502,12 @@ def _hermite(length: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 @dataclass(frozen=True, eq=False)
 class LaminateCurl:
-    """Polynomials for `laminate_factor` at the nodes of a strip; about a hundred times faster.
+    """Polynomials that replace `laminate_factor` at the nodes of a strip; about a hundred times faster.
 
     Attributes
     ----------
     reach : float
-        Largest |curvature|, 1/mm, of the polynomials; above it the factor is constant.
+        Largest absolute curvature, 1/mm, of the polynomials; above it the factor is constant.
     fine : (n,) array
         Curvature, 1/mm, above which the scale of curvatures is logarithmic (arsinh).
     coefficients : (m, n) array
@@ -522,7 +536,7 @@ class LaminateCurl:
         section: LaminatedSection,
         natural_curvature: ArrayLike = 0.0,
     ) -> "LaminateCurl":
-        """Return the polynomials for all bends of a strip with the design curvature `curvature` (n,), 1/mm."""
+        """Return the polynomials for every bend of a strip with the design curvature `curvature` (n,), 1/mm."""
         kappa, base, backing, rest = np.broadcast_arrays(
             curvature, base_width, backing_width, natural_curvature
         )
@@ -538,13 +552,13 @@ class LaminateCurl:
         return cls(reach, fine, np.array([np.interp(nodes, some, row) for row in known]))
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "LaminateCurl":
-        """Return the curl at stations (m,), mm, from that at `s` (n,)."""
+        """Return the polynomials at stations `at` (m,), mm, interpolated from those at stations `s` (n,), mm."""
         fine, coefficients = (
             np.asarray(at_stations(values, s, at)) for values in (self.fine, self.coefficients)
         )
         return LaminateCurl(self.reach, fine, coefficients)
 
     def __call__(self, curvature: FloatArray) -> FloatArray:
-        """Return the factor of the nodes (..., n) at their curvatures (..., n), 1/mm."""
+        """Return the factors of the nodes (..., n) for their curvatures (..., n), 1/mm."""
         t = np.clip(np.arcsinh(curvature / self.fine) / np.arcsinh(self.reach / self.fine), -1.0, 1.0)
         return np.asarray(np.polynomial.chebyshev.chebval(t, self.coefficients, tensor=False))

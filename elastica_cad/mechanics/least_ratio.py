@@ -1,4 +1,4 @@
-"""From a drawn curve to the rod of least stiffness ratio that rests in it, and its stiffness as a spline."""
+"""Rod with the least stiffness ratio whose rest shape is a drawn curve, and its stiffness as a spline."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -54,40 +54,44 @@ from elastica_cad.mechanics.theorem1 import AT_END_SHARE, EquilibriumCheck, Infl
 from elastica_cad.refusals import FieldName, Length, Listed, note
 
 TOLERANCE = 1e-6
-"""Error of the stiffness profile, relative to its largest value; its extremes are exact."""
+"""Largest error of the stiffness profile, relative to its largest value; its extremes are exact."""
 
 WORST_TOLERANCE = 0.01
-"""Largest accepted error where rounding errors of the stiffness are large, as under much weight or with an
-inflection
-near an end."""
+"""Largest accepted error if the stiffness has large rounding errors.
+
+This occurs under much weight, or with an inflection near an end.
+"""
 
 NOISE_TIMES = 4
-"""Error of the fit, in multiples of the rounding errors of the stiffness under much weight."""
+"""Tolerance of the fitted stiffness, in multiples of its rounding errors under much weight."""
 
 SAME_PLACE_SHARE = 1e-9
-"""Largest distance, as a fraction of the length, of a knot that is moved to a zero of the curvature."""
+"""Distance between a knot and a zero of the curvature, as a fraction of the length, below which they are merged."""
 
 CELLS = 8
-"""Number of parts of a panel; each part has a constant density of knots."""
+"""Number of parts of a panel, each with a constant density of knots."""
 
 _CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
 
 _FOURTH_IN_CELLS = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1) @ np.linalg.matrix_power(SLOPES, 4)
-"""Matrix of the fourth derivatives by x in the middles of the cells."""
+"""Matrix that gives the fourth derivatives by the panel coordinate x at the midpoints of its parts."""
 
 BEST_CUBIC = 1 / 720
-"""Error of the best cubic spline over h^4 times the fourth derivative: the largest of B_4 / 4!, a Bernoulli
-polynomial."""
+"""Error of the best cubic spline, divided by h^4 times the fourth derivative, for knot spacing h.
+
+It is the largest value of B_4 / 4!, where B_4 is a Bernoulli polynomial.
+"""
 
 SPARE = 0.07
 """Fraction of the tolerance for which the first knots are chosen, so that a second fit is rarely needed."""
 
 
 def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale: float) -> Profile:
-    """Return K times `scale` as a cubic spline of arc length.
+    """Return the stiffness K times `scale` as a cubic spline of arc length.
 
-    K has two continuous derivatives less than the curve, or three less if an inflection is at a knot. Kinks are
-    kept, and steps are replaced by ramps.
+    K has two continuous derivatives less than the curve, or three less if an inflection is at a knot. The spline
+    has the
+    same kinks, and replaces jumps by ramps.
     """
     curve = check.curve
     length = curve.length
@@ -104,7 +108,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     K = _AlongArc.of(curve, balance, scale)
     half = STEP_LENGTH * length / 2
     feet = [s + side * half for s in steps for side in (-1, 1)]
-    # ramps are fitted separately, because a short ramp would absorb the errors of its neighbours
+    # fit ramps separately, because a short ramp would absorb the errors of neighbouring parts
     breaks += [(s, -1) for s in feet]
 
     def stiffness(s: FloatArray) -> FloatArray:
@@ -127,7 +131,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
 
 @dataclass(frozen=True, eq=False)
 class _AlongArc:
-    """K on the panels of a balance, as Legendre series in arc length; `edges` (N + 1,) are in mm."""
+    """Stiffness K as Legendre series in arc length on panels; `edges` (N + 1,) of the panels are in mm."""
 
     edges: FloatArray
     series: PanelFunction
@@ -146,13 +150,16 @@ class _AlongArc:
 
     @property
     def largest(self) -> float:
-        """Approximate maximum of K."""
+        """Approximate maximum of the stiffness."""
         return float(self.series.in_every_panel(_CELL_ENDS).max())
 
     def noise(self, steps: Sequence[float]) -> float:
-        """Return the largest jump of K between panels, except at steps; it is rounding amplified by weight."""
+        """Return the largest jump of the stiffness between panels, except at its real jumps.
+
+        It consists of rounding errors that the weight amplifies.
+        """
         before, after = self.series.where_panels_meet
-        # leave out jumps within the length of a ramp that replaces a step
+        # omit jumps within the length of a ramp that replaces a step
         jumps = np.abs(after - before)
         if len(steps):
             apart = np.abs(self.edges[1:-1, None] - np.array(steps)) > STEP_LENGTH * self.edges[-1]
@@ -160,7 +167,7 @@ class _AlongArc:
         return float(jumps.max(initial=0.0))
 
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
-        """Return knots between the breaks for which the error of a cubic spline is `tolerance` everywhere.
+        """Return knots between the breaks for which a cubic spline has the error `tolerance` everywhere.
 
         Their spacing h solves `BEST_CUBIC` h^4 K'''' = tolerance.
         """
@@ -174,15 +181,16 @@ class _AlongArc:
         s[-1] = self.edges[-1]
         stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
         at = np.interp(stops, s, reached).tolist()
-        parts = [max(1, ceil(b - a)) for a, b in pairwise(at)]  # uniform stiffness needs no knot
+        # no knot is needed where the stiffness is uniform
+        parts = [max(1, ceil(b - a)) for a, b in pairwise(at)]
         wanted = [a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)]
         return np.asarray(np.interp(np.concatenate(wanted), reached, s))
 
 
 def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
-    """Return the profile, scaled slightly so that its extremes are exactly those of the stiffness.
+    """Return the profile, scaled slightly so that its extremes equal the extremes of the stiffness.
 
-    The stiffness is stationary there, so the places need not be exact.
+    The positions of the extremes need not be exact, because the derivative of the stiffness is zero there.
     """
     low, high = profile.extremes
     if high - low <= tolerance:
@@ -191,16 +199,16 @@ def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Pro
 
 
 def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:
-    """Return the profile without the jump at `place`: both sides get the left (`keep_left`) or right value."""
+    """Return the profile without its jump at `place`: both sides get the left (`keep_left`) or right value."""
     first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
     coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
     return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
 
 
 REPORTED_MOVE_MM = 1e-3
-"""Smallest move of the curve, mm, that is reported."""
+"""Smallest displacement of the curve, mm, that is reported."""
 
-_LAW_SAMPLES = 2001  # number of samples along the curve for the moments of a law
+_LAW_SAMPLES = 2001  # number of samples along the curve for the bending moments of a material law
 
 
 def optimal_rod(
@@ -226,50 +234,51 @@ def optimal_rod(
     Parameters
     ----------
     curve : PlaneCurve
-        mm.
+        Drawn curve, mm.
     gravity : Gravity, optional
-        Weight proportional to the stiffness, as of a plain strip; its direction also applies to `weight`.
+        Weight proportional to the stiffness, as for a strip of one sheet. Its direction also applies to `weight`.
     supports : Supports
         By default both ends are clamped.
     natural_curvature : float or RestCurvature
-        kappa_0, 1/mm, or the curvature of a pre-bent strip; the rod then has kappa_0 at its nodes.
+        Natural curvature kappa_0, 1/mm, or its variation along a pre-bent strip; the rod then has kappa_0 at its
+        nodes.
     samples : int, optional
-        Number of nodes of the rod. Without `largest_stiffness` its ratio is evaluated only there. By default the
-        ratio is that of the continuous curve and the rod has 601 nodes.
+        Number of nodes of the rod. Without `largest_stiffness` the ratio is then evaluated at these nodes only.
+        By default the ratio is that of the continuous curve and the rod has 601 nodes.
     weight : Weight, optional
-        Weight in newtons instead of a proportional weight. With `own=True` the weight of the strip is added, B /
-        gravity.length^3 per length and stiffness.
+        Weight in newtons instead of a proportional weight. With `own=True` the weight of the strip is added. It
+        is B / gravity.length^3 per length and relative stiffness.
     bending_stiffness : float, optional
-        Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default B has the least
-        ratio. If the ratio falls monotonically with B, the default is the least B whose ratio is within 1 % of the
-        ratio without weight.
+        Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default B is
+        the value for which the ratio is least. If the ratio decreases with every increase of B, the default is the
+        least B whose ratio is within 1 % of the ratio without weight.
     largest_stiffness : float, optional
-        Largest E I of the rod, N mm2, under a weight in newtons, for example of the widest strip that fits. The
-        result has the least ratio of all rods with this largest E I. If no such rod rests in the curve under
-        this weight, the largest E I is smaller.
+        Largest E I of the rod, N mm2, under a weight in newtons; for example the E I of the widest strip that
+        fits. The result has the least ratio of all rods with this largest E I. If the curve is not the rest shape
+        of such a rod under this weight, the largest E I is smaller.
     least_stiffness : float, optional
         Lower bound of E I, N mm2, in addition to `largest_stiffness`.
     law : MaterialLaw, optional
-        Nonlinear material: its effective curvature replaces kappa - kappa_0 (Appendix D).
+        Nonlinear material law, whose effective curvature replaces kappa - kappa_0 (paper, Appendix D).
     section : BoundedLaw, optional
-        Section of the strip: a thickness, a diameter, or a width that bends as a plate. It is as large as its
-        limits allow, which determines the bending stiffness. Under gravity (only its direction is used) the rod
-        carries the weight of the section and the masses of `weight`. The optimisation is then nonlinear, and the
-        ratio is a local optimum; see `balance_of`.
+        Section of the strip: a thickness, a diameter, or a width that bends as a plate. Its dimensions are as
+        large as their limits allow, so they determine the bending stiffness. Under gravity (only its direction is
+        used) the rod carries the weight of the section and the masses of `weight`. The optimisation is then
+        nonlinear, and the ratio is a local optimum; see `balance_of`.
     tolerance : float
-        Largest distance of inflections from a line, relative to the length; nearer inflections are moved onto it.
-        Almost unbent ends that are free to turn are made straight within the same tolerance. `Rod.moved` is the
-        displacement of the curve, and `Rod.shape` is the moved curve.
+        Largest distance of inflections from a common line, relative to the length; nearer inflections are moved
+        onto the line. Almost unbent ends that are free to turn are made straight within the same tolerance.
+        `Rod.moved` is the displacement of the curve, and `Rod.shape` is the moved curve.
     check : EquilibriumCheck, optional
-        Existing check of the same curve and request.
+        Result of an earlier check of the same curve with the same options.
     between : sequence of Rail, Pin and Tie
-        Elements that hold the strip between its ends. Their forces are unknowns of the linear program, so the ratio
-        is at most that without elements (except for
-        the 1 % of section 5.3). An element at an inflection does not push normal
-        to the strip, because the width would step there. `Rod.between_forces` has the forces.
+        Elements that support the strip between its ends. Their forces are unknowns of the linear program. The ratio
+        is therefore at most that without elements, except for the 1 % of section 5.3. An element at an inflection
+        exerts no force normal to the strip, because the width would jump there. `Rod.between_forces` contains the
+        forces.
     loads : sequence of PointMass and PointForce
-        Masses (g) that hang in the direction of `gravity`, besides the weight of the strip, and forces (N). They
-        determine the bending stiffness as a `weight` in newtons does.
+        Masses (g) that hang on the strip in the direction of `gravity`, and forces (N). The weight of the strip is
+        added. Like a `weight` in newtons, they determine the bending stiffness.
 
     Returns
     -------
@@ -337,7 +346,7 @@ def optimal_rod(
 
 
 def rod_of_request(request: RodRequest) -> Rod:
-    """Return the rod of a checked request, see `optimal_rod`."""
+    """Return the rod of a checked request; see `optimal_rod`."""
     check, law = request.check, request.law
     if request.section is not None:
         _check_section(request, request.section)
@@ -399,12 +408,13 @@ def _check_stiffness(name: str, value: float | None, *, in_newtons: bool) -> Non
 
 
 def _require_load_at_free_end(request: RodRequest) -> None:
-    """Refuse an unloaded free end, because its shape follows from the weight alone.
+    """Refuse an unloaded free end, because its shape depends on the weight alone.
 
-    K kappa = integral of W cos(alpha) du, with the distance u from the end and the weight W between u and the end.
-    Both vanish at
-    u = 0. Under the strip's own weight, K stays finite and positive only for kappa = cos(alpha) u^2 / (2 l_eg^3) +
-    ... ...
+    K kappa = integral of W cos(alpha) du, with stiffness K, curvature kappa, angle alpha, distance u from the
+    end, and
+    weight W between u and the end. Both sides are zero at u = 0. Under the weight of the strip alone, K is finite
+    and
+    positive only for kappa = cos(alpha) u^2 / (2 l_eg^3) + higher powers of u, with the elasto-gravity length l_eg.
     """
     check = request.check
     acting = [mass.s for mass in request.masses if mass.mass > 0]
@@ -441,8 +451,10 @@ def _rod_of(
 
 
 def _unbent_rod(request: RodRequest) -> Rod:
-    """Return the rod of a curve with the natural curvature, without moment; under weight the curve must be
-    vertical."""
+    """Return the rod of a curve that has the natural curvature everywhere, so its moments are zero.
+
+    Under weight the curve must be vertical.
+    """
     check, nodes = request.check, request.nodes
     n = nodes.s.size
     B, weight = request.bending_stiffness or request.largest_stiffness, request.weight
@@ -481,7 +493,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
 
 
 def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
-    """Return a straight rod with the largest allowed section everywhere."""
+    """Return a straight rod whose cross-section is the largest allowed section everywhere."""
     law = section.bent(0.0)
     size = next(limit for limit in reversed(section.limits) if np.isfinite(limit))
     scale, newtons = float(law.bending_stiffness(size)), float(law.weight_per_length(size))
@@ -518,7 +530,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     if request.needs_line and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=InflectionLine.of_moment(float(moment[0]), b[0], nodes.position[0]))
     weight = balance.weight
-    if weight is not None:  # beta K must not change when K is divided by its least value
+    if weight is not None:  # the weight beta K must not change when K is divided by its least value
         weight = weight.scaled(beta=least)
     return _rod_of(
         request, check, moment, left_of(b), stiffness=K,
@@ -530,7 +542,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
 
 
 def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
-    """Return warnings about one-sided elements that hardly act, so that the strip may leave them."""
+    """Return warnings about one-sided elements with a small force, from which the strip may lift off."""
     force = left_of(balance.force.nodal.reshape(-1, 2))
     return tuple(
         note(
@@ -544,26 +556,26 @@ def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
 
 
 _SETTLED_SHARE = 1e-5
-"""Relative change between rounds that ends the search."""
+"""Relative change of the stiffness between iterations below which the search has converged."""
 
 _MOST_ROUNDS = 30
-"""Largest number of optimal rods in the search for a laminate."""
+"""Largest number of optimal rods that are computed in the search for a laminate."""
 
-_STATIONS = 81  # number of knots of the weight law, a cubic spline
-_DENSE = 2001  # number of places at which the fit of the backing is checked
+_STATIONS = 81  # number of knots of the cubic spline for the weight per length
+_DENSE = 2001  # number of points at which the width of the backing is checked
 
 
 @dataclass(frozen=True, eq=False)
 class LaminateLayers:
-    """A base of known width with a glued layer; its weight is not proportional to its stiffness.
+    """Base of known width with a glued backing; the weight of this laminate is not proportional to its stiffness.
 
     Attributes
     ----------
     section : LaminatedSection
     base_width : float or Profile
-        mm.
+        Width of the base, mm.
     least_backing : float
-        Narrowest backing that can be cut and glued, mm.
+        Least width of backing that can be cut and glued, mm.
     """
 
     section: LaminatedSection
@@ -573,17 +585,17 @@ class LaminateLayers:
 
 @dataclass(frozen=True, eq=False)
 class Laminate:
-    """Rod and its layers.
+    """Laminated rod and the widths of its layers.
 
     Attributes
     ----------
     rod : Rod
-        Its `bending_stiffness` is the scale c, N mm2: E I = c K.
+        Rod with relative stiffness K; its `bending_stiffness` is the scale c, N mm2, of E I = c K.
     section : LaminatedSection
     base_width, backing_width : (n,) array
-        w1 and w2 at the nodes of the rod, mm.
+        Widths of base and backing at the nodes of the rod, mm.
     range : ScaleRange
-        Scales that could be built with this K; c is its upper end.
+        Scales that can be built with this K; c is the upper limit.
     rounds : int
         Number of optimal rods that were computed; 1 without weight.
     """
@@ -607,18 +619,18 @@ def optimal_laminate(
     least_backing: float = 0.0,
     masses: tuple[PointMass, ...] = (),
 ) -> Laminate:
-    """Return the rod of least ratio on a curve, and the backing on a base of given width.
+    """Return the laminated rod of least stiffness ratio on a curve, with a base of given width.
 
-    The weight of both layers is linear in w2 but not in K (paper, section 8.1, footnote 4). The weight
-    law is linearised at the last K and scale until both converge. If they oscillate, `optimal_rod` continues in
-    short steps.
+    The weight of both layers is linear in the width of the backing but not in the stiffness K (paper, section 8.1,
+    footnote 4). The weight per length is linearised at the last K and scale, until both converge. If they
+    oscillate, `optimal_rod` continues with a nonlinear search in short steps.
 
     Parameters
     ----------
     curve : PlaneCurve
     section : LaminatedSection
     base_width : float or Profile
-        w1 along the curve, mm.
+        Width of the base along the curve, mm.
     direction : (2,) array_like, optional
         Direction of gravity in the plane of the curve; by default the strip is weightless.
     supports, samples
@@ -639,7 +651,7 @@ def optimal_laminate(
     InputError
         The stiffness does not fit into the width; the message states a sufficient thickness ratio.
     NotConvergedError
-        Weight and stiffness do not converge.
+        The iteration for weight and stiffness does not converge.
 
     Examples
     --------
@@ -692,15 +704,15 @@ def laminate_of_request(request: RodRequest, layers: LaminateLayers) -> Laminate
 
 @dataclass(frozen=True, eq=False)
 class _Base:
-    """Base of a laminate, and the places along it where a backing must fit.
+    """Base of a laminate, and the positions at which the width of the backing is checked.
 
     Attributes
     ----------
     layers : LaminateLayers
     at_nodes : (n,) array
-        w1 at the nodes of the rod, mm.
+        Width of the base at the nodes of the rod, mm.
     places, at_places : (m,) arrays
-        Arc lengths where the backing must fit, and w1 there, mm.
+        Arc lengths at which the backing must fit on the base, and the widths of the base at these positions, mm.
     """
 
     layers: LaminateLayers
@@ -710,7 +722,7 @@ class _Base:
 
     @classmethod
     def under(cls, rod: Rod, layers: LaminateLayers) -> "_Base":
-        """Return the base of a rod with the length of the curve."""
+        """Return the base for a rod of the same length as the curve."""
         width = layers.base_width
         at_nodes = _along(width, rod.s)
         places = np.union1d(np.linspace(0.0, rod.length, _DENSE), rod.s)
@@ -719,7 +731,7 @@ class _Base:
         return cls(layers, at_nodes, places, _along(width, places))
 
     def scale(self, rod: Rod) -> float:
-        """Return the largest c, N mm2, with E I = c K within the base."""
+        """Return the largest scale c, N mm2, for which a laminate on this base has E I = c K."""
         section, stiffness, least = (
             self.layers.section,
             _stiffness(rod, self.places),
@@ -736,7 +748,7 @@ class _Base:
         return scales.scale
 
     def laminate(self, rod: Rod, scale: float, rounds: int) -> Laminate:
-        """Return the laminate of a rod with this scale."""
+        """Return the laminate of a rod with scale `scale`, N mm2, after a number of `rounds`."""
         K, section = np.asarray(rod.stiffness), self.layers.section
         return Laminate(
             rod=replace(rod, bending_stiffness=scale),
@@ -749,7 +761,7 @@ class _Base:
 
 
 def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Laminate | None, float]:
-    """Return the laminate, or None if the iteration does not converge, and the last change of K."""
+    """Return the laminate, or None if the iteration does not converge, and the last relative change of K."""
     section = base.layers.section
     stations = np.linspace(0.0, rod.length, _STATIONS)
     w1 = _along(base.layers.base_width, stations)
@@ -759,7 +771,7 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
     change, least = np.inf, 1.0  # a smoothed stiffness may have a least value above 1
     for rounds in range(2, _MOST_ROUNDS):
         target = scale / least
-        # an extrapolated scale may require more than two full layers somewhere, or less than the base
+        # an extrapolated scale may require E I above that of two full layers, or below that of the base
         EI = np.clip(scale * _stiffness(rod, stations), *bounds)
         weight = section.weight(stations, w1, EI / target, target)
         weight = replace(weight, masses=request.masses)
@@ -778,7 +790,7 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
 
 
 def _by_short_steps(request: RodRequest, section: LaminatedSection, base_width: float) -> Rod:
-    """Return the rod of least ratio for a base of uniform width."""
+    """Return the rod of least stiffness ratio for a base of uniform width, found by a nonlinear search."""
     law = BoundedBacking(section, np.asarray(base_width), (0.0, base_width))
     try:
         weight = Weight(masses=request.masses, own=True)
@@ -800,12 +812,12 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return K of the profile, at least the least value: the error of the profile may be negative."""
+    """Return the relative stiffness at least 1, because rounding errors of the profile may reduce it."""
     return np.maximum(rod.profile(s), 1.0)
 
 
 def filled_gravity(section: LaminatedSection, direction: ArrayLike) -> Gravity:
-    """Return the gravity of the laminate with two full layers, as the first approximation."""
+    """Return the gravity of a laminate with two layers of full width, as a first approximation."""
     length = section.bending_stiffness(1.0, 1.0) / section.weight_per_length(1.0, 1.0)
     x, y = point(direction, "direction")
     return Gravity(float(length ** (1 / 3)), (float(x), float(y)))

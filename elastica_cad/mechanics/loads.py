@@ -1,4 +1,4 @@
-"""Loads of a rod (gravity and hung weights), supports of its ends, and its natural curvature."""
+"""Loads of a rod (gravity, masses and weight per length), supports of its ends, and its natural curvature."""
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -33,7 +33,8 @@ class Gravity:
     Parameters
     ----------
     length : float
-        Elasto-gravity length (E h^2 / (12 rho g))^(1/3), mm (paper, section 5.1: (beta l^3)^(1/3)).
+        Elasto-gravity length (E h^2 / (12 rho g))^(1/3), mm, for Young's modulus E, thickness h and density rho
+        (paper, section 5.1).
     direction : (2,) array_like
         Direction of gravity in the plane of the curve; its length has no effect.
 
@@ -74,7 +75,7 @@ class Gravity:
     def in_plane(
         cls, length: float, direction: ArrayLike, x_axis: ArrayLike, y_axis: ArrayLike
     ) -> "Gravity | None":
-        """Return gravity in a plane in space from the component of `direction` (3,) in the plane, or None."""
+        """Return gravity in a plane in space: the component of `direction` (3,) in the plane; None if it is 0."""
         d, *axes = (
             numbers(given, name)
             for given, name in ((direction, "gravity direction"), (x_axis, "x axis"), (y_axis, "y axis"))
@@ -93,11 +94,11 @@ class Gravity:
 
     @property
     def e(self) -> FloatArray:
-        """Vector e of Eq. 5, 1/mm3, pointing up as in the derivation of the paper (its text has a misprint)."""
+        """Vector e of the paper's Eq. 5, 1/mm3, opposite to gravity; the sign printed in the paper is wrong."""
         return -np.asarray(self.direction) / self.length**3
 
     def scaled(self, factor: float) -> "Gravity":
-        """Return `factor` times the weight."""
+        """Return gravity with the weight multiplied by `factor`."""
         require_positive(factor, "the factor of a gravity", "times the weight")
         return Gravity(self.length / factor ** (1 / 3), self.direction)
 
@@ -109,7 +110,7 @@ Place: TypeAlias = float | tuple[float, float]
 
 
 def require_place(at: object, owner: str) -> Place:
-    """Return a place in plain numbers; refuse other values."""
+    """Return an arc length or a point as plain numbers; refuse other values."""
     if is_number(at):
         return float(at)
     try:
@@ -135,7 +136,7 @@ class PointMass:
 
     @property
     def s(self) -> float:
-        """Arc length of the place, mm; a point (x, y) has none before it is moved to a curve."""
+        """Arc length of the mass, mm; unknown for a point (x, y) until it is moved to a curve."""
         if isinstance(self.at, tuple):
             raise InputError(
                 "The point mass at {point} has no arc length. Give its place in mm along the rod.",
@@ -151,11 +152,11 @@ class Weight:
     Parameters
     ----------
     alpha, beta : float or Profile
-        N/mm; `beta` multiplies the dimensionless stiffness K (least value 1).
+        Weight per length, N/mm; `beta` is multiplied by the relative stiffness K, whose least value is 1.
     masses : tuple of PointMass
-        For example a lamp holder.
+        Masses on the strip, for example a lamp holder.
     own : bool
-        If True, `optimal_rod` adds the weight of a plain strip, B / gravity.length^3, to `beta` when the least
+        If True, `optimal_rod` adds the weight of the strip itself, B / gravity.length^3, to `beta` when the least
         bending stiffness B is known. The weight of the returned rod includes it, and its `own` is False.
     """
 
@@ -174,23 +175,24 @@ class Weight:
 
     @property
     def has_points(self) -> bool:
-        """True if a mass is placed by a point (x, y)."""
+        """True if the position of a mass is a point (x, y)."""
         return any(isinstance(mass.at, tuple) for mass in self.masses)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))
         for name in ("alpha", "beta"):
             value = getattr(self, name)
-            # alpha may be negative in a profile, because alpha + beta K may be the tangent to a nonlinear law
+            # alpha may be negative in a profile, because alpha + beta K may be the tangent to a nonlinear
+            # law
             if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
                 raise InputError(f"weight {name} is {value!r}: give 0 or more, in N/mm")
 
     def scaled(self, alpha: float = 1.0, beta: float = 1.0) -> "Weight":
-        """Return the weight with alpha and beta multiplied by these factors; the masses stay."""
+        """Return the weight with alpha and beta multiplied by these factors; the masses do not change."""
         return replace(self, alpha=_times(self.alpha, alpha), beta=_times(self.beta, beta))
 
     def along(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return alpha and beta (n,) at arc lengths (n,), N/mm."""
+        """Return alpha and beta (n,), N/mm, at arc lengths `s` (n,), mm."""
         alpha, beta = (
             value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
             for value in (self.alpha, self.beta)
@@ -198,7 +200,10 @@ class Weight:
         return alpha, beta
 
     def lumped(self, s: FloatArray, stiffness: FloatArray, node_lengths: FloatArray) -> FloatArray:
-        """Return the weight of each node (n,), N; a point mass is divided between its two neighbours."""
+        """Return the weight of each node (n,), N.
+
+        A point mass is divided between its two neighbouring nodes.
+        """
         if self.own:
             raise InputError(
                 "the strip's own weight is unknown before optimal_rod computes it: give beta in N/mm"
@@ -236,14 +241,15 @@ EndName: TypeAlias = Literal["clamped", "pinned", "slide-x", "slide-y", "guided"
 
 @dataclass(frozen=True)
 class End:
-    """Coordinates that the support at an end of the rod holds.
+    """Coordinates and angle that the support at one end of a rod holds.
 
     Attributes
     ----------
     x, y : bool
         True if the coordinate is held. An end free in x slides horizontally.
     angle : bool
-        True if the tangent is held. Otherwise the moment, and therefore kappa - kappa_0, vanishes at the end.
+        True if the tangent is held. Otherwise the moment at the end is zero, and the curvature equals the natural
+        curvature.
     """
 
     x: bool = True
@@ -260,7 +266,7 @@ class End:
 
     @classmethod
     def named(cls, name: EndName) -> "End":
-        """Return the end `name`: clamped, pinned, slide-x, slide-y (clamped sliders), guided (angle only), free."""
+        """Return an end: clamped, pinned, slide-x, slide-y (clamped sliders), guided (only angle held), free."""
         ends = {
             "clamped": cls(),
             "pinned": cls(angle=False),
@@ -276,12 +282,12 @@ class End:
 
 @dataclass(frozen=True)
 class Supports:
-    """Supports of both ends; the default is clamped at both (paper, section 4.1).
+    """Supports of both ends; by default both ends are clamped (paper, section 4.1).
 
     Parameters
     ----------
     start, end : End or str
-        An `End`, or a name that `End.named` knows.
+        An `End`, or a name that `End.named` accepts.
 
     Raises
     ------
@@ -327,7 +333,7 @@ class Supports:
         return self.ends == (End.named("free"), End.named("free"))
 
     def require_held(self, *, between: bool = False) -> None:
-        """Refuse two free ends, unless elements between the ends hold the rod."""
+        """Refuse two free ends, unless elements between the ends support the rod."""
         if self.is_free and not between:
             raise _unheld("x")
 
@@ -338,23 +344,23 @@ class Supports:
 
     @property
     def transmits_force(self) -> tuple[bool, bool]:
-        """True for x, y if both ends hold the coordinate, so that the supports can carry a constant force."""
+        """Flags for x and y: True if both ends hold the coordinate, so that they can exert a constant force."""
         a, b = self.ends
         return a.x and b.x, a.y and b.y
 
     @property
     def free_axes(self) -> tuple[bool, bool]:
-        """True for x, y if no end holds the coordinate, so that the whole rod can move along it."""
+        """Flags for x and y: True if no end holds the coordinate, so that the whole rod can move along it."""
         a, b = self.ends
         return not (a.x or b.x), not (a.y or b.y)
 
     def reversed(self) -> "Supports":
-        """Return the supports of the reversed rod."""
+        """Return the supports of the rod with start and end exchanged."""
         return Supports(self.end, self.start)
 
 
 def require_curve(curve: object) -> None:
-    """Refuse values that are not a `PlaneCurve`."""
+    """Refuse objects that are not a `PlaneCurve`."""
     if not isinstance(curve, PlaneCurve):
         raise InputError(
             f"the curve is a {type(curve).__name__}: give a PlaneCurve, such as PlaneCurve.fit(points)"
@@ -362,7 +368,7 @@ def require_curve(curve: object) -> None:
 
 
 def require_gravity(gravity: object) -> None:
-    """Refuse values other than a `Gravity` or None."""
+    """Refuse objects other than a `Gravity` or None."""
     if not (gravity is None or isinstance(gravity, Gravity)):
         raise InputError(
             f"gravity is {gravity!r}: give a Gravity record, such as sheet.gravity() or "
@@ -371,7 +377,10 @@ def require_gravity(gravity: object) -> None:
 
 
 def require_supports(supports: object, *, between: bool = False) -> Supports:
-    """Return the supports; None means clamped at both ends. `between` is True if elements also hold the rod."""
+    """Return the supports; None means clamped at both ends.
+
+    `between` is True if elements between the ends also support the rod.
+    """
     if supports is None:
         return Supports()
     if not isinstance(supports, Supports):
@@ -391,7 +400,7 @@ def require_tolerance(tolerance: object) -> None:
 
 
 def require_ratio(ratio: object, name: str) -> None:
-    """Refuse a bound of max K / min K that is below 1 or not a number."""
+    """Refuse a limit of the stiffness ratio max K / min K that is below 1 or not a number."""
     if not (is_number(ratio) and ratio >= 1):
         raise InputError(
             (
@@ -404,7 +413,7 @@ def require_ratio(ratio: object, name: str) -> None:
 
 
 MOST_COUNTED = 1_000_000
-"""Largest number of nodes or samples; more would not fit into memory."""
+"""Largest number of nodes or samples; a larger number would not fit into memory."""
 
 
 def whole_number(value: object, name: str, least: int) -> int:
@@ -427,13 +436,14 @@ def whole_number(value: object, name: str, least: int) -> int:
 
 
 LENGTHS_APART = 0.01
-"""Largest relative difference of length between a curve and a natural curvature that is scaled to it."""
+"""Largest relative difference of length between a curve and a pre-bent strip that is scaled to the curve."""
 
 BLANK_TOLERANCE = 1e-9
 """Error of the natural curvature, relative to its largest value."""
 
 _SAMPLES = 401  # number of samples for the largest curvature of a curve
-_AT_BREAK_SHARE = 1e-9  # distance from a break, as a fraction of the length, that counts as at the break
+# distance from a break, as a fraction of the length, below which a position is at the break
+_AT_BREAK_SHARE = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -443,7 +453,7 @@ class RestCurvature(EqualByValue):
     Attributes
     ----------
     profile : Profile
-        kappa_0, 1/mm, over the length of the pre-bent strip, mm.
+        Curvature kappa_0, 1/mm, as a function of arc length along the pre-bent strip, mm.
 
     Examples
     --------
@@ -463,8 +473,10 @@ class RestCurvature(EqualByValue):
 
     @classmethod
     def linear(cls, stations: ArrayLike, curvatures: ArrayLike) -> "RestCurvature":
-        """Return a linear interpolation of curvatures (n,), 1/mm, at stations (n,), mm; equal stations are a
-        step."""
+        """Return the natural curvature that interpolates curvatures (n,), 1/mm, linearly between stations (n,), mm.
+
+        Two equal stations are a jump.
+        """
         s, kappa_0 = finite("stations", stations), finite("curvatures", curvatures)
         rising = s.ndim == 1 and s.size >= 2 and s[0] == 0 and np.all(np.diff(s) >= 0)
         if s.shape != kappa_0.shape or not rising or np.any(s[2:] == s[:-2]) or s[1] == 0 or s[-1] == s[-2]:
@@ -476,7 +488,7 @@ class RestCurvature(EqualByValue):
 
     @classmethod
     def of(cls, blank: PlaneCurve) -> "RestCurvature":
-        """Return the curvature of a pre-bent strip, drawn from the same side as the bent strip."""
+        """Return the curvature of a pre-bent strip that was drawn from the same side as the bent strip."""
         if not isinstance(blank, PlaneCurve):
             raise InputError(f"the pre-bent strip is {blank!r}: give a PlaneCurve, its shape before assembly")
         if blank.tangent_breaks:
@@ -501,7 +513,7 @@ class RestCurvature(EqualByValue):
         return self.profile.length
 
     def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
-        """Return kappa_0, 1/mm, or its derivatives at arc lengths, mm; at a break from the right, or `left`."""
+        """Return kappa_0, 1/mm, or its derivatives at arc lengths s, mm; at a jump, the right or `left` value."""
         s = np.clip(s, 0.0, self.length)
         for place, _ in self.profile.breaks:
             beside = np.nextafter(place, -1.0) if left else place
@@ -509,13 +521,7 @@ class RestCurvature(EqualByValue):
         return self.profile(s, derivative)
 
     def stretch_to(self, length: float) -> float:
-        """Return the factor from arc lengths of a curve of `length` mm to arc lengths of the pre-bent strip.
-
-        Raises
-        ------
-        InputError
-            The lengths differ by more than `LENGTHS_APART`.
-        """
+        """Return the factor from arc lengths of a curve of `length` mm to arc lengths of the pre-bent strip."""
         length = require_number(length, "the length of the curve", "mm")
         if abs(length / self.length - 1) > LENGTHS_APART:
             raise InputError(
@@ -529,11 +535,12 @@ class RestCurvature(EqualByValue):
 
 @dataclass(frozen=True, eq=False)
 class CurveOfRest(RestCurvature):
-    """Curvature of a drawn pre-bent strip, evaluated without a fit; `profile` has its breaks.
+    """Curvature of a drawn pre-bent strip, evaluated exactly on the drawn curve.
 
     Attributes
     ----------
     blank : PlaneCurve
+        Shape of the pre-bent strip. Its `profile` has the same breaks.
     """
 
     blank: PlaneCurve
@@ -553,11 +560,11 @@ class CurveOfRest(RestCurvature):
 
 
 NaturalCurvature: TypeAlias = float | RestCurvature
-"""Natural curvature: a value for the whole strip, 1/mm, or a curvature that varies along it."""
+"""Natural curvature: a value for the whole strip, 1/mm, or a curvature that varies along the strip."""
 
 
 def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray:
-    """Return kappa_0, 1/mm: the number, or the values (n,) at nodes (n,) from 0 to the length, mm.
+    """Return the natural curvature, 1/mm: a number, or values (n,) at nodes `s` (n,), mm, along the whole strip.
 
     Raises
     ------
@@ -568,7 +575,7 @@ def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray
 
 
 def require_natural_curvature(value: object) -> None:
-    """Refuse values other than a finite number or a `RestCurvature`."""
+    """Refuse objects other than a finite number or a `RestCurvature`."""
     if not (isinstance(value, RestCurvature) or is_number(value)):
         raise InputError(
             f"natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature for a "
@@ -578,7 +585,7 @@ def require_natural_curvature(value: object) -> None:
 
 @dataclass(frozen=True, eq=False)
 class ExcessCurvature:
-    """Change of curvature kappa - kappa_0 along a curve, which bends the strip.
+    """Change of curvature kappa - kappa_0 by which a strip with natural curvature kappa_0 is bent into a curve.
 
     Attributes
     ----------
@@ -599,11 +606,11 @@ class ExcessCurvature:
         return np.asarray(self.curve.curvature_at(t, left=left) - self.rest_at(t, left=left))
 
     def slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Return the derivative with respect to arc length, 1/mm2."""
+        """Return the derivative of kappa - kappa_0 by arc length, 1/mm2, at parameters t."""
         return np.asarray(self.curve.curvature_slope_at(t, left=left) - self.rest_at(t, 1, left=left))
 
     def rest_at(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray | float:
-        """Return kappa_0, 1/mm, or its first derivative by arc length, at parameters t."""
+        """Return kappa_0, 1/mm, or its first derivative by arc length, at parameters t of the curve."""
         if not isinstance(self.rest, RestCurvature):
             return 0.0 if derivative else self.rest
         s = self.curve.arc_length(t) * self._stretch
@@ -611,13 +618,13 @@ class ExcessCurvature:
 
     @cached_property
     def survey(self) -> FloatArray:
-        """Values (n,), 1/mm, at the sample points of the curve."""
+        """Values (n,) of kappa - kappa_0, 1/mm, at the sample points of the curve."""
         nodes = self.curve.survey
         return np.asarray(nodes.curvature - self.rest_at(nodes.t))
 
     @cached_property
     def kinks(self) -> tuple[tuple[float, float, int], ...]:
-        """Places (t, s, continuity) where kappa_0 has only `continuity` continuous derivatives."""
+        """Points (t, s, continuity) at which kappa_0 has only `continuity` continuous derivatives."""
         if not isinstance(self.rest, RestCurvature):
             return ()
         s = np.array([s for s, _ in self.rest.profile.breaks]) / self._stretch
@@ -626,11 +633,11 @@ class ExcessCurvature:
 
     @cached_property
     def zeros(self) -> tuple[CurvatureZero, ...]:
-        """All zeros and sign changes, in order."""
+        """All zeros and sign changes of kappa - kappa_0, in the order of the curve."""
         return self.equals(0.0)
 
     def equals(self, level: float) -> tuple[CurvatureZero, ...]:
-        """Return all places where the curvature is `level`, 1/mm, with its signs before and after."""
+        """Return all points where kappa - kappa_0 equals `level`, 1/mm, with the signs before and after."""
         if not isinstance(self.rest, RestCurvature):
             return self.curve.curvature_equals(self.rest + level)
         breaks = [(t, order >= 0) for t, _, order in self.kinks]
@@ -642,6 +649,6 @@ class ExcessCurvature:
 
     @cached_property
     def _size(self) -> float:
-        """Size of kappa and kappa_0, 1/mm, which determines the rounding error of their difference."""
+        """Sum of absolute kappa and kappa_0, 1/mm, which determines the rounding error of their difference."""
         t = np.linspace(*self.curve.domain, _SAMPLES)
         return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

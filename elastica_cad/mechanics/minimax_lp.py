@@ -1,4 +1,4 @@
-"""Linear programs with few unknowns, for the least stiffness ratio and for the smoothest stiffness near it."""
+"""Linear programs with few unknowns for the least stiffness ratio, and for the smoothest stiffness near it."""
 
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -11,21 +11,21 @@ from elastica_cad.errors import NotConvergedError
 
 
 class Exchange(NamedTuple):
-    """Settings of the exchange method, and of the addition of rows to a program.
+    """Settings of the exchange method, and of rows that are added to a linear program.
 
     Attributes
     ----------
     start_rows, most_rounds : int
-        Initial number of samples if rows are added, and largest number of rounds of additions.
+        Number of samples in the first round, and largest number of rounds, if rows are added between solutions.
     first_rows : int
-        Number of uniform samples of a long curve at the beginning of a program.
+        Number of uniform samples of a long curve from which a program starts.
     box : float
-        Initial bound on the scaled unknowns, which are of order 1; it defines the first vertex.
+        Bound of the scaled unknowns, which are of order 1; the bounds define the first vertex.
     feasible : float
-        Largest violation of a condition that counts as rounding, relative to 1, or to R if the condition contains
-        R.
+        Largest violation of a condition that counts as a rounding error. It is relative to 1, or to the ratio R if
+        the condition contains R.
     pivot : float
-        Least component, as a fraction of the largest, of a condition that may leave a vertex.
+        Least coefficient, as a fraction of the largest, of a condition that may become inactive.
     most : int
         Largest number of exchanges, several times the usual number for four unknowns.
     """
@@ -51,9 +51,9 @@ class MinimaxSolution:
     x : (m,) array
         Unknowns.
     ratio : float
-        R, the largest value; the least value is at least 1.
+        Ratio R: largest value of the stiffness; the least value is at least 1.
     values : (n,) array
-        rows @ x + offset, the stiffness at all samples.
+        Stiffness rows @ x + offset at all samples.
     """
 
     x: FloatArray
@@ -68,12 +68,12 @@ def minimax_ratio(
     side_rows: FloatArray | None = None,
     side_offset: FloatArray | None = None,
 ) -> MinimaxSolution | None:
-    """Minimise R subject to 1 <= rows @ x + offset <= R (paper, Eq. 4), to global optimality.
+    """Return the global minimum of R subject to 1 <= rows @ x + offset <= R (paper, Eq. 4).
 
     Parameters
     ----------
     rows : (n, m) array
-        Stiffness at sample i is rows[i] @ x + offset[i]; m is small.
+        The stiffness at sample i is rows[i] @ x + offset[i]; the number m of unknowns is small.
     offset : (n,) array, optional
         By default zero.
     side_rows : (k, m) array, optional
@@ -119,12 +119,12 @@ def minimax_ratio(
 
 
 def start_rows(count: int) -> list[int]:
-    """Return the indices of the first samples, of `count` samples."""
+    """Return the indices of `METHOD.start_rows` evenly distributed samples of `count` samples."""
     return (np.arange(METHOD.start_rows) * (count - 1) // (METHOD.start_rows - 1)).tolist()
 
 
 def unsettled(ratio: float) -> NotConvergedError:
-    """Return the error for a program that needs too many rounds of additional rows."""
+    """Return the error for a linear program that needs too many rounds of additional rows."""
     return NotConvergedError(
         f"the linear program for the stiffness ratio did not converge in {METHOD.most_rounds} "
         f"rounds (ratio {ratio:.6g}): the curve has almost straight places; move its control "
@@ -133,11 +133,15 @@ def unsettled(ratio: float) -> NotConvergedError:
 
 
 class MinimaxProgram:
-    """Linear program: minimise R subject to bounds on rows @ x + offset, which are added between solutions.
+    """Linear program: minimise R subject to bounds on rows @ x + offset.
 
-    Stiefel's exchange method, the dual simplex method for few unknowns and many rows. The current vertex has the
-    least R under its active conditions. In each step the most violated condition enters, and the condition whose
-    multiplier would become negative first leaves. If this fails, HiGHS solves the program or finds it infeasible.
+    Bounds can be added between solutions. The method is Stiefel's exchange method, which is the dual simplex
+    method for
+    few unknowns and many rows. The current vertex has the least R under its active conditions. In each step the
+    most
+    violated condition becomes active, and the condition whose multiplier would become negative first becomes
+    inactive. If
+    this fails, HiGHS solves the program or finds it infeasible.
 
     Sources: Stiefel, "Uber diskrete und lineare Tschebyscheff-Approximationen", Numer. Math. 1 (1959); Lemke, "The
     dual method of solving the linear programming problem", Naval Res. Logist. Q. 1 (1954).
@@ -159,8 +163,8 @@ class MinimaxProgram:
     ) -> None:
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
-        # conditions rows @ (x, R) >= limits: R >= 0 and -box <= x define the first vertex; x <= box is the other
-        # bound
+        # the conditions are rows @ (x, R) >= limits; R >= 0 and -box <= x define the first vertex, and x <=
+        # box follows
         box = np.eye(unknowns + 1)
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.full(2 * unknowns + 1, -METHOD.box)
@@ -181,13 +185,13 @@ class MinimaxProgram:
         self._add(rows, offset, np.zeros(len(rows)))
 
     def _add(self, rows: FloatArray, offset: FloatArray, share: FloatArray) -> None:
-        """Add the conditions rows @ x + offset + share * R >= 0."""
+        """Add the conditions rows @ x + offset + share * R >= 0, with 0 or 1 for each row in `share`."""
         more = np.concatenate([rows @ self.basis, share[:, None]], axis=1)
         self.rows = np.concatenate([self.rows, more])
         self.limits = np.concatenate([self.limits, -offset])
 
     def solve(self) -> tuple[FloatArray, float] | None:
-        """Return x and R, or None if no x meets the conditions."""
+        """Return x and R, or None if no x satisfies the conditions."""
         answer = self._exchanged()
         if answer is None:
             boxes = 2 * self.basis.shape[1] + 1
@@ -204,7 +208,7 @@ class MinimaxProgram:
             except np.linalg.LinAlgError:
                 return None
             vertex = inverse.dot(limits)  # `dot` takes half the time of `@` for arrays of this size
-            # one step of iterative refinement, to rounding error
+            # one step of iterative refinement reduces the error to rounding errors
             vertex += inverse.dot(limits - rows.dot(vertex))
             excess = self.rows.dot(vertex) - self.limits
             if vertex[-1] > 1:
@@ -224,7 +228,7 @@ class MinimaxProgram:
 
 
 def _single(row: FloatArray) -> MinimaxSolution | None:
-    """Return the ratio for a single unknown, which only scales the stiffness."""
+    """Return the solution for a single unknown, which only scales the stiffness."""
     low, high = row.min(), row.max()
     if low > 0:
         return MinimaxSolution(np.array([1 / low]), float(high / low), row / low)
@@ -234,7 +238,7 @@ def _single(row: FloatArray) -> MinimaxSolution | None:
 
 
 def _conditioned(rows: FloatArray) -> FloatArray:
-    """Return columns (m, k) that scale the unknowns: coefficients of order 1 give stiffnesses of order 1."""
+    """Return columns (m, k) that scale the unknowns: coefficients of order 1 then give stiffnesses of order 1."""
     thinned = rows[:: max(1, len(rows) // 64)]
     _, size, vt = svd(thinned, full_matrices=False)
     keep = size > 1e-13 * size[0] if size[0] > 0 else np.ones(size.size, dtype=bool)
@@ -242,7 +246,10 @@ def _conditioned(rows: FloatArray) -> FloatArray:
 
 
 def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
-    """Return (x, R) of least R with rows @ (x, R) >= limits by HiGHS (in FreeCAD that of SciPy), or None."""
+    """Return (x, R) with the least R subject to rows @ (x, R) >= limits, or None if there is none.
+
+    The solver is HiGHS; in FreeCAD it is the HiGHS of SciPy.
+    """
     tolerances = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
     count, columns = rows.shape
     try:
@@ -256,7 +263,7 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
             return np.asarray(result.x, dtype=float)
         infeasible = result.status == 2
     else:
-        # the class Highs, which adds callbacks, prints a banner before output can be switched off
+        # use the base class of Highs, because Highs prints a banner before output can be switched off
         highs = highspy.Highs.__bases__[0]()
         silent = {"output_flag": False, "presolve": "off", "solver": "simplex", "parallel": "off"}
         for name, value in {**silent, **tolerances}.items():
@@ -290,15 +297,15 @@ def least_variation(
 ) -> FloatArray:
     """Return the x that minimises sum |bends @ x + bend_offset| subject to 1 <= rows @ x + offset <= largest.
 
-    With bends = K'' times the length of each sample, the sum is V(K'), the total variation of K' (paper, section
-    5.3).
+    If `bends` contain the second derivative K'' of the stiffness times the length of each sample, the sum is the
+    total variation of K' (paper, section 5.3).
 
     Parameters
     ----------
     rows, offset : (n, m) and (n,) arrays
-        Stiffness.
+        The stiffness at the samples is rows @ x + offset.
     bends, bend_offset : (k, m) and (k,) arrays
-        Terms of the variation.
+        Terms of the sum.
     sides : (j, m) and (j,) arrays, optional
         Rows and offsets of further conditions rows @ x + offset >= 0.
     """
@@ -311,7 +318,7 @@ def least_variation(
     rows, bends = rows @ basis, bends @ basis
     size = np.abs(bends).max() or 1.0
     bends, bend_offset = bends / size, bend_offset / size
-    # the dual program has a row for each unknown; the unknowns are the multipliers of its solution
+    # the dual program has a row for each unknown, and the unknowns are the multipliers of its solution
     matrix = np.concatenate([bends, -rows, rows, -side_rows @ basis]).T
     cost = -np.concatenate([bend_offset, 1 - offset, offset - largest, -side_offset])
     bounds = np.zeros((cost.size, 2))
@@ -327,7 +334,10 @@ def least_variation(
 def _least_variation_of_one(
     row: FloatArray, offset: FloatArray, bend: FloatArray, bend_offset: FloatArray, largest: float
 ) -> FloatArray:
-    """Solve for a single number: the weighted median of the zeros of the terms, clipped to the bounds."""
+    """Return the solution for a single number x.
+
+    It is the weighted median of the zeros of the terms, clipped to the bounds.
+    """
     counts = bend != 0
     zeros, steep = -bend_offset[counts] / bend[counts], np.abs(bend[counts])
     order = np.argsort(zeros)

@@ -1,13 +1,19 @@
-"""Balance of a drawn curve as a linear map, its conditions, and the best stiffness that satisfies them.
+"""Stiffness of a rod that is in equilibrium on a drawn curve: linear equations, conditions and optimum.
 
-On a drawn curve the rod's equations (paper, Eqs. 3 and 5)
+On a drawn curve gamma the equations of the rod (paper, Eqs. 3 and 5)
 
     M' = <b, gamma'>,   b' = -(q K + p tau) R^t e,   K (kappa - kappa_0) = M
 
-are linear in the state (M, b) at the end of the curve, so a single march for each of the three numbers is enough.
-Here q is the weight per stiffness (1/l_eg^3), p a dead weight (N/mm), and tau the inverse of the least bending
-stiffness; e points up. Rods without weight have constant b, and M = a + <b, gamma>. A force f on the strip between
-its ends lets lambda = R b step by f, so each unknown force is one more number (`elements`).
+are linear in the state (M, b) at the end of the curve. One integration for each of these three numbers is therefore
+enough. M is the moment, b minus the internal force after a quarter turn R^t, and K the stiffness. Kappa and
+kappa_0 are
+the curvature and the natural curvature. Here q is the weight per stiffness (1/l_eg^3), p a weight per length that
+does
+not depend on K (N/mm), tau the inverse of the least bending stiffness, and e a unit vector upwards. Rods without
+weight
+have constant b, and M = a + <b, gamma>. A force f on the strip between its ends is a jump of R b by f, so each
+unknown
+force is one more number (`elements`).
 """
 
 from collections.abc import Callable, Sequence
@@ -65,18 +71,19 @@ from elastica_cad.refusals import Length, Listed, Span, note
 
 @dataclass(frozen=True, eq=False)
 class LineLoad:
-    """Weight along a curve cut into panels.
+    """Weight and known forces along a curve that is cut into panels.
 
     Attributes
     ----------
     up : (2,) array
         Unit vector against gravity.
     own : (N, p) array
-        Weight per stiffness over the least bending stiffness, 1/mm3: 1/l_eg^3 for a plain strip.
+        Weight per length and relative stiffness, divided by the least bending stiffness, 1/mm3. For a plain strip
+        it is 1/l_eg^3 with the elasto-gravity length l_eg.
     dead : (N, p) array
         Weight per length that does not depend on the stiffness, N/mm.
     points : (N + 1, 2) array
-        Known forces on the strip at the panel ends, N.
+        Known forces on the strip at the ends of the panels, N.
     """
 
     up: FloatArray
@@ -86,26 +93,29 @@ class LineLoad:
 
     @property
     def is_proportional(self) -> bool:
-        """Return True if the whole weight is proportional to the stiffness."""
+        """True if the whole weight is proportional to the stiffness."""
         return not (self.dead.any() or self.points.any())
 
 
 @dataclass(frozen=True, eq=False)
 class MomentRows:
-    """Rod as a linear map of m numbers: (M, b_x, b_y) at the end of the curve, tau if `loaded`, unknown forces.
+    """Stiffness, force and moment along a rod as linear functions of m numbers.
+
+    The numbers are (M, b_x, b_y) at the end of the curve, tau if `loaded`, and the unknown forces. M is the bending
+    moment, b the force without its quarter turn, and tau the inverse of the least bending stiffness.
 
     Attributes
     ----------
     loaded : bool
-        True if part of the load is not proportional to the stiffness, so that tau is the fourth number.
+        True if part of the load is not proportional to the stiffness; tau is then the fourth number.
     stiffness : (N, p, m) array
-        K at the nodes of the panels.
+        Coefficients of the stiffness K at the nodes of the panels.
     force : (N, p, 2, m) array
-        b at the nodes.
+        Coefficients of b at the nodes.
     edge_moment : (N + 1, m) array
-        M at the panel ends.
+        Coefficients of M at the ends of the panels.
     start_force, end_force : (2, m) arrays
-        b of the supports at the two ends.
+        Coefficients of b that the supports exert at the two ends.
     """
 
     loaded: bool
@@ -122,12 +132,13 @@ class MomentRows:
 
 
 def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray | None = None) -> MomentRows:
-    """Return stiffness, force and moment along a curve as linear maps of the state at its end (paper, Eqs. 3 and
-    5).
+    """Return stiffness, force and moment along a curve as linear maps of the state at its end (paper, Eqs. 3, 5).
 
     The equations of the rod are integrated from the end of the curve to its start, panel by panel. At a zero of
-    kappa - kappa_0 the moment is set to zero, so K is the limit there and not a quotient of rounding errors. The
-    caller must constrain the state accordingly: the rows of `edge_moment` at the zeros must give 0.
+    kappa - kappa_0, the curvature minus the natural curvature, the moment is set to zero. The stiffness there is
+    then a
+    limit, and not a quotient of rounding errors. The caller must constrain the state accordingly: the rows of
+    `edge_moment` at the zeros must give 0.
 
     Parameters
     ----------
@@ -136,13 +147,13 @@ def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray 
     load : LineLoad, optional
         Weight along the curve; none by default.
     units : (N + 1, 2, u) array, optional
-        Forces on the strip at the panel ends for the value 1 of each of the u unknown forces.
+        Forces on the strip at the ends of the panels for the value 1 of each of the u unknown forces.
     """
     if units is None:
         units = np.zeros((panels.count + 1, 2, 0))
     if load is None:
         return _weightless(panels, units)
-    # a far too large weight overflows; the caller checks the result
+    # a weight that is far too large overflows; the caller checks the result
     with np.errstate(over="ignore", invalid="ignore"):
         return _weighted(panels, load, units)
 
@@ -159,7 +170,7 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
         step = left_of(units[k].T).T  # step of b at the force, from its end side to its start side
         b[: k + 1, :, 3:] += step
         edge_moment[: k + 1, 3:] += (panels.edge_position[: k + 1] - panels.edge_position[k]) @ step
-    # M at a node = M at the panel's near end + <b, step>; at a zero the first term vanishes
+    # M at a node is M at the near end of the panel plus <b, distance>; beside a zero the first term is 0
     from_left = panels.zero_left
     vanishing = vanishing_at_zeros(panels, edge_moment)
     base = np.where(from_left[:, None], vanishing[:-1], vanishing[1:])
@@ -174,10 +185,11 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
 
 
 def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
-    """Return the moment at the panel ends, with exact zeros instead of rounding errors where it must vanish.
+    """Return the moments at the ends of panels, with exact zeros where kappa - kappa_0 is zero.
 
-    The errors are interpolated linearly between the zeros of kappa - kappa_0 and subtracted, because next to a zero
-    they would be large relative to M.
+    The rounding errors at these zeros are interpolated linearly between the zeros and subtracted, because next to
+    a zero
+    they would be large relative to the moment.
     """
     vanishes = np.zeros(panels.count + 1, dtype=bool)
     vanishes[:-1] = panels.zero_left
@@ -217,8 +229,8 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     if size == 4:
         weight[..., 3] += load.dead
     shares = WEIGHTS * panels.stretch
-    # the state at the far end of each panel from the near one: right to left, except beside a zero on the
-    # left
+    # the state at the far end of each panel from the state at the near end, from right to left except at a
+    # left zero
     sign = np.where(left, -1.0, 1.0)
     far = np.where(left[:, None, None], panels.from_right, panels.from_left) @ G
     chord = np.diff(panels.edge_position, axis=0) * -sign[:, None]
@@ -252,9 +264,9 @@ _SLOPES_AT_NODES = VANDER @ SLOPES
 _SETTLED = 1e-9  # relative change of the least ratio below which the iteration ends
 
 _SAME = 4 * float(np.finfo(float).eps)
-"""Relative difference between two solutions of a program whose vertex was reached by different paths."""
+"""Relative difference between two solutions of a program that were computed by different paths to one vertex."""
 
-# rounding error of a sum relative to its terms, which have three factors and a series
+# rounding error of a sum relative to its terms, each a product of three factors and a series
 _ROUNDING = 16 * float(np.finfo(float).eps)
 
 BOUNDED = 1e-7
@@ -263,19 +275,19 @@ BOUNDED = 1e-7
 
 @dataclass(frozen=True, eq=False)
 class StiffnessFamily:
-    """K = rows @ y + offset with d free numbers y, as piecewise polynomials over panels.
+    """Stiffnesses K = rows @ y + offset for d free numbers y, as piecewise polynomials over panels.
 
     Attributes
     ----------
     panels : Panels
     rows : PanelFunction
-        Coefficients (N, p, d).
+        Polynomial coefficients (N, p, d).
     offset : PanelFunction or None
-        Coefficients (N, p); None when K is homogeneous in y.
+        Polynomial coefficients (N, p), or None for an offset of 0.
     side_rows, side_offset : (k, d), (k,) arrays or None
         Conditions side_rows @ y + side_offset >= 0; an offset of None is 0.
     sides : tuple of PanelFunction
-        More conditions of that kind, all along the curve: coefficients (N, p, d), without an offset.
+        Functions of coefficients (N, p, d) that must give values >= 0 along the whole curve when multiplied by y.
     """
 
     panels: Panels
@@ -287,7 +299,7 @@ class StiffnessFamily:
 
     @property
     def freedom(self) -> int:
-        """Number of free numbers."""
+        """Number d of free numbers."""
         return int(self.rows.coefficients.shape[2])
 
     @property
@@ -297,18 +309,18 @@ class StiffnessFamily:
         return rows, np.zeros(len(rows)) if self.side_offset is None else self.side_offset
 
     def at(self, panel: IntArray, x: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows (n, d) and offsets (n,) at places x (n,) of panels (n,)."""
+        """Return rows (n, d) and offsets (n,) at coordinates x (n,) of panels (n,)."""
         offset = np.zeros(len(x)) if self.offset is None else self.offset.at(panel, x)
         return self.rows.at(panel, x), offset
 
     @cached_property
     def dense(self) -> tuple[FloatArray, FloatArray]:
-        """Rows and offsets at `Panels.dense_places`."""
+        """Rows and offsets at the sample points `Panels.dense_places`."""
         rows = self.rows.dense
         return rows, np.zeros(len(rows)) if self.offset is None else self.offset.dense
 
     def extremes(self, y: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return rows and offsets at the extremes of K of the numbers y, and at adjacent samples."""
+        """Return rows and offsets at the extremes of the stiffness for numbers y, and at the adjacent samples."""
         panel, sample, x = self.stiffness(y).found_extremes
         rows, offset = self.dense
         beside = panel * (DENSE_PARTS + 1) + sample
@@ -318,7 +330,7 @@ class StiffnessFamily:
         return rows, np.concatenate([offset[beside], self.offset.at(panel, x)])
 
     def stiffness(self, y: FloatArray) -> PanelFunction:
-        """Return K of the numbers y."""
+        """Return the stiffness for numbers y (d,)."""
         K = self.rows.combined(y)
         return K if self.offset is None else PanelFunction(K.coefficients + self.offset.coefficients)
 
@@ -326,15 +338,17 @@ class StiffnessFamily:
 def least_ratio(
     family: StiffnessFamily, places: tuple[IntArray, FloatArray] | None = None
 ) -> tuple[FloatArray, float] | None:
-    """Return the numbers y of least ratio R, or None if no stiffness is positive everywhere.
+    """Return the numbers y of the least stiffness ratio R, and R; None if no stiffness is positive everywhere.
 
-    By default R is that of the continuous curve, unless `places` (panel, x) fix the samples. Extremes of K between
-    the samples are computed from its polynomials and added to the program until R converges.
+    By default R is the ratio on the continuous curve. With `places` (panels and coordinates x), R is the ratio at
+    these samples. Extremes of the stiffness between samples are computed from its polynomials and added to the
+    linear program until R converges.
     """
     if places is not None:
         solution = _sampled(family, *family.at(*places))
     elif family.freedom == 0 or (family.freedom == 1 and family.offset is None and not family.sides):
-        # without a free number, or with a number that only scales K, the places of the extremes are fixed
+        # without a free number, or with a number that only scales K, the positions of the extremes do not
+        # change
         rows, offset = family.dense
         more, more_offset = family.extremes(np.ones(family.freedom))
         solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
@@ -348,7 +362,7 @@ def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> M
 
 
 def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | None:
-    """Return the least R; each iteration adds all local extremes that exceed it."""
+    """Return the least ratio on the continuous curve; each iteration adds all local extremes that exceed it."""
     rows, offset = family.dense
     sides = [side.dense for side in family.sides]
     program = MinimaxProgram(
@@ -368,9 +382,10 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
         values = rows @ y + offset
         rounded: FloatArray | float = 0.0
         if np.abs(y - before).max() <= _SAME * np.abs(y).max():
-            # the solution no longer changes: accept bounds that are exceeded by the tolerance of the solver
+            # the solution no longer changes, so bounds may be exceeded by the tolerance of the solver
             tolerance = BOUNDED
-            rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))  # rounding where large terms cancel
+            # rounding errors of sums in which large terms cancel
+            rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))
         before = y
         low = (values < 1 - tolerance - rounded).nonzero()[0]
         high = (values > ratio * (1 + tolerance) + rounded).nonzero()[0]
@@ -392,14 +407,15 @@ def _smoothest(
     places: tuple[IntArray, FloatArray] | None = None,
     kept: FloatArray | None = None,
 ) -> FloatArray:
-    """Return the numbers y of least total variation of K' with K between 1 and `ratio` (paper, section 5.3).
+    """Return the numbers y with the least total variation of K' for K between 1 and `ratio` (paper, section 5.3).
 
-    As in `least_ratio`, K is bounded on the continuous curve unless `places` (panel, x) fix the samples. Places
-    where K of the numbers `kept` equals `ratio` keep this value.
+    As in `least_ratio`, the stiffness K is bounded on the continuous curve, or at the samples `places`. Where K
+    of the
+    numbers `kept` equals `ratio`, the result has the same value.
     """
     panels = family.panels
     count, order = panels.t.shape
-    # d/ds = d/dx / stretch, twice; jumps of K' at the panel ends count too
+    # d/ds = d/dx / stretch, twice; jumps of K' at the ends of panels count too
     columns = family.rows.coefficients
     if family.offset is not None:
         columns = np.concatenate([columns, family.offset.coefficients[..., None]], axis=2)
@@ -414,7 +430,7 @@ def _smoothest(
     if kept is not None:
         pins, pin_offset = family.extremes(kept) if places is None else family.at(*places)
         pins = pins[pins @ kept + pin_offset > ratio * (1 - BOUNDED)]
-        # 1 <= pins @ y + pin_offset: K at these places is at least the present K
+        # 1 <= pins @ y + pin_offset: at these points, K is at least the K of `kept`
         pin_offset = 1.0 - pins @ kept
 
     def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
@@ -425,7 +441,10 @@ def _smoothest(
 
 
 def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) -> FloatArray:
-    """Return the y that maximises number @ y with K between 1 and `ratio`, for a family without offset."""
+    """Return the y that maximises number @ y for a stiffness between 1 and `ratio`.
+
+    The family must have no offset.
+    """
     sides, _ = family.side_conditions
     return _bounded(family, ratio, lambda rows, _: largest_number(rows, number, ratio, sides))
 
@@ -433,9 +452,10 @@ def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) ->
 def _bounded(
     family: StiffnessFamily, ratio: float, best: Callable[[FloatArray, FloatArray], FloatArray]
 ) -> FloatArray:
-    """Return the best numbers y with K between 1 and `ratio` on the continuous curve.
+    """Return the best numbers y for a stiffness K between 1 and `ratio` on the continuous curve.
 
-    `best` returns y for given rows and offsets. The extremes of the resulting K are added until K is within bounds.
+    The function `best` computes y for given rows and offsets. The extremes of the resulting K are added to them
+    until K is within its bounds.
     """
     rows, offset = family.dense
     first = start_rows(len(rows))
@@ -451,10 +471,11 @@ def _bounded(
 
 
 def find_violations(family: StiffnessFamily) -> FloatArray:
-    """Return the arc lengths (k,), mm, where no choice of the numbers makes K positive everywhere.
+    """Return the arc lengths (k,), mm, where no choice of the free numbers makes the stiffness positive everywhere.
 
-    With a single free number they are the places where K has the less frequent sign. Otherwise they are the
-        samples that limit the largest possible least value of K.
+    With a single free number they are the points at which the stiffness has the less frequent sign. Otherwise
+    they are
+    the samples that limit the largest possible least stiffness.
     """
     from scipy.optimize import linprog
 
@@ -480,16 +501,16 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
 
 
 SMOOTHING_SHARE = 0.01
-"""Relative increase of the ratio that is accepted for a smoother stiffness (section 5.3)."""
+"""Relative increase of the stiffness ratio that is accepted for a smoother stiffness (paper, section 5.3)."""
 
 NO_GAIN_SHARE = 1e-6
-"""Relative reduction of the ratio that is neglected."""
+"""Relative reduction of the stiffness ratio that is neglected."""
 
 WIDEST_RATIO = 1e10
 """Largest stiffness ratio in computations; no strip can have it."""
 
 LARGEST_LOAD = 1e3
-"""Largest fixed weight, in multiples of the largest stiffness, of a program that is not scaled by the weight."""
+"""Largest load stiffness, as a multiple of the largest stiffness, without scaling of the program by the load."""
 
 RANK_SHARE = 1e-7
 """Relative tolerance for linearly dependent conditions."""
@@ -497,18 +518,19 @@ RANK_SHARE = 1e-7
 
 @dataclass(frozen=True, eq=False)
 class BalancedStiffness:
-    """Stiffness in balance on a curve, least value about 1, as functions over panels.
+    """Stiffness for which a curve is a rest shape, with its moment and force, as functions over panels.
 
     Attributes
     ----------
     stiffness, moment, force : PanelFunction
-        K, M (1/mm) and b (1/mm2).
+        Stiffness K with a least value of about 1, bending moment (1/mm), and force b (1/mm2): minus the internal
+        force after a quarter turn.
     bending_stiffness, weight
-        B in N mm2 and the corresponding weight, if the weight is in newtons.
+        Least bending stiffness B, N mm2, and the corresponding weight, if the weight is in newtons.
     kinks : sequence of (s, continuity)
-        Places where K is less smooth than the curve because of the load or the material law.
+        Arc lengths s, mm, at which the load or the material law makes K less smooth than the curve.
     between : tuple of ElementForce
-        Forces of the elements, 1/mm2.
+        Elements with their forces, 1/mm2.
     """
 
     panels: Panels
@@ -523,7 +545,10 @@ class BalancedStiffness:
 
 @dataclass(frozen=True, eq=False)
 class StateFamily:
-    """Family of stiffnesses: numbers of `MomentRows` = fixed + basis @ free numbers."""
+    """Family of stiffnesses of a rod in equilibrium.
+
+    The numbers of `MomentRows` are fixed + basis @ free numbers.
+    """
 
     family: StiffnessFamily
     basis: FloatArray
@@ -532,10 +557,11 @@ class StateFamily:
 
 @dataclass(frozen=True, eq=False)
 class RodRequest(EqualByValue):
-    """Request for a rod that rests in a curve. `optimal_rod` describes the fields.
+    """Request for a rod whose rest shape is a curve; `optimal_rod` describes the attributes.
 
-    `known_check` is an existing check of the curve, if there is one. `point_forces` are the loads except masses.
-    Elements and point forces are placed along `drawn` if it differs from the curve.
+    `known_check` is the result of an earlier check of the curve, or None. `point_forces` are the loads except
+    masses.
+    Positions of elements and point forces refer to the curve `drawn` if it differs from `curve`.
     """
 
     curve: PlaneCurve
@@ -561,12 +587,12 @@ class RodRequest(EqualByValue):
 
     @property
     def curve_to_bend(self) -> PlaneCurve:
-        """Curve that the rod follows."""
+        """Curve that is the requested rest shape."""
         return self.curve
 
     @cached_property
     def check(self) -> EquilibriumCheck:
-        """Verdict of Theorem 1 on the curve; a strip with forces between its ends does not need a line."""
+        """Result of the check of Theorem 1; under forces between the ends, inflections need not be on a line."""
         if self.known_check is not None:
             return self.known_check
         return examine(self.curve_to_bend, self.supports, self.natural_curvature, heavy=not self.needs_line)
@@ -578,21 +604,21 @@ class RodRequest(EqualByValue):
 
     @property
     def is_loaded(self) -> bool:
-        """True if the strip has weight or known forces."""
+        """True if the strip has weight or known point forces."""
         return self.gravity is not None or bool(self.point_forces)
 
     @cached_property
     def elements(self) -> tuple[PlacedElement, ...]:
-        """Elements on the curve of the check."""
+        """Elements between the ends with their positions on the checked curve."""
         return place_elements(self.between, self.drawn or self.curve, self.check.curve, self.supports)
 
     @cached_property
     def forces(self) -> tuple[PlacedElement, ...]:
-        """Point forces on the curve of the check."""
+        """Point forces with their positions on the checked curve."""
         return place_elements(self.point_forces, self.drawn or self.curve, self.check.curve, self.supports)
 
     def units_on(self, panels: Panels) -> FloatArray:
-        """Return the forces (N + 1, 2, u) at the panel ends for the value 1 of each unknown force."""
+        """Return the forces (N + 1, 2, u) at the ends of panels for the value 1 of each unknown force."""
         units = np.zeros((panels.count + 1, 2, sum(element.unknowns for element in self.elements)))
         first = 0
         for element in self.elements:
@@ -604,7 +630,7 @@ class RodRequest(EqualByValue):
 
     @cached_property
     def nodes(self) -> CurveSamples:
-        """Curve at the nodes of the rod; if `samples` is given, the ratio is evaluated only at the nodes."""
+        """Samples of the curve at the nodes of the rod; with `samples`, the ratio is evaluated only there."""
         curve = self.check.curve
         return curve.survey if self.samples is None else curve.sample(self.samples)
 
@@ -615,14 +641,14 @@ class RodRequest(EqualByValue):
 
     @property
     def cut(self) -> CutCurve:
-        """Curve cut where the natural curvature, the material law or the load is not smooth."""
+        """Curve, cut where the natural curvature, the material law or the load is not smooth."""
         stations = [s for element in (*self.elements, *self.forces) for s in element.s.tolist()]
         return CutCurve.where_kinked(self.check, self.natural_curvature, self.law, self.weight, stations)
 
 
 @dataclass(frozen=True, eq=False)
 class ConditionedRows:
-    """Moment rows under the conditions of inflections and supports."""
+    """Moment rows with the conditions that the inflections and supports impose."""
 
     request: RodRequest
     panels: Panels
@@ -630,14 +656,14 @@ class ConditionedRows:
 
     @property
     def check(self) -> EquilibriumCheck:
-        """Verdict of Theorem 1 on the curve."""
+        """Result of the check of Theorem 1 on the curve."""
         return self.request.check
 
     @cached_property
     def conditions(self) -> FloatArray:
-        """Rows (k, m) @ numbers = 0: the moment vanishes with the curvature, and the force along free coordinates.
+        """Conditions (k, m) @ numbers = 0 on the moment at inflections and on the force along free coordinates.
 
-        An element at an inflection has no force normal to the strip, because the stiffness would step there.
+        An element at an inflection exerts no force normal to the strip, because the stiffness would jump there.
         """
         t = np.array([z.t for z in self.check.zeros])
         at = np.abs(self.panels.edges - t[:, None]).argmin(axis=1)
@@ -652,14 +678,14 @@ class ConditionedRows:
             rows.append(normal[normal.any(axis=1)])
         forces = self.rows.start_force, self.rows.end_force
         for end, force in zip(self.request.supports.ends, forces, strict=True):
-            # lambda = R b: the force along x is -b_y, that along y is b_x
+            # lambda = R b: the force along x is -b_y, and the force along y is b_x
             rows += [] if end.x else [force[1:2]]
             rows += [] if end.y else [force[0:1]]
         return np.concatenate(rows)
 
     @cached_property
     def scale(self) -> FloatArray:
-        """Sizes (m,) of the numbers."""
+        """Orders of magnitude (m,) of the numbers."""
         size = np.full(self.rows.edge_moment.shape[1], 1 / self.check.length)
         size[0] = 1.0
         moment = self.rows.stiffness[..., 3:] * self.panels.curvature[..., None]
@@ -678,7 +704,7 @@ class ConditionedRows:
         return np.asarray(self.rows.elements_from + np.flatnonzero(kinds), dtype=int)
 
     def homogeneous(self, *, loaded: bool) -> StateFamily:
-        """Return all stiffnesses, without known loads or with loads of any scale (`loaded`)."""
+        """Return all stiffnesses without known loads, or with known loads of any scale (`loaded`)."""
         basis = np.diag(self.scale)
         if self.rows.loaded and not loaded:
             basis = np.delete(basis, 3, axis=1)
@@ -694,11 +720,11 @@ class ConditionedRows:
         )  # fmt: skip
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return the rows that select the numbers that may not be negative, scaled by the sizes of the numbers."""
+        """Return the rows of the numbers that may not be negative, divided by their orders of magnitude."""
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:
-        """Return all stiffnesses with least bending stiffness 1 / tau."""
+        """Return all stiffnesses for the least bending stiffness 1 / tau."""
         if not self.rows.loaded:
             return self.homogeneous(loaded=False)
         basis = np.delete(np.diag(self.scale), 3, axis=1)
@@ -717,7 +743,7 @@ class ConditionedRows:
         return StateFamily(family, basis, fixed)
 
     def ratio(self, numbers: StateFamily) -> tuple[FloatArray, float] | None:
-        """Return the free numbers of least ratio, and the ratio."""
+        """Return the free numbers with the least stiffness ratio, and the ratio; None if there are none."""
         if numbers.family.freedom == 0 and numbers.family.offset is None:
             return None
         if numbers.family.freedom > 0:
@@ -729,15 +755,16 @@ class ConditionedRows:
 
     @property
     def places(self) -> tuple[IntArray, FloatArray] | None:
-        """Panels and places x of the nodes if the ratio is evaluated only at nodes, otherwise None."""
+        """Panels and coordinates x of the nodes if the ratio is evaluated only at the nodes, otherwise None."""
         everywhere = self.request.samples is None or self.request.largest_stiffness is not None
         return None if everywhere else self.panels.locate(self.request.nodes.t)
 
     def steadied(self, state: FloatArray) -> FloatArray:
-        """Return the optimum that does not change when the drawing is rotated.
+        """Return the optimal numbers that do not change when the drawing is rotated.
 
-        For arcs the optimum has a constant moment. If the ratio is decided by a single step of the curvature, the
-        optimum has the smoothest stiffness.
+        For arcs the optimum has a constant moment. If a single jump of the curvature determines the ratio, the
+        optimum has
+        the smoothest stiffness.
         """
         if self.check.zeros:
             return state
@@ -751,12 +778,13 @@ class ConditionedRows:
         if self.places is not None or not steps.size or steps.max() < (1 - NO_GAIN_SHARE) * K.max() / K.min():
             return state
         numbers = self.homogeneous(loaded=False)
-        with suppress(NotConvergedError):  # any optimum is acceptable
+        # if the smoothest stiffness is not found, any optimum is acceptable
+        with suppress(NotConvergedError):
             return numbers.basis @ _smoothest(numbers.family, float(steps.max()) * (1 + NO_GAIN_SHARE))
         return state
 
     def least(self, numbers: StateFamily, *, smooth: bool = True) -> FloatArray:
-        """Return the end state (m,) of least ratio, smoothed if inflections allow several stiffnesses."""
+        """Return the numbers (m,) of the least ratio; if inflections allow several stiffnesses, the smoothest."""
         optimum = self.ratio(numbers)
         if optimum is None:
             self.refuse(numbers.family)
@@ -767,22 +795,23 @@ class ConditionedRows:
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
     def _offset(self, tau: float) -> FloatArray:
-        """Return K (N, p) at the nodes of the particular solution with least bending stiffness 1 / tau."""
+        """Return the part of K (N, p) at the nodes that is fixed by the least bending stiffness 1 / tau."""
         return np.asarray(self.rows.stiffness @ self.at_compliance(tau).fixed)
 
     @property
     def load_stiffness(self) -> float:
-        """Size of the bending stiffness that the fixed weight requires, N mm2."""
+        """Order of magnitude of the bending stiffness that the known loads require, N mm2."""
         return float(np.abs(self._offset(1.0)).max())
 
     def stiffest(self, most: float, least: float) -> tuple[FloatArray, float] | None:
-        """Return the state (m,) and tau that maximise the least E I for the largest E I `most`, N mm2.
+        """Return the numbers (m,) and tau that maximise the least E I for the largest E I `most`, N mm2.
 
-        If inflections allow several stiffnesses from `least` to `most`, the result is the smoothest. The result is
-        None if no stiffness within these limits balances the curve.
+        If inflections allow several stiffnesses from `least` to `most`, the result is the smoothest stiffness.
+        The result
+        is None if no stiffness within these limits is in equilibrium.
         """
         family = self.at_compliance(1 / most).family
-        # maximising the least K is minimising the largest 1 + 1 / size - K / size, for K <= 1
+        # for K <= 1, maximising the least K is minimising the largest 1 + 1 / size - K / size
         size = max(1.0, self.load_stiffness / (LARGEST_LOAD * most))
         turned = StiffnessFamily(
             self.panels,
@@ -807,7 +836,7 @@ class ConditionedRows:
         return numbers.fixed + numbers.basis @ y, tau
 
     def balance(self, state: FloatArray) -> BalancedStiffness:
-        """Return the balance with a given end state."""
+        """Return the stiffness, moment and force for given numbers (m,)."""
         K = self.rows.stiffness @ state
         return BalancedStiffness(
             self.panels,
@@ -818,7 +847,7 @@ class ConditionedRows:
         )
 
     def refuse(self, family: StiffnessFamily | None) -> NoReturn:
-        """Raise `NotRealizable` with the reason and the places."""
+        """Raise `NotRealizable` with the reason and the positions on the curve."""
         held = bool(self.request.elements)
         if family is None or (family.freedom == 0 and family.offset is None):
             reason = note(
@@ -859,13 +888,15 @@ def null_space(matrix: FloatArray) -> FloatArray:
 
 
 def _rank(sigma: FloatArray) -> int:
-    """Return the number of linearly independent conditions from the sorted singular values."""
+    """Return the number of linearly independent conditions from sorted singular values."""
     return int(np.count_nonzero(sigma > RANK_SHARE * max(1.0, sigma[0])))
 
 
 def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-    """Return the null space (m, d) of matrix (k, m), and a solution of matrix @ x = right, or None without a
-    solution."""
+    """Return the null space (m, d) of matrix (k, m), and a solution x of matrix @ x = right.
+
+    The solution is None if the equations contradict each other.
+    """
     count = matrix.shape[1]
     size = np.abs(matrix).max(axis=1, initial=0.0)
     size = np.where(size > 0, size, np.abs(right))
@@ -882,8 +913,8 @@ def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, Float
 
 
 def stretches(s: FloatArray, length: float) -> Listed:
-    """List places; places closer than a twentieth of the length are merged."""
-    s = np.sort(np.round(s, 6)) + 0.0  # no -0
+    """Return ranges of arc length for a message; positions closer than a twentieth of the length are merged."""
+    s = np.sort(np.round(s, 6)) + 0.0  # remove negative zeros
     groups = np.split(s, np.flatnonzero(np.diff(s) > length / 20) + 1) if s.size else ()
     return Listed(
         Length(g[0]) if np.ptp(g) < length / 200 else Span((Length(g[0]), Length(g[-1]))) for g in groups

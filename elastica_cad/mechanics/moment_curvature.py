@@ -1,4 +1,4 @@
-"""Nonlinear laws between moment and curvature, M = P(kappa) w kappa (paper, Appendix D)."""
+"""Nonlinear laws for moment M and curvature kappa at width w, M = P(kappa) w kappa (paper, Appendix D)."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -17,11 +17,13 @@ _ROUNDING_SHARE = 1e-12  # rounding error, as a fraction of the moment
 
 
 class MaterialLaw(ABC):
-    """Moment-curvature law of the unit width, divided by its stiffness at rest.
+    """Moment-curvature law for the width 1, divided by its stiffness at rest.
 
-    The effective curvature m(kappa) = P(kappa) kappa, P even and P(0) = 1, replaces kappa - kappa_0. Instead of
-    Hooke's law M = K (kappa - kappa_0), M = K m(kappa - kappa_0). Theorem 1 and the linear
-    program hold unchanged as long as m is injective in the range of curvatures that occurs.
+    The effective curvature m(kappa) = P(kappa) kappa, with P even and P(0) = 1, replaces the curvature in Hooke's
+    law:
+    M = K m(kappa - kappa_0) for moment M, stiffness K and natural curvature kappa_0. Theorem 1 and the linear
+    program
+    remain valid as long as m is injective in the range of curvatures that occurs.
     """
 
     @property
@@ -31,27 +33,27 @@ class MaterialLaw(ABC):
 
     @property
     def kinks(self) -> tuple[tuple[float, int], ...]:
-        """Curvatures (positive, 1/mm) where m is not smooth, each with the continuity of m there."""
+        """Positive curvatures, 1/mm, at which m is not smooth, with its number of continuous derivatives."""
         return ()
 
     @abstractmethod
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """Return the odd function m (n,), 1/mm, of the change of curvature (n,), 1/mm."""
+        """Return the effective curvature m (n,), 1/mm, for changes of curvature (n,), 1/mm; m is odd."""
 
     @abstractmethod
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """Return dm/dkappa (n,); 1 at rest."""
+        """Return the derivative of the effective curvature m (n,) by the curvature; it is 1 at rest."""
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """Return m and dm/dkappa (n,) together."""
+        """Return the effective curvature m and its derivative (n,) together."""
         return self.effective_curvature(curvature), self.slope(curvature)
 
     @abstractmethod
     def energy(self, curvature: ArrayLike) -> FloatArray:
-        """Return the integral of m from rest (n,), 1/mm2: elastic energy per length over K."""
+        """Return the integral of m from rest (n,), 1/mm2: elastic energy per length over the stiffness K."""
 
     def resampled(self, _s: FloatArray, _at: FloatArray, /) -> "MaterialLaw":
-        """Return the law, defined at arc lengths (n,), for other arc lengths (m,), mm; itself if it is uniform."""
+        """Return the law for other arc lengths (m,), mm, or the same law if it is uniform along the strip."""
         return self
 
     def require_injective(self, largest_curvature: float) -> None:
@@ -114,14 +116,16 @@ class MaterialLaw(ABC):
 
 @dataclass(frozen=True)
 class PolynomialLaw(MaterialLaw):
-    """Nonlinear elastic: P = 1 + c2 (kappa/kappa_1)^2 + c4 (kappa/kappa_1)^4; c2 > 0 hardens, c2 < 0 softens.
+    """Nonlinear elastic law with P = 1 + c2 (kappa/kappa_1)^2 + c4 (kappa/kappa_1)^4.
+
+    The material hardens if c2 > 0 and softens if c2 < 0.
 
     Parameters
     ----------
     quadratic, quartic : float
-        c2 and c4.
+        Coefficients c2 and c4.
     curvature_scale : float
-        kappa_1, 1/mm: the curvature at which the terms of P are c2 and c4.
+        Curvature kappa_1, 1/mm, at which the terms of P are c2 and c4.
 
     Examples
     --------
@@ -141,25 +145,25 @@ class PolynomialLaw(MaterialLaw):
         require_positive(self.curvature_scale, "the law's curvature scale", "1/mm")
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.effective_curvature`."""
         kappa = numbers(curvature, "curvature")
         t = (kappa / self.curvature_scale) ** 2
         return np.asarray(kappa * (1 + self.quadratic * t + self.quartic * t**2))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.slope`."""
         t = (numbers(curvature, "curvature") / self.curvature_scale) ** 2
         return np.asarray(1 + 3 * self.quadratic * t + 5 * self.quartic * t**2)
 
     def energy(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.energy`."""
         kappa = numbers(curvature, "curvature")
         t = (kappa / self.curvature_scale) ** 2
         return np.asarray(kappa**2 * (1 / 2 + self.quadratic / 4 * t + self.quartic / 6 * t**2))
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw`. The result is exact, because the slope is 0 at the roots of a quadratic polynomial."""
+        """See `MaterialLaw.injective_limit`. It is exact, as the slope is 0 at the roots of a quadratic."""
         roots = np.roots([5 * self.quartic, 3 * self.quadratic, 1.0])
         real = [float(z.real) for z in roots if z.real > 0 and abs(z.imag) <= _ROUNDING_SHARE * abs(z)]
         return self.curvature_scale * float(np.sqrt(min(real))) if real else float("inf")
@@ -167,7 +171,7 @@ class PolynomialLaw(MaterialLaw):
 
 @dataclass(frozen=True)
 class _YieldingLaw(MaterialLaw):
-    """Base of plastic laws, with the yield curvature and the permanent curvature."""
+    """Base class of plastic laws; they have a yield curvature and a permanent curvature."""
 
     curvature_limit: float
 
@@ -176,11 +180,11 @@ class _YieldingLaw(MaterialLaw):
 
     @classmethod
     def of(cls, sheet: Sheet) -> Self:
-        """Return the law of a strip whose skin yields at the largest strain of the sheet."""
+        """Return the law of a strip whose surface yields at the largest strain of the sheet."""
         return cls(1 / sheet.least_radius)
 
     def permanent_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """Return the curvature (n,), 1/mm, that remains after elastic unloading (Hooke's law)."""
+        """Return the curvature (n,), 1/mm, that remains after elastic unloading by Hooke's law."""
         return np.asarray(numbers(curvature, "curvature") - self.effective_curvature(curvature))
 
 
@@ -188,13 +192,13 @@ class _YieldingLaw(MaterialLaw):
 class PlasticLaw(_YieldingLaw):
     """Ideal plasticity of the paper: effective curvature min(|kappa|, kappa_lim) with the sign of kappa.
 
-    The law is not injective beyond the limit. The width follows as for any law, but the curvature there depends on
-    the history of bending (paper, Appendix D).
+    The law is not injective beyond the limit kappa_lim. The width is computed as for any law, but the curvature
+    beyond the limit depends on the history of bending (paper, Appendix D).
 
     Parameters
     ----------
     curvature_limit : float
-        kappa_lim, 1/mm.
+        Limit kappa_lim, 1/mm.
 
     Examples
     --------
@@ -203,46 +207,46 @@ class PlasticLaw(_YieldingLaw):
     """
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.effective_curvature`."""
         limit = self.curvature_limit
         return np.asarray(np.clip(numbers(curvature, "curvature"), -limit, limit))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`; 0 beyond the limit."""
+        """See `MaterialLaw.slope`; the slope is 0 beyond the limit."""
         return np.asarray(np.abs(numbers(curvature, "curvature")) < self.curvature_limit, dtype=float)
 
     def energy(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.energy`."""
         kappa = np.abs(numbers(curvature, "curvature"))
         elastic = np.minimum(kappa, self.curvature_limit)
         return np.asarray(elastic * (kappa - elastic / 2))
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.injective_limit`."""
         return self.curvature_limit
 
     @property
     def kinks(self) -> tuple[tuple[float, int], ...]:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.kinks`."""
         return ((self.curvature_limit, 0),)
 
     def require_design(self, largest_curvature: float) -> None:
-        """See `MaterialLaw`; every curvature is allowed, as in the paper."""
+        """See `MaterialLaw.require_design`; every curvature is allowed, as in the paper."""
 
 
 @dataclass(frozen=True)
 class ElasticPlasticLaw(_YieldingLaw):
-    """Rectangular section whose fibres yield from the skin inwards.
+    """Elastic-plastic law of a rectangular cross-section that yields from its surfaces inwards.
 
-    m = kappa up to kappa_lim, then kappa_lim (3 - (kappa_lim/kappa)^2) / 2, towards 1.5 kappa_lim. Unlike the
-    paper's `PlasticLaw` it is injective, because every section keeps an elastic core (Prager and Hodge 1951,
-    section 9).
+    The effective curvature is kappa up to kappa_lim, and kappa_lim (3 - (kappa_lim/kappa)^2) / 2 beyond it. Its
+    limit is 1.5 kappa_lim. Unlike the paper's `PlasticLaw` it is injective, because every cross-section has an
+    elastic core (Prager and Hodge 1951, section 9).
 
     Parameters
     ----------
     curvature_limit : float
-        kappa_lim where the skin begins to yield, 1/mm.
+        Curvature kappa_lim at which the surface begins to yield, 1/mm.
 
     Examples
     --------
@@ -251,18 +255,18 @@ class ElasticPlasticLaw(_YieldingLaw):
     """
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.effective_curvature`."""
         kappa = numbers(curvature, "curvature")
         core = self._core(kappa)
         yielded = np.sign(kappa) * self.curvature_limit * (3 - core**2) / 2
         return np.where(core < 1, yielded, kappa)
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.slope`."""
         return self._core(numbers(curvature, "curvature")) ** 3
 
     def energy(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.energy`."""
         kappa = np.abs(numbers(curvature, "curvature"))
         limit, beyond = self.curvature_limit, np.maximum(kappa, self.curvature_limit)
         yielded = 1.5 * limit * (beyond - limit) + limit**3 / 2 * (1 / beyond - 1 / limit)
@@ -270,34 +274,34 @@ class ElasticPlasticLaw(_YieldingLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw`; infinite."""
+        """See `MaterialLaw.injective_limit`; it is infinite."""
         return float("inf")
 
     @property
     def kinks(self) -> tuple[tuple[float, int], ...]:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.kinks`."""
         return ((self.curvature_limit, 1),)
 
     def _core(self, kappa: FloatArray) -> FloatArray:
-        """Return the elastic fraction of the thickness."""
+        """Return the fraction of the thickness that remains elastic."""
         return self.curvature_limit / np.maximum(np.abs(kappa), self.curvature_limit)
 
 
 @dataclass(frozen=True, eq=False)
 class TabulatedLaw(MaterialLaw):
-    """Measured moment-curvature table, continued as an odd function, with shape-preserving cubics.
+    """Measured table of moments and curvatures, interpolated by shape-preserving cubics; an odd function.
 
     Parameters
     ----------
     curvatures : (m,) array_like
-        Increasing, positive, 1/mm; the point (0, 0) is added.
+        Positive, increasing curvatures, 1/mm; the point (0, 0) is added.
     moments : (m,) array_like
-        In any unit; only their ratio to the first slope counts.
+        Moments in any unit, because they are divided by the slope at curvature 0.
 
     Raises
     ------
     InputError
-        Fewer than two points, curvatures that do not increase, values that are not positive.
+        There are fewer than two points, the curvatures do not increase, or a value is not positive.
 
     Examples
     --------
@@ -329,34 +333,34 @@ class TabulatedLaw(MaterialLaw):
             )
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`; beyond the table the last slope continues."""
+        """See `MaterialLaw.effective_curvature`; beyond the table it continues with the slope at the last point."""
         kappa = numbers(curvature, "curvature")
         inside, over = self._split(kappa)
         return np.asarray(np.sign(kappa) * (self._curve(inside) + self._end_slope * over))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.slope`."""
         return np.asarray(self._curve(self._split(curvature)[0], 1))
 
     def energy(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.energy`."""
         inside, over = self._split(curvature)
         top = self._curve(self.curvatures[-1])
         return np.asarray(self._curve.antiderivative()(inside) + over * (top + self._end_slope * over / 2))
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw`; the end of the table, or the curvature from which its moments decrease."""
+        """See `MaterialLaw.injective_limit`; the end of the table, or where its moments decrease."""
         falling = np.flatnonzero(np.diff(self.moments) <= 0)
         return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
 
     @property
     def kinks(self) -> tuple[tuple[float, int], ...]:
-        """See `MaterialLaw`; the points of the table."""
+        """See `MaterialLaw.kinks`; these are the points of the table."""
         return tuple((kappa, 1) for kappa in self.curvatures.tolist())
 
     def require_injective(self, largest_curvature: float) -> None:
-        """See `MaterialLaw`; a curvature beyond the table is refused as well."""
+        """See `MaterialLaw.require_injective`; a curvature beyond the table is refused as well."""
         if largest_curvature > self.curvatures[-1] * (1 + _ROUNDING_SHARE):
             raise InputError(
                 f"the law's table ends at a curvature of {self.curvatures[-1]:.4g} 1/mm, but "
@@ -372,7 +376,7 @@ class TabulatedLaw(MaterialLaw):
 
     @cached_property
     def _curve(self) -> Any:
-        """Effective curvature m as a function of kappa >= 0; at kappa = 0 it is exactly 0 with slope 1."""
+        """Effective curvature as a function of the curvature >= 0; at 0 it is exactly 0 with slope 1."""
         from scipy.interpolate import PchipInterpolator, PPoly
 
         x = np.concatenate([-self.curvatures[::-1], [0.0], self.curvatures])

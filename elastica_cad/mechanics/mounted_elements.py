@@ -1,13 +1,16 @@
-"""Elements between the ends in the equations of a discrete rod that is bent: their forces, residuals and slopes.
+"""Forces and equations of elements between the ends of a discrete rod while the rod is bent.
 
-With f the force on the strip at arc length s, c(s) the place of the strip there, and E the energy of the rod, the
-rest shape is a stationary point of
+Let f be the force on the strip at arc length s, c(s) the position of the strip there, and E the energy of the rod.
+The rest shape is a stationary point of
 
     E + sum over pins and rails <f, P - c(s)> + sum over ties <f, c(q) - c(p) - l e(psi)>
 
-in the angles, in the forces f, in the place s on each rail, and in the direction psi of each cord. A pin keeps its
-place s at the point P. On a rail, stationarity in s makes f normal to the strip. In psi, it turns f along the cord.
-Ends that are free along an axis add a translation of the whole rod along it.
+in the edge angles, in the forces f, in the arc length s at each rail, and in the direction psi of each cord. A pin
+fixes the point c(s) of the strip at the point P. At a rail, stationarity in s makes f normal to the strip. A cord
+of
+length l connects the strip at arc lengths p and q; stationarity in psi makes f parallel to the unit vector
+e(psi). If
+no end is held along an axis, the translation of the whole rod along this axis is an additional unknown.
 """
 
 from dataclasses import dataclass, replace
@@ -37,22 +40,25 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class ElementEquations:
-    """Residuals of the elements and their slopes.
+    """Residuals of the elements and their derivatives.
 
-    The unknowns of each element are its force (2), and for a rail the place s, for a tie l psi. Translations along
-    free axes follow. The residuals are those of position, mm, for each force, and forces, 1/mm2, for others.
+    The unknowns of each element are the two components of its force. A rail also has the arc length of its
+    contact point.
+    A tie also has its length times the angle of the cord. Translations of the rod along free axes follow. The
+    residual for
+    a force is a position error, mm. The residuals for the other unknowns are forces, 1/mm2.
 
     Attributes
     ----------
     force : (n, 2) array
-        Part of lambda in the edges, 1/mm2.
+        Contribution of the elements to the force in the edges, 1/mm2.
     rows : (k, n) array
         Derivatives of the residuals by the angles of the edges.
     corner : (k, k) array
         Derivatives of the residuals by the unknowns.
     residual : (k,) array
     places : (k,) bool array
-        True for residuals of position.
+        True for residuals that are position errors.
     """
 
     force: FloatArray
@@ -69,14 +75,15 @@ class MountedElements:
     Attributes
     ----------
     actions : tuple of ElementForce
-        Each with its `mount`. The forces and stations are the first values of the unknowns.
+        Elements with their `mount`. Their forces and arc lengths are the initial values of the unknowns.
     supports : Supports
     anchor : (2,) array
-        Position of the end from which places are measured along x and y, mm: the start, if it is held, or the end.
+        Position of the end that holds x and y, mm, from which positions are computed: the start if it is held,
+        otherwise the end.
     load : (2,) array
         Sum of the known forces, 1/mm2.
     edge_length : float
-        mm.
+        Length of an edge, mm.
     """
 
     actions: tuple[ElementForce, ...]
@@ -96,7 +103,7 @@ class MountedElements:
         return self.supports.is_free and all(isinstance(action.element, Tie) for action in self.actions)
 
     def first(self, tangents: FloatArray) -> FloatArray:
-        """Return the first values (k,) of the unknowns for a rod with these tangents (n, 2)."""
+        """Return the initial values (k,) of the unknowns for a rod with edge tangents (n, 2)."""
         numbers: list[float] = []
         for action in self.actions:
             numbers += action.force[0].tolist()
@@ -108,11 +115,11 @@ class MountedElements:
         return np.array([*numbers, *(0.0 for _ in self.free_axes)])
 
     def chord(self, action: ElementForce, tangents: FloatArray) -> FloatArray:
-        """Return the vector (2,) between the places of a tie, mm."""
+        """Return the vector (2,), mm, between the two points that a tie connects."""
         return self.edge_length * (self._between(action, len(tangents)) @ tangents)
 
     def place(self, s: float, tangents: FloatArray, order: int = 0) -> FloatArray:
-        """Return the place (2,) of the strip at arc length s, mm, or its derivative by s."""
+        """Return the position (2,) of the strip at arc length s, mm, or its derivative by s."""
         weights = edge_weights(s, self.edge_length, len(tangents), order)
         reach = self.edge_length * (weights @ tangents)
         if order:
@@ -120,7 +127,7 @@ class MountedElements:
         return np.asarray(self.anchor + reach - self._from_end * self.edge_length * tangents.sum(axis=0))
 
     def equations(self, tangents: FloatArray, numbers: FloatArray) -> ElementEquations:
-        """Return the equations for tangents (n, 2) and unknowns (k,)."""
+        """Return the equations for edge tangents (n, 2) and unknowns (k,)."""
         n, k, h = len(tangents), numbers.size, self.edge_length
         across = h * left_of(tangents).T
         force, rows, corner = np.zeros((n, 2)), np.zeros((k, n)), np.zeros((k, k))
@@ -143,7 +150,7 @@ class MountedElements:
                 rows[pair] = across * weights
                 residual[pair] = h * (weights @ tangents) - length * e
                 if self.turns_freely:
-                    # the direction of the cords is given, because any other is a rest shape too
+                    # fix the direction of the cords, because every rotation of the rod is a rest shape too
                     corner[more, more] = 1.0
                 else:
                     residual[more] = -f @ left_of(e)
@@ -168,13 +175,13 @@ class MountedElements:
                 corner[more, more] = -f @ self.place(s, tangents, 2)
             at += 2 + slides
         residual[first_shift:] -= self.load[free]
-        if self.turns_freely:  # nothing else holds it
+        if self.turns_freely:  # fix the translation, because no support does
             corner[first_shift:, first_shift:] = np.eye(len(free))
             residual[first_shift:] = 0.0
         return ElementEquations(force, rows, corner, residual, places)
 
     def solved(self, numbers: FloatArray) -> tuple[ElementForce, ...]:
-        """Return the elements with the forces and places of the unknowns (k,)."""
+        """Return the elements with the forces and positions that the unknowns (k,) determine."""
         actions, at = [], 0
         for action in self.actions:
             f, s = numbers[at : at + 2], action.s
@@ -190,7 +197,7 @@ class MountedElements:
         return tuple(actions)
 
     def shift(self, numbers: FloatArray) -> FloatArray:
-        """Return the translation (2,) of the whole rod, mm."""
+        """Return the translation (2,), mm, of the whole rod that the unknowns contain."""
         shift = np.zeros(2)
         free = self.free_axes
         shift[free] = numbers[numbers.size - len(free) :]
@@ -198,12 +205,12 @@ class MountedElements:
 
     @property
     def _from_end(self) -> FloatArray:
-        """1 for coordinates that are measured from the end, 0 for others (2,)."""
+        """1 for coordinates that are measured from the end of the rod, 0 for the other coordinates (2,)."""
         start = self.supports.ends[0]
         return np.array([not start.x, not start.y], dtype=float)
 
     def _between(self, action: ElementForce, edges: int) -> FloatArray:
-        """Return the weights (n,) of the edge vectors in the chord of a tie."""
+        """Return the weights (n,) of the edge vectors in the vector between the two points of a tie."""
         p, q = (edge_weights(float(s), self.edge_length, edges) for s in action.s)
         return q - p
 
@@ -212,14 +219,14 @@ MEETS_SHARE = 1e-9
 """Distance, as a fraction of the length, within which a strip touches a rail and a cord is taut."""
 
 PULLS_SHARE = 1e-9
-"""Force of a one-sided element in the wrong direction, as a fraction of the largest force, that is rounding."""
+"""Force in the wrong direction, as a fraction of the largest force, that counts as a rounding error."""
 
-_FOOT_STEPS = 30  # Newton steps to the place of the strip that is nearest to a rail
+_FOOT_STEPS = 30  # largest number of Newton steps to the point of the strip that is nearest to a rail
 
 
 @dataclass(frozen=True, eq=False)
 class ShapeOfRod:
-    """Places of a discrete rod, from its start."""
+    """Shape of a discrete rod, from which positions at arc lengths are computed."""
 
     tangents: FloatArray
     edge_length: float
@@ -227,7 +234,7 @@ class ShapeOfRod:
 
     @property
     def length(self) -> float:
-        """Arc length, mm."""
+        """Length of the rod, mm."""
         return self.edge_length * len(self.tangents)
 
     @classmethod
@@ -236,17 +243,18 @@ class ShapeOfRod:
         return cls(tangents(rod.discrete.angles), rod.length / (rod.s.size - 1), rod.position[0])
 
     def at(self, s: float, order: int = 0) -> FloatArray:
-        """Return the place (2,) at arc length s, mm, or its derivative by s."""
+        """Return the position (2,) at arc length s, mm, or its derivative by s."""
         weights = edge_weights(float(s), self.edge_length, len(self.tangents), order)
         return np.asarray(self.start * (order == 0) + self.edge_length * (weights @ self.tangents))
 
     def foot(self, point: FloatArray) -> float:
-        """Return the arc length, mm, of the place that is nearest to a point (2,)."""
+        """Return the arc length, mm, of the point of the rod that is nearest to a given point (2,)."""
         nodes = edge_positions(self.start, self.tangents, self.edge_length)
         s = self.edge_length * float(np.hypot(*(nodes - point).T).argmin())
         for _ in range(_FOOT_STEPS):
             off, slope = point - self.at(s), self.at(s, 1)
-            spread = max(float(slope @ slope - off @ self.at(s, 2)), 0.3)  # away from the evolute
+            # at least 0.3, because Newton steps diverge near the evolute
+            spread = max(float(slope @ slope - off @ self.at(s, 2)), 0.3)
             before, s = s, float(np.clip(s + off @ slope / spread, 0.0, self.length))
             if abs(s - before) <= 1e-13 * self.length:
                 break
@@ -254,13 +262,14 @@ class ShapeOfRod:
 
 
 def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementForce, ...]:
-    """Return the elements of a rod as they are mounted, or new elements in their place.
+    """Return the present elements of a rod as they are mounted, or new elements that replace them.
 
-    A pin or rail at a point off the strip moves the strip there. A pin in the place of a pin of the rod keeps its
-    station. A tie without a length is as long as the distance of its places.
+    A pin or rail at a point away from the strip moves the strip to this point. A pin with the same index as a
+    present pin
+    keeps its arc length. The length of a tie without `length` is the distance between its two points.
     """
     if not (rod.between if between is None else between):
-        return ()  # without the curve, for which a rod with steps of its curvature has no spline
+        return ()  # do not compute the curve: a rod with jumps of its curvature has no spline
     curve = rod.curve
     if between is None:
         return tuple(_kept(action, curve) for action in rod.between)
@@ -289,7 +298,7 @@ def _new(element: Element, before: ElementForce | None, curve: PlaneCurve) -> El
     s = PlacedElement.on(element, curve, curve).s
     force = np.zeros((s.size, 2))
     if before is not None and type(before.element) is type(element):
-        force = before.force  # an element that acted is taut at first
+        force = before.force  # an element that exerted a force is taut at first
     if isinstance(element, Tie):
         return _kept(ElementForce(element, s, force), curve)
     if isinstance(element, Pin) and before is not None and isinstance(before.element, Pin):
@@ -312,7 +321,7 @@ def _point(place: FloatArray) -> tuple[float, float]:
 
 
 def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
-    """Return the size of a force that a one-sided element cannot exert, 1/mm2; 0 if it can."""
+    """Return the magnitude of a force that a one-sided element cannot exert, 1/mm2; 0 if it can exert its force."""
     if not action.is_one_sided:
         return 0.0
     if isinstance(action.element, Tie):
@@ -322,7 +331,7 @@ def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
 
 
 def with_side(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
-    """Return a one-sided rail with the side to which it pushes, if that was unknown; others unchanged."""
+    """Return a one-sided rail with the direction of its push, if it was unknown; other elements are unchanged."""
     mount = action.mounting
     if mount.side or not (isinstance(action.element, Rail) and action.element.one_sided):
         return action
@@ -331,7 +340,7 @@ def with_side(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
 
 
 def violation(action: ElementForce, shape: ShapeOfRod) -> float:
-    """Return the distance, mm, by which a shape passes through a rail, or stretches a cord."""
+    """Return the distance, mm, by which a shape penetrates a rail or is longer than a cord."""
     if isinstance(action.element, Tie):
         p, q = (shape.at(s) for s in action.s)
         return float(np.hypot(*(q - p))) - action.mounting.length
@@ -343,7 +352,7 @@ def violation(action: ElementForce, shape: ShapeOfRod) -> float:
 
 
 def touching(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
-    """Return a slack element without force, at the place of the strip that is nearest to it."""
+    """Return a slack element without force, at the nearest point of the strip."""
     s = action.s
     if isinstance(action.element, Rail):
         s = np.array([shape.foot(np.array(action.mounting.point))])

@@ -1,4 +1,4 @@
-"""Displacement of a strip if a rail or pin is mounted in another place, or a cord has another length."""
+"""Displacement of a strip if a rail or pin is mounted at a wrong position, or a cord has a wrong length."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -15,19 +15,20 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.rod_system import Residual, RodState
 
 SMALL_STEP = 1e-6
-"""Displacement of an element, as a fraction of the length, over which the displacement of the strip is linear."""
+"""Displacement of an element, as a fraction of the length, at which the response of the strip is linear."""
 
 
 def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
     """Return for each element the largest displacement of the rod, mm, per mm of error in mounting the element.
 
-    The error is a displacement of a rail along its normal, of a pin in its worst direction, or a change of the
-    length of a cord. The equations of equilibrium are linear about the present shape. A slack element has 0.
+    The error is a displacement of a rail along its normal or of a pin in the worst direction, or a change of the
+    length of a cord. The equations of equilibrium are linearised about the present shape. The value for a slack
+    element is 0.
 
     Parameters
     ----------
     rod : Rod
-        Rod in balance, held between its ends.
+        Rod in equilibrium, with elements between its ends.
 
     Examples
     --------
@@ -50,7 +51,7 @@ def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
 
 
 def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[float]:
-    """Yield the largest displacement for each element that acts."""
+    """Yield the largest displacement of the strip per mm of error for each taut element."""
     at, shape = len(state.system.held), shape_of(state)
     for action in acting:
         if isinstance(action.element, Pin):
@@ -67,7 +68,7 @@ def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[
 
 
 def _displacement(state: RodState, rows: slice, direction: FloatArray) -> FloatArray:
-    """Return the displacement (n, 2) of the nodes per mm of a position error in these rows of the residual."""
+    """Return the displacements (n, 2) of the nodes per mm of a position error in these rows of the residual."""
     miss = np.zeros(state.reactions.size)
     miss[rows] = direction
     step, small = (

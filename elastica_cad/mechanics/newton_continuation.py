@@ -12,21 +12,25 @@ from elastica_cad.mechanics.rod_system import Residual, RodState, RodSystem, Ste
 from elastica_cad.refusals import Length
 
 TOLERANCE = 1e-10  # accuracy of `bend`, relative to the moments and to the length
-# largest turn of an edge in a step; linearised cos and sin then have an error of an eighth
+# largest rotation of an edge in a step, for which linearised cos and sin have an error of an eighth
 LARGEST_TURN_RAD = 0.5
-SMALL_TURN_RAD = 0.02  # largest turn of an edge in steps that may pass a crossing of branches
-SADDLE_PUSH_RAD = 0.05  # push along an unstable mode in each step of a descent, far above rounding errors
-ASTRAY_RAD = float(np.pi)  # largest turn of an edge in a step of a descent before the line search
-NEAR_REST_RAD = 1e-2  # largest turn of an edge in a descent step from which Newton's method converges
-CONVERGED_RAD = 1e-9  # size of a Newton step after which the next step, about its square, is below rounding
-MOST_DESCENTS = 300  # largest number of steps of a descent
-STOP_SHARE = 1e-3  # accuracy, as a fraction of the path, of the place where an element becomes slack or taut
+SMALL_TURN_RAD = 0.02  # largest rotation of an edge in steps that may pass a crossing of branches
+# displacement along an unstable mode in each step of a minimization, far above rounding errors
+SADDLE_PUSH_RAD = 0.05
+ASTRAY_RAD = float(np.pi)  # largest rotation of an edge in a step of a minimization before the line search
+# largest rotation of an edge in a step of a minimization from which Newton's method converges
+NEAR_REST_RAD = 1e-2
+# size of a Newton step after which the next step, about its square, is below rounding errors
+CONVERGED_RAD = 1e-9
+MOST_DESCENTS = 300  # largest number of steps of a minimization
+# accuracy, as a fraction of the path, of the point at which an element becomes slack or taut
+STOP_SHARE = 1e-3
 LEAST_STEP = 1e-7  # least step, as a fraction of the path; it determines how precisely a fold is located
 
 
 @dataclass(frozen=True, eq=False)
 class Reached:
-    """Last state of a continuation; `fraction` is 1 if it reached its end."""
+    """Last state of a continuation; `fraction` is the completed fraction of its path."""
 
     state: RodState
     fraction: float
@@ -39,21 +43,21 @@ class Reached:
 
 
 def is_balanced(state: RodState) -> bool:
-    """Return True if forces, moments and end positions are correct to the tolerance."""
+    """Return True if forces, moments and end positions are correct within `TOLERANCE`."""
     return state.imbalance <= TOLERANCE and state.gap <= TOLERANCE
 
 
 def newton_step(state: RodState, residual: Residual) -> Step:
-    """Return the step that cancels `residual` to first order."""
+    """Return the Newton step that cancels `residual` to first order."""
     return _solved(state, *state.discrete.hessian, residual)
 
 
 def _solved(state: RodState, diagonal: FloatArray, off: FloatArray, residual: Residual) -> Step:
-    """Return the step that cancels `residual` to first order, with a tridiagonal Hessian."""
+    """Return the step that cancels `residual` to first order, with a given tridiagonal Hessian."""
     rows, below = state.rows, -residual.miss
     if state.system.elements is None:
         return Step(*solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=below))
-    # all unknowns of the border in the unit of a force
+    # scale all unknowns of the border to the unit of a force
     unit = np.where(state.places, 1.0, state.system.length**3)
     angles, reactions = solve_bordered(
         diagonal, off, unit[:, None] * rows, right=-residual.imbalance, below=unit * below,
@@ -70,19 +74,20 @@ def correct(
     damping: float = 0.5,
     most: int = 12,
 ) -> tuple[RodState, int] | None:
-    """Solve by Newton's method with line search; return None if it does not converge nearby.
+    """Return the solution near a state by Newton's method with line search, or None if it does not converge.
 
-    A step is taken if the next Newton step is smaller, and halved otherwise. This test (natural monotonicity) is
+    A step is accepted if the next Newton step is smaller, and halved otherwise. This test (natural monotonicity) is
     independent of units and of the number of edges.
 
     Parameters
     ----------
     kept : Residual, optional
-        Imbalance and end errors that the solution keeps (artificial loads of a continuation).
+        Imbalance and position errors of the solution, which are artificial loads of a continuation.
     turn : float
-        Largest turn of an edge, in a step and in total, rad.
+        Largest rotation of an edge, rad, in a step and in total.
     damping : float
-        Smallest fraction of a step. A start that needs a smaller fraction is far from the solution, and the result
+        Smallest fraction of a step. If a smaller fraction is needed, the start is far from the solution, and the
+        result
         may be on another branch of equilibria.
 
     Returns
@@ -117,11 +122,12 @@ def correct(
 
 
 def follow(state: RodState, stop: Callable[[RodState], bool] | None = None) -> Reached:
-    """Continue from a state to an equilibrium, by reducing its imbalance, taken as a load, to zero.
+    """Continue from a state to an equilibrium by reducing its imbalance, an artificial load, to zero.
 
-    End positions and angles change linearly from present to required values; weight, forces, stiffness and supports
-    change in proportion. Steps are adaptive. It ends at a fold of the branch, and soon after the first
-    state for which `stop` is True.
+    Positions and angles of the ends change linearly from present to required values. Weight, forces, stiffness and
+    supports change in proportion. Steps are adaptive. The continuation ends at a fold of the branch, and soon
+    after the
+    first state for which `stop` returns True.
     """
     if is_balanced(state):
         return Reached(_polish(state), 1.0, 0)
@@ -143,10 +149,13 @@ def trace(
     start: float = 0.0,
     stop: Callable[[RodState], bool] | None = None,
 ) -> Reached:
-    """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1, with adaptive steps.
+    """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1 in adaptive steps.
 
-    The number of unstable modes changes only where branches cross. Crossings are passed in small steps. If a long
-    step changes the number, it has reached another branch and is repeated with a smaller step.
+    Along a branch, the number of unstable modes changes only where another branch crosses it. Crossings are
+    passed in
+    small steps. If the number changes in a long step, the step has reached another branch and is repeated with a
+    smaller
+    length.
     """
     t, step, count = start, 1.0 - start, 0
     modes: int | None = None
@@ -179,7 +188,7 @@ def trace(
 
 
 def _polish(state: RodState) -> RodState:
-    """Take Newton steps as long as they help, down to rounding errors."""
+    """Return the state after Newton steps that reduce the error, down to rounding errors."""
     size = _size(state, state.residual)
     for _ in range(6):
         if size == 0:
@@ -193,7 +202,7 @@ def _polish(state: RodState) -> RodState:
 
 
 def relax(state: RodState) -> RodState | None:
-    """Minimise the energy to a stable equilibrium with fixed ends; return None if this fails."""
+    """Return a stable equilibrium that minimizes the energy with fixed ends, or None if the minimization fails."""
     start = _place_ends(state)
     if start is None:
         return None
@@ -203,7 +212,10 @@ def relax(state: RodState) -> RodState | None:
 
 
 def _come_to_rest(state: RodState, astray: float) -> RodState | None:
-    """Return the result of the descent; `astray` limits the turn of an edge in a step before the line search."""
+    """Return the result of the minimization, or None.
+
+    `astray` is the largest rotation of an edge in a step before the line search.
+    """
     system = state.system
     softest = 1e-3 * system.edge_length / system.length**2
     for _ in range(MOST_DESCENTS):
@@ -228,7 +240,8 @@ def _come_to_rest(state: RodState, astray: float) -> RodState | None:
                 and not corrected[0].discrete.unstable_modes
             ):
                 return _polish(corrected[0])
-        if inertia:  # step along the unstable mode too, so that the descent does not end at a saddle
+        # also step along the unstable mode, so that the minimization does not end at a saddle point
+        if inertia:
             side = -1.0 if push @ residual.imbalance > 0 else 1.0
             step = Step(step.angles + side * SADDLE_PUSH_RAD * push, step.reactions)
             turned = _turned(step)
@@ -240,7 +253,7 @@ def _come_to_rest(state: RodState, astray: float) -> RodState | None:
 
 
 def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
-    """Return the result of backtracking on the energy, with the reactions of the step."""
+    """Return the state after backtracking on the energy, with the reactions of the step."""
     least = 1e-12 * (abs(state.energy) + 1 / state.system.length)
     for _ in range(30):
         trial = _place_ends(state.moved(step, factor))
@@ -251,7 +264,7 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """Return the nearest angles (least squares) with correct positions of ends and elements."""
+    """Return the state with the least changes of angles that corrects the positions of ends and elements."""
     moves = np.logical_not(state.places)
     unit = np.where(moves, state.system.length**2, 1.0)
     for _ in range(60):
@@ -274,30 +287,35 @@ def _turned(step: Step) -> float:
 
 
 def _remaining(state: RodState, kept: Residual | None) -> Residual:
-    """Return the residual minus the part that the solution keeps."""
+    """Return the residual minus the part `kept`."""
     imbalance, miss = state.residual
     return state.residual if kept is None else Residual(imbalance - kept.imbalance, miss - kept.miss)
 
 
 def _size(state: RodState, residual: Residual) -> float:
-    """Return the larger of imbalance over moments (at least a bend of 1e-3 rad) and end error over length."""
+    """Return the relative error of a state: the larger of its imbalance of moments and its position errors.
+
+    Moments are relative to the moments of the rod, but at least of a bend of 1e-3 rad. Positions are relative to
+    its
+    length.
+    """
     length = state.system.length
     unit = max(state.scale, 1e-3 / length)
     imbalance = max(float(np.abs(residual.imbalance).max()) - state.noise, 0.0)
     return max(imbalance / unit, state.missed(residual.miss))
 
 
-# largest angle between the edges of a straight rod; more is visible in 10 m drawn to a micrometre
+# largest angle between edges of a straight rod; a larger angle is visible in 10 m drawn to a micrometre
 STRAIGHT_RAD = 1e-7
-DECIDING_TURN_RAD = 0.5  # angle between the held ends above which this angle decides the side
-FIRST_CHORD = 0.9  # first distance between the ends of a buckled rod, as a fraction of the length
+DECIDING_TURN_RAD = 0.5  # angle between the held ends above which this angle determines the side
+FIRST_CHORD = 0.9  # initial distance between the ends of a buckled rod, as a fraction of the length
 LOAD_RESOLUTION = 1e-7  # accuracy of the bisected buckling load, as a fraction of the full load
 # amplitudes of the buckled shape; the largest that converges is used
 AMPLITUDES_RAD = (0.2, 0.05, 0.01, 0.002)
 
 
 def is_straight(state: RodState) -> bool:
-    """Return True if all edges have the same direction."""
+    """Return True if all edges have the same direction within `STRAIGHT_RAD`."""
     return float(np.ptp(state.angles)) < STRAIGHT_RAD
 
 
@@ -310,7 +328,7 @@ def stretch(state: RodState) -> RodState:
 
 
 def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
-    """Continue from a straight state to an equilibrium, bent to the chosen side."""
+    """Continue from a straight state to an equilibrium that is bent to the chosen side."""
     system = state.system
     straight = system.state(np.full(system.edges, _direction(state)), state.reactions)
     if _must_shorten(straight):
@@ -332,7 +350,7 @@ def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
 
 
 def _direction(state: RodState) -> float:
-    """Return the angle of the straight rod: the mean of the held angles, or the line between the ends."""
+    """Return the angle of the straight rod: the mean of the held angles, or that of the line between the ends."""
     system = state.system
     held = [angle for angle in system.held_angles if angle is not None]
     if held:
@@ -346,7 +364,7 @@ def _direction(state: RodState) -> float:
 
 
 def _on_turn_of(near: float, chord: FloatArray) -> float:
-    """Return the angle of `chord` that is within half a turn of `own`."""
+    """Return the angle of the vector `chord` that is within half a turn of the angle `near`."""
     angle = float(np.arctan2(chord[1], chord[0]))
     return angle + 2 * np.pi * float(np.round((near - angle) / (2 * np.pi)))
 
@@ -366,11 +384,11 @@ def _must_shorten(state: RodState) -> bool:
 
 
 def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
-    """Return the unloaded rod, buckled in mode `mode` by pushing its ends slightly towards each other."""
+    """Return the unloaded rod, buckled in mode `mode` by moving its ends slightly towards each other."""
     system, angle = state.system, float(state.angles[0])
     length, edge = system.length, system.edge_length
     tangent = np.array([np.cos(angle), np.sin(angle)])
-    # the requested distance along the held coordinates sets the size of the first push
+    # the requested distance along the held coordinates determines the size of the first displacement
     wanted = float(np.linalg.norm(system.chord))
     chord = length * min(max(wanted / length, FIRST_CHORD), 1 - 1e-12)
     first = replace(
@@ -391,7 +409,7 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
 
 
 def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
-    """Return the equilibrium under the full dead load that branches off the straight state in mode `mode`.
+    """Return the equilibrium under the full dead load on the branch that leaves the straight state in mode `mode`.
 
     Raises
     ------
@@ -431,7 +449,7 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
 def _reach_amplitude(
     system: RodSystem, straight: RodState, shape: FloatArray, amplitude: float, factor: float
 ) -> tuple[RodState, float] | None:
-    """Return the equilibrium of given amplitude along `shape`, and its load factor (Newton)."""
+    """Return the equilibrium with a given amplitude of `shape`, and its load factor, by Newton's method."""
     state = straight.moved(Step(shape, np.zeros_like(straight.reactions)), amplitude)
     for _ in range(25):
         now = state.under(system.loaded(factor))
@@ -454,9 +472,9 @@ def _reach_amplitude(
 
 
 def _mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
-    """Return the `mode`-th eigenvalue (1/mm2) of the second variation per length, and its mode.
+    """Return the `mode`-th eigenvalue (1/mm2) of the second variation per length, and its eigenvector.
 
-    The first half-wave is to the left (side +1) or right (-1) of the direction from start to end.
+    The first half-wave is to the left (side +1) or right (side -1) of the direction from start to end.
     """
     (diagonal, off), edge = state.discrete.hessian, state.system.edge_length
     values, vectors = lowest_constrained(diagonal / edge, off / edge, state.discrete.constraint_rows, mode)
