@@ -1,5 +1,7 @@
-"""Stiffness of least ratio on a curve without weight, with proportional weight, with weights in newtons, or of a
-section."""
+"""Stiffness of least ratio for which a rod is in equilibrium on a curve.
+
+The rod has no weight, weight proportional to its stiffness, weight in newtons, or the weight of a section.
+"""
 
 from dataclasses import dataclass, replace
 from typing import NoReturn
@@ -32,19 +34,19 @@ from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.refusals import FieldName, Length, note
 
 LEAST_SHARE = 1e-6
-"""Least ratio of least to largest stiffness if only the largest is limited; thinner places cannot be made."""
+"""Least ratio of least to largest stiffness if only the largest is limited; a smaller ratio cannot be built."""
 
 
 class OverloadError(InputError):
-    """Error: no stiffness within its limits carries the weight.
+    """Error if no stiffness within its limits carries the weight.
 
     Attributes
     ----------
     needed : float
-        Least possible largest bending stiffness, N mm2.
+        Least value, N mm2, of the largest bending stiffness with which a rod carries the weight.
     thickening : float or None
-        Factor on the thickness of the sheet for the same limits of width, or None if no thickness carries the
-        weight.
+        Factor by which the sheet must be thicker to carry the weight within the same limits of width. None if no
+        thickness carries it.
     """
 
     def __init__(self, needed: float, most: float, thickening: float | None) -> None:
@@ -58,21 +60,22 @@ class OverloadError(InputError):
 
 
 def balance_of(request: RodRequest) -> BalancedStiffness:
-    """Return the stiffness of least ratio, with or without weight, or for a section."""
+    """Return the stiffness of least ratio for a request with or without weight, or with a section."""
     if request.section is not None:
         return _with_section(request, request.section)
     return _with_weight(request) if request.is_loaded else balance_without_weight(request)
 
 
 def balance_without_weight(request: RodRequest) -> BalancedStiffness:
-    """Solve Eq. 4 on the continuous curve, or at the nodes only."""
+    """Return the weightless stiffness of least ratio (paper, Eq. 4) on the whole curve or at the nodes only."""
     cut = request.cut
     for _ in range(REFINEMENTS):
         rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
         problem = ConditionedRows(request, cut.panels, rows)
         state = problem.least(problem.homogeneous(loaded=False), smooth=bool(request.elements))
         balance = problem.balance(problem.steadied(state))
-        # between an element and a zero of the curvature, the moment is a different function than beyond the element
+        # beyond an element that is near a zero of the curvature, the moment is another function of arc
+        # length
         finer = cut.for_stiffness(balance.stiffness) if request.elements else None
         if finer is None:
             break
@@ -81,7 +84,7 @@ def balance_without_weight(request: RodRequest) -> BalancedStiffness:
 
 
 def _with_weight(request: RodRequest) -> BalancedStiffness:
-    """Solve Eq. 6 on the continuous curve, with weight proportional to the stiffness, or in newtons."""
+    """Return the stiffness of least ratio (paper, Eq. 6) under a proportional weight or a weight in newtons."""
     cut, gravity, weight = request.cut, request.gravity, request.weight
     if weight is None and request.forces:
         weight = Weight(own=gravity is not None)
@@ -109,14 +112,14 @@ def _with_weight(request: RodRequest) -> BalancedStiffness:
 
 
 def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -> Weight:
-    """Return the weight, including that of a strip of least bending stiffness B, N mm2, if requested."""
+    """Return the weight; if its `own` is True, with that of a strip of least bending stiffness B, N mm2."""
     step = bending_stiffness / gravity.length**3
     return replace(weight, beta=_raised(weight.beta, step), own=False) if weight.own else weight
 
 
 @dataclass(frozen=True, eq=False)
 class WeightedPanels:
-    """Curve cut into panels, with its weight."""
+    """Curve cut into panels, with the weight of a rod on this curve."""
 
     request: RodRequest
     panels: Panels
@@ -124,7 +127,7 @@ class WeightedPanels:
     weight: Weight | None
 
     def against(self, tau: float) -> "ConditionedRows":
-        """Return the problem with weights in newtons relative to B = 1 / tau."""
+        """Return the equilibrium conditions for weights in newtons and bending stiffness B = 1 / tau."""
         panels, weight = self.panels, self.weight
         proportional_weight = np.zeros(panels.t.shape)
         if self.gravity is not None and (weight is None or weight.own):
@@ -137,7 +140,10 @@ class WeightedPanels:
 
     @property
     def points(self) -> FloatArray:
-        """Known forces (N + 1, 2), N, at the panel ends; a force at an end that is held in place has no effect."""
+        """Known forces (N + 1, 2), N, at the ends of the panels.
+
+        A force at an end that is held in place has no effect.
+        """
         points = np.zeros((self.panels.count + 1, 2))
         unit = 1e-3 * STANDARD_GRAVITY_M_S2 * self.down
         acting = [(mass.s, mass.mass * unit) for mass in self.request.masses]
@@ -150,11 +156,11 @@ class WeightedPanels:
 
     @property
     def down(self) -> FloatArray:
-        """Direction of gravity (2,); without gravity any direction."""
+        """Direction of gravity (2,); without gravity an arbitrary direction."""
         return np.array([0.0, -1.0]) if self.gravity is None else np.asarray(self.gravity.direction)
 
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
-        """Return the problem with weights at the nodes and ends of the panels; see `LineLoad`."""
+        """Return the equilibrium conditions for weights at the nodes and ends of the panels; see `LineLoad`."""
         panels = self.panels
         load = LineLoad(-self.down, own, dead, points)
         rows = moment_rows(panels, load, self.request.units_on(panels))
@@ -163,7 +169,7 @@ class WeightedPanels:
         return ConditionedRows(self.request, panels, rows)
 
     def refuse(self) -> NoReturn:
-        """Raise `NotRealizable`, because the moment grows too much along the curve for floating-point numbers."""
+        """Raise `NotRealizable`, because the moment exceeds the range of floating-point numbers."""
         check = self.request.check
         assert self.gravity is not None  # only weights can cause unbounded moments
         reason = far_too_heavy(self.gravity, check.length)
@@ -180,10 +186,10 @@ def far_too_heavy(gravity: Gravity, length: float) -> str:
 
 
 def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """Return tau = 1 / B of least ratio.
+    """Return the inverse tau of the least bending stiffness for which the stiffness ratio is least.
 
-    If the ratio falls with every decrease of tau, the result is the largest tau within 1 % of the best
-    ratio."""
+    If the ratio decreases with every decrease of tau, the result is the largest tau within 1 % of the best ratio.
+    """
     if isinstance(weight.beta, Profile) or weight.beta:
         return _searched_compliance(load, weight)
     problem = load.against(1.0)
@@ -197,7 +203,7 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
     else:
         y = largest_within(numbers.family, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
         tau = float(numbers.basis[3] @ y)
-    if tau <= 0:  # rounding errors of very large rows
+    if tau <= 0:  # rounding errors in rows of very large numbers
         load.refuse()
     return tau
 
@@ -217,7 +223,7 @@ def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
 
 
 def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """Return the compliance tau by a search, because the weight of the strip depends on tau."""
+    """Return tau as in `_least_compliance`, by a search, because the weight of the strip depends on tau."""
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
@@ -246,7 +252,7 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
 
 
 def _ratio_at(load: WeightedPanels, tau: float) -> float:
-    """Return the least ratio of a rod of B = 1 / tau, or infinity if no rod carries the weight."""
+    """Return the least ratio of a rod with bending stiffness B = 1 / tau; infinity if none carries the weight."""
     try:
         problem = load.against(tau)
         optimum = problem.ratio(problem.at_compliance(tau))
@@ -258,8 +264,8 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
     """Return the balance whose largest bending stiffness is `most`, N mm2, and its compliance tau.
 
-    Among the balances with this largest stiffness, its least stiffness is the largest. A weight proportional to K
-        needs iterations, because it depends on tau.
+    Among all balances with this largest stiffness, its least stiffness is the largest. A weight proportional to the
+    stiffness K needs iterations, because it depends on tau.
     """
     least = max(load.request.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
     most /= 1 + BOUNDED
@@ -277,7 +283,7 @@ def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tupl
 
 
 def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most: float) -> OverloadError:
-    """Return the error for a weight that no stiffness from `least` to `most`, N mm2, carries."""
+    """Return the error for a weight that no bending stiffness from `least` to `most`, N mm2, carries."""
     bound = max(least, LEAST_SHARE * problem.load_stiffness)
     numbers = problem.at_compliance(1 / bound)
     needed = problem.ratio(numbers)
@@ -285,16 +291,15 @@ def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most
         problem.refuse(numbers.family)
     try:
         thickening = _thickening(load, least, most)
-    except NotConvergedError:  # the message then names only the width
+    except NotConvergedError:  # the message then states only the width
         thickening = None
     return OverloadError(bound * needed[1], most, thickening)
 
 
 def _thickening(load: WeightedPanels, least: float, most: float) -> float | None:
-    """Return the least factor on the thickness of a sheet for which a strip within the limits of width carries the
-        weight.
+    """Return the least factor on the sheet thickness with which a strip of limited width carries the weight.
 
-    Stiffness grows with the cube of the thickness. Weight over stiffness falls with its square.
+    The stiffness increases with the cube of the thickness. Weight over stiffness decreases with its square.
     """
     factor = 1.0
     for _ in range(MOST_ROUNDS):
@@ -320,16 +325,16 @@ MOST_ROUNDS = 40
 """Largest number of linear programs in the search for a section."""
 
 SETTLED_SHARE = 1e-7
-"""Relative change of E I that ends the search. Weights are linearised, so their error is its square."""
+"""Relative change of E I that ends the search; the error of the linearised weight is its square."""
 
 TANGENT_STEP = 1e-4
-"""Relative step of E I for the slope of the weight; an error of the slope only slows the iteration."""
+"""Relative change of E I for the slope of the weight; an error of the slope only slows the iteration."""
 
 FIT_SHARE = 1e-5
-"""Largest relative excess of E I over its limits."""
+"""Largest accepted relative violation of the limits of E I."""
 
 HOPELESS_SHARE = 1e-4
-"""Fraction of the E I of the least section at which a search that finds ever smaller sections is stopped."""
+"""Fraction of the E I of the least section below which a search for ever smaller sections is stopped."""
 
 WIDEST_REACH = 0.1
 """Largest mean change of E I in a step of a descent, as a fraction of its limits."""
@@ -348,19 +353,21 @@ SLOWEST_RATE = 0.99
 
 
 def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness:
-    """Return the balance of least ratio at the largest scale within the limits, with own weight and masses.
+    """Return the balance of least ratio at the largest scale within the limits of a section.
 
-    The scale B and the weight depend on the unknown stiffness. Each iteration linearises the weight at the last E
-    I, solves the resulting linear program in K (Eq. 6), and updates the scale. At the fixed point the rod is in
-    balance under the exact weight, and no other K has a smaller ratio under the linearised weight. This is a local
-    optimum, because the full problem is not linear.
+    The rod carries its own weight and masses. The scale B and the weight depend on the unknown stiffness. Each
+    iteration linearises the weight at the last E I, solves the resulting linear program in the relative stiffness K
+    (paper, Eq. 6), and updates the scale. When the iteration converges, the rod is in equilibrium under the exact
+    weight, and no other K has a smaller ratio under the linearised weight. This is a local optimum, because the
+    full
+    problem is not linear.
 
     Raises
     ------
     InputError
-        The stiffness does not fit within the section's limits.
+        The stiffness does not fit within the limits of the section.
     NotConvergedError
-        Weight and stiffness do not converge.
+        The iteration for weight and stiffness does not converge.
     """
     excess, gravity = ExcessCurvature(request.check.curve, request.natural_curvature), request.gravity
     if gravity is None:
@@ -384,13 +391,15 @@ def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness
 
 
 def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> BoundedLaw:
-    """Return the law of the section at the nodes of panels."""
     return section.bent(panels.curvature, excess.rest_at(panels.t))
 
 
 @dataclass(frozen=True, eq=False)
 class TangentWeight:
-    """Weight per length w0 + slope E I, N/mm: the linearisation of a law at an E I (n,)."""
+    """Linearisation of the weight per length of a section, fixed + slope E I, N/mm.
+
+    It is a tangent at given E I (n,).
+    """
 
     fixed: FloatArray
     slope: FloatArray
@@ -407,7 +416,7 @@ class TangentWeight:
 
 
 def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
-    """Return the fixed point on given panels."""
+    """Return the balance of least ratio under the weight of the section, on given panels."""
     points = load.points
     assert load.gravity is not None
     proportional_weight = np.full(load.panels.t.shape, load.gravity.length**-3)
@@ -441,16 +450,16 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
 
 
 def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray) -> BalancedStiffness:
-    """Maximise E I at the softest place within the limits, in short steps, if the linear programs oscillate.
+    """Return the balance with the largest E I at its softest point, by a descent in short steps.
 
-    The optimum is then not a vertex of the linearised program, so successive solutions are far apart. The change of
-    the moments is therefore limited, and the limit is reduced after each reversal.
-
-    `state` is moment and force (3,) at the curve's end, N mm and N.
+    This search is used if the linear programs oscillate. The optimum is then not a vertex of the linearised
+    program, so
+    successive solutions are far apart. The change of the moments is therefore limited in each step, and the limit
+    is
+    reduced after each reversal. `state` is the moment and force (3,) at the end of the curve, N mm and N.
     """
     deciding, points = _deciding(law), load.points
     limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
-    # -1: E I must stay below the largest section; 1: above the least section
     sense = -1.0 if np.isfinite(law.limits[1]) else 1.0
     reach, before = WIDEST_REACH, np.zeros(EI.shape)
     for _ in range(MOST_STEPS):
@@ -484,11 +493,13 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
 def _beside(
     family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
 ) -> FloatArray | None:
-    """Return the free numbers near `here` that minimise the largest E I, or the nearest numbers that meet the
-    limits."""
+    """Return the free numbers near `here` that minimise the largest E I, or the nearest numbers within the limits.
+
+    The mean change of the moments is at most `reach`; the limit is increased if no numbers are within it.
+    """
     rows, _ = family.dense
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
-    moves = sizes[:, None] * ways / np.sqrt(len(rows))  # mean change of the values
+    moves = sizes[:, None] * ways / np.sqrt(len(rows))  # mean change of the values of E I
     for room in reach * np.array([1.0, 4.0, 16.0, 64.0]):
         side = np.concatenate([moves, -moves]), np.concatenate([room - moves @ here, room + moves @ here])
         solution = least_ratio(replace(family, side_rows=side[0], side_offset=side[1]), places)
@@ -498,7 +509,7 @@ def _beside(
 
 
 def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
-    """Return the free numbers (d,) of a state, or of the nearest state of the family."""
+    """Return the free numbers (d,) of the state of the family that is nearest to `state`."""
     size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
     return np.asarray(
         np.linalg.lstsq(numbers.basis / size[:, None], (state - numbers.fixed) / size, rcond=None)[0]
@@ -518,9 +529,9 @@ def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
 
 
 def extrapolated(first: float, second: float, third: float) -> float:
-    """Return Aitken's limit of a geometrically converging sequence of logarithms, or else the last value.
+    """Return Aitken's limit of three successive logarithms, or the last one if they do not converge geometrically.
 
-    The extrapolation is limited to a largest step.
+    The extrapolation is limited to the step `LONGEST_JUMP`.
 
     Examples
     --------
@@ -541,9 +552,10 @@ def _deciding(law: BoundedLaw) -> float:
 
 
 def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
-    """Return the factor B, N mm2, such that B K needs the largest section at one place and no larger section.
+    """Return the factor B, N mm2, for which B K needs the largest section at one point and no larger section.
 
-    If the section has no upper limit, B K needs the least section at one place and no smaller one.
+    K is the relative stiffness. If the section has no upper limit, B K needs the least section at one point and no
+    smaller section.
     """
     share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding(law)))
     extremes = share.extremes

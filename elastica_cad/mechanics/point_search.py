@@ -1,4 +1,4 @@
-"""Search for the control point whose smallest move makes an impossible curve possible."""
+"""Search for the control point whose smallest displacement makes an impossible curve possible."""
 
 from collections.abc import Callable, Iterator
 from contextlib import suppress
@@ -16,22 +16,22 @@ from elastica_cad.mechanics.optimal_balance import balance_of
 from elastica_cad.mechanics.support_search import MOST_RATIO
 
 MOST_POINTS = 30
-"""Largest number of control points of a curve that is searched."""
+"""Largest number of control points for which the search is done."""
 
 DIRECTIONS = 16
-"""Number of directions, evenly spaced, in which a point is moved."""
+"""Number of evenly spaced directions in which a control point is moved."""
 
 SHARES = (0.1, 0.25, 0.5, 1.0)
-"""Distances of the moves, as fractions of the largest move."""
+"""Distances by which a control point is moved, as fractions of the largest distance."""
 
 ON_LINE = 3
-"""Number of inflections that one point can bring onto a common line."""
+"""Number of inflections that the move of one control point can bring onto a common line."""
 
 TO_LINE, TO_RATIO = 14, 4
-"""Numbers of bisections of a move onto the line, and of a move that makes the ratio small enough."""
+"""Numbers of bisections that move inflections onto a line, and that reduce the ratio to its limit."""
 
 ROUNDING = 1e-5
-"""Precision of a moved point, as a fraction of the curve's length."""
+"""Precision of a moved control point, as a fraction of the length of the curve."""
 
 
 def move_one_point(
@@ -42,20 +42,21 @@ def move_one_point(
 ) -> Iterator[tuple[int, PlaneCurve]]:
     """Yield possible curves that differ from an impossible curve in one control point, small moves first.
 
-    Every inner control point is moved in 16 directions by four distances. If three inflections pass a common line
-    between two distances, the move onto this line is found by bisection. A curve is possible if a rod without
-    weight has a ratio up to 8; its stability is not computed.
+    Every inner control point is moved in 16 directions by four distances. If three inflections are on a common
+    line at a distance between two of these, it is found by bisection. A curve is possible if a rod without weight
+    has a ratio up to 8; its stability is not computed.
 
     Parameters
     ----------
     curve : PlaneCurve
-        mm. Nothing is found for a closed curve, a curve that was fitted to points, or more than 30 points.
+        Impossible curve, mm. There is no result for a closed curve, a curve that was fitted to points, or a curve
+        with more than 30 control points.
     farthest : float
-        Largest distance, mm, from the drawn curve.
+        Largest distance, mm, between the drawn and the possible curve.
     supports : Supports, optional
         By default both ends are clamped.
     natural_curvature : float or RestCurvature
-        1/mm.
+        Curvature of the unloaded strip, 1/mm.
 
     Yields
     ------
@@ -87,7 +88,7 @@ def move_one_point(
     directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     weights = curve.basis(np.linspace(*curve.domain, 201)).max(
         axis=0
-    )  # largest share of each point in the curve
+    )  # largest weight of each control point in the curve
     moves = [
         _Move(curve, index, direction * farthest / weights[index], natural_curvature)
         for index in range(1, len(points) - 1)
@@ -112,7 +113,7 @@ def move_one_point(
 
 @dataclass(frozen=True)
 class _Move:
-    """Move of one control point by fractions of `step` (2,), mm."""
+    """Move of one control point by fractions of the vector `step` (2,), mm."""
 
     curve: PlaneCurve
     index: int
@@ -120,14 +121,17 @@ class _Move:
     natural_curvature: NaturalCurvature
 
     def at(self, share: float) -> PlaneCurve:
-        """Return the curve with the moved point, whose coordinates are rounded."""
+        """Return the curve with the control point moved by `share` times the step and rounded."""
         points = self.curve.control_points.copy()
         unit = 10 ** np.floor(np.log10(ROUNDING * self.curve.length))
         points[self.index] = np.round((points[self.index] + share * self.step) / unit) * unit
         return self.curve.with_control_points(points)
 
     def side(self, share: float) -> tuple[int, float]:
-        """Return the number of inflections, and for three of them the area (mm2, with sign) between them."""
+        """Return the number of inflections after a move by `share` times the step, and a signed area, mm2.
+
+        It is the area of the triangle of three inflections, and 0 for another number of inflections.
+        """
         try:
             moved = self.at(share)
             zeros = ExcessCurvature(moved, self.natural_curvature).zeros
@@ -139,12 +143,12 @@ class _Move:
         return ON_LINE, float(np.linalg.det([b - a, c - a])) / 2
 
     def is_beside(self, side: float, share: float) -> bool:
-        """Return True if the inflections lie on the same side of a common line as those with this `side`."""
+        """Return True if three inflections form a triangle whose area has the same sign as `side`."""
         return self.side(share)[1] * side > 0
 
 
 def _bisected(low: float, high: float, times: int, reached: Callable[[float], bool]) -> float:
-    """Return a value up to `high` at which `reached` is true, close above one at which it is not."""
+    """Return a value up to `high` at which `reached` is true, just above a value at which it is false."""
     for _ in range(times):
         middle = (low + high) / 2
         low, high = (low, middle) if reached(middle) else (middle, high)

@@ -1,4 +1,4 @@
-"""Curve cut into panels with Gauss nodes, for quotients and integrals with errors near rounding."""
+"""Curve cut into panels with Gauss nodes, for quotients and integrals with errors near rounding errors."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -31,24 +31,25 @@ from elastica_cad.mechanics.moment_curvature import MaterialLaw
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
 
-MAX_PANELS = 4000  # largest number of panels; a function that needs more cannot be resolved
-RESOLVED = 1e-11  # relative to the function: smaller last coefficients are rounding
+MAX_PANELS = 4000  # largest number of panels; a function that needs more panels cannot be resolved
+RESOLVED = 1e-11  # last Legendre coefficients below this fraction of the function are rounding errors
 NOISE = (
-    1e-6  # relative to the function: smaller last coefficients are rounding too if a split hardly lowers them
+    # last coefficients below this fraction are rounding errors too, if halving a panel hardly reduces them
+    1e-6
 )
 
-APART_SHARE = 0.25  # distance of cuts that are merged, as a fraction of a panel
+APART_SHARE = 0.25  # distance of cuts that are merged, as a fraction of the width of a panel
 
 NARROWEST_SHARE = 1e-7  # width of a panel that is not cut further, as a fraction of the domain
 
 ROUGH_AT_ZERO = 2
-"""Largest continuity of a knot that divides panels even if it is near a zero of the curvature."""
+"""Largest continuity of a knot that is an end of a panel even if it is near a zero of the curvature."""
 
 STEP_LENGTH = 1e-5
-"""Fraction of the length over which a step of the stiffness is spread, so that the outline is continuous."""
+"""Length of the ramp that replaces a jump of the stiffness in the outline, as a fraction of the length."""
 
 NEAR_ZERO_SHARE = 0.05
-"""Largest distance between a mass and a zero of the curvature, relative to the length, for graded panels."""
+"""Distance between a mass and a zero of the curvature, relative to the length, below which panels are graded."""
 
 FROM_LEFT = 1 + NODES
 _FROM_ENDS = np.concatenate([LEFT, -RIGHT])
@@ -62,18 +63,19 @@ class Panels:
     Attributes
     ----------
     edges, edge_s : (N + 1,) arrays
-        Parameters and arc lengths (mm) of the panel ends.
+        Parameters and arc lengths (mm) of the ends of panels.
     edge_position : (N + 1, 2) array
-        mm.
+        Positions of the ends of panels, mm.
     zero_left, zero_right : (N,) bool arrays
-        True if the curvature vanishes at this end of the panel; never at both ends.
+        True if the excess curvature is zero at this end of the panel; never at both ends.
     t, s, curvature : (N, p) arrays
-        Parameters, arc lengths and kappa - kappa_0 at the nodes. Next to a zero, kappa - kappa_0 is integrated from
-        the zero to keep the relative accuracy.
+        Parameters, arc lengths (mm) and excess curvature (1/mm) at the nodes. The excess curvature is the curvature
+        minus the natural curvature. In a panel with a zero it is integrated from the zero, so that its relative
+        error is small.
     stretch : (N, p) array
-        ds/dx, where x in [-1, 1] runs over the panel.
+        Derivative of arc length by the panel coordinate x in [-1, 1], mm.
     from_left, from_right : (N, p, 2) arrays
-        Position relative to the left, right end of the panel, mm.
+        Positions of the nodes relative to the left and right end of the panel, mm.
     """
 
     edges: FloatArray
@@ -94,16 +96,16 @@ class Panels:
         return len(self.t)
 
     def locate(self, t: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Return panel numbers and places x in [-1, 1] of parameters `t` (n,)."""
+        """Return panel numbers and panel coordinates x in [-1, 1] of parameters `t` (n,)."""
         return locate_in_panels(self.edges, t)
 
     def dense_places(self, parts: int = DENSE_PARTS) -> tuple[IntArray, FloatArray]:
-        """Return panel numbers and places x of a dense sampling with panel ends, by parts per panel."""
+        """Return panel numbers and coordinates x of dense samples: `parts` intervals per panel with its ends."""
         x = lobatto_places(parts)
         return np.repeat(np.arange(self.count), x.size), np.tile(x, self.count)
 
     def arc_length(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Return arc lengths of places x in panels, mm."""
+        """Return the arc lengths, mm, at coordinates x of panels."""
         return np.asarray(PanelFunction.through(self.s).at(panel, x))
 
 
@@ -116,22 +118,23 @@ def cut_into_panels(
     law: MaterialLaw | None = None,
     orders: Sequence[int] | None = None,
 ) -> Panels:
-    """Return panels that resolve the curve, and any moment divided by its curvature.
+    """Return panels on which the curve, and moments divided by its curvature, are polynomials within rounding.
 
-    A panel is cut into 2, 4 or 8 parts until the last Legendre coefficients of the speed and of
-    (t - zero)/(kappa - kappa_0) are negligible, where `zero` is the nearest zero. The moment vanishes at this zero
-    too, so panels near it do not need grading.
+    A panel is cut into 2, 4 or 8 parts until the last Legendre coefficients of two functions of the parameter t are
+    negligible. These functions are the speed, and (t - zero) / (kappa - kappa_0) for the nearest zero of the
+    curvature kappa minus the natural curvature kappa_0. The moment is zero there too, so panels near this zero
+    need no grading.
 
     Parameters
     ----------
     zeros : sequence of float
-        Parameters where kappa - kappa_0 vanishes, which become panel ends.
+        Parameters at which kappa - kappa_0 is zero; they become ends of panels.
     cuts : sequence of float
-        Further parameters that must be panel ends, such as places of point masses.
+        Further parameters that become ends of panels, such as those of point masses.
     law : MaterialLaw, optional
-        Its effective curvature replaces kappa - kappa_0; add cuts where it is not smooth.
+        Material law whose effective curvature replaces kappa - kappa_0; add cuts where it is not smooth.
     orders : sequence of int, optional
-        Orders of the zeros: 2 where kappa - kappa_0 only touches zero; by default 1.
+        Orders of the zeros: 2 if kappa - kappa_0 does not change its sign there; by default 1.
     """
     excess = ExcessCurvature(curve, natural_curvature)
     low, high = curve.domain
@@ -139,13 +142,13 @@ def cut_into_panels(
     vanishing = sorted(map(float, zeros))
     order = np.array([o for _, o in sorted(zip(zeros, orders or [1] * len(zeros), strict=True))])
     fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
-    # values in a narrow panel beside a zero would be rounding errors only
+    # in a narrow panel beside a zero, the values would be rounding errors only
     narrow = NARROWEST_SHARE * (high - low)
     others = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
     others += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
     away = _distances(np.array([t for t, _ in others]), fixed).tolist()
     places = sorted(fixed + [t for (t, apart), far in zip(others, away, strict=True) if far > apart])
-    # panels whose speed is resolved
+    # panels on which the speed is resolved
     smooth = curve.smooth_panels
     between, widths = smooth[1:-1], smooth[1:] - smooth[:-1]
     finer = between[_distances(between, places) > APART_SHARE * np.minimum(widths[:-1], widths[1:])]
@@ -160,7 +163,7 @@ def cut_into_panels(
     count = 0
     while True:
         nodes, tail = _evaluated(excess, cut, poles, order, law)
-        # if a cut does not reduce the coefficients, they are rounding noise
+        # if cutting a panel does not reduce the last coefficients, they are rounding errors
         settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < narrow
         rough = (~settled).nonzero()[0]
@@ -175,12 +178,12 @@ def cut_into_panels(
 
 
 def _distances(t: FloatArray, places: list[float]) -> FloatArray:
-    """Return the distance (n,) of each of t (n,) from the nearest place."""
+    """Return the distance (n,) of each parameter `t` (n,) from the nearest of `places`."""
     return np.asarray(np.abs(t - np.array(places)[:, None]).min(axis=0, initial=np.inf))
 
 
 def _distinct(places: list[float], close: float) -> list[float]:
-    """Return the sorted places without those within `close` of the previous place."""
+    """Return the sorted parameters without those within `close` of the previous parameter."""
     kept = places[:1]
     for place in places[1:]:
         if place - kept[-1] > close:
@@ -190,7 +193,7 @@ def _distinct(places: list[float], close: float) -> list[float]:
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """Panels before evaluation; `tail` is the unresolved part of the panel from which they were cut."""
+    """Panels before evaluation; `tail` is the relative last coefficient of the panels from which they were cut."""
 
     left: FloatArray
     right: FloatArray
@@ -199,11 +202,11 @@ class _Cut:
     tail: FloatArray
 
     def chosen(self, which: IntArray, tail: FloatArray) -> "_Cut":
-        """Return some of the panels, with their unresolved parts."""
+        """Return some of the panels, with new `tail`."""
         return _Cut(self.left[which], self.right[which], self.zero_left[which], self.zero_right[which], tail)
 
     def into(self, parts: IntArray) -> "_Cut":
-        """Cut every panel into its number of equal parts."""
+        """Cut every panel into the given number of equal parts."""
         whole, count, part = (
             np.arange(parts.size).repeat(parts),
             parts.repeat(parts),
@@ -221,14 +224,17 @@ class _Cut:
 
 
 def _parts(tail: FloatArray) -> IntArray:
-    """Return the number of parts (2, 4 or 8) of a panel; a halving divides the last coefficient by about 2^p."""
+    """Return the number of parts (2, 4 or 8) into which a panel is cut.
+
+    Halving a panel divides the last coefficient by about 2^p, where p is the number of nodes.
+    """
     halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
     return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
 
 
 @dataclass(frozen=True, eq=False)
 class _Nodes:
-    """Panels evaluated at their Gauss nodes: fields as of `Panels`, `velocity` (N, p, 2) by x."""
+    """Panels evaluated at their Gauss nodes; attributes as in `Panels`, and `velocity` (N, p, 2) by x."""
 
     left: FloatArray
     zero_left: BoolArray
@@ -239,7 +245,6 @@ class _Nodes:
     curvature: FloatArray
 
     def chosen(self, which: BoolArray | IntArray) -> "_Nodes":
-        """Return some of the panels."""
         return _Nodes(
             self.left[which], self.zero_left[which], self.zero_right[which], self.t[which],
             self.velocity[which], self.stretch[which], self.curvature[which],
@@ -257,7 +262,7 @@ class _Nodes:
 def _evaluated(
     excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, orders: IntArray, law: MaterialLaw | None
 ) -> tuple[_Nodes, FloatArray]:
-    """Return the panels at their nodes, and the unresolved part of each panel.
+    """Return the panels with values at their nodes, and the last coefficients relative to the functions.
 
     `zeros` and `orders` (k,) are the parameters of all zeros and their orders.
     """
@@ -275,7 +280,8 @@ def _evaluated(
         ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
         nearest = np.abs(zeros[:, None] - ends).argmin(axis=0)
         double = orders[nearest] == 2
-        if double.any():  # rounding of this slope would be large relative to the slopes at the nodes
+        # the rounding error of this slope would be large relative to the slopes at the nodes
+        if double.any():
             slope[double] -= excess.slope_at(zeros[nearest[double]])[:, None]
         growth = slope * stretch[beside]
         kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
@@ -299,7 +305,6 @@ def _evaluated(
 
 
 def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
-    """Return the panels in order along the curve."""
     nodes = _Nodes.joined(parts)
     edges = np.concatenate([nodes.left, curve.domain[1:]])
     edge_s = np.zeros(edges.size)
@@ -314,29 +319,29 @@ def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
 
 
 REFINEMENTS = 6
-"""Largest number of times that a program is solved again on finer panels."""
+"""Largest number of times that a linear program is solved again on finer panels."""
 
 _ROUGH = 1e-9  # last Legendre coefficients of K in a panel, relative to K, above which the panel is cut
-_SMOOTH = 4  # least number of continuous derivatives of K at a knot of the load that is not a panel end
-_MOST_PARTS = 50  # largest number of parts of a panel with a large weight
+_SMOOTH = 4  # least number of continuous derivatives of K at a knot of the load that is not an end of a panel
+_MOST_PARTS = 50  # largest number of parts of a panel under a large weight
 
 
 @dataclass(frozen=True, eq=False)
 class CutCurve:
-    """Curve and the places where it is cut into panels with a smooth stiffness.
+    """Curve and the parameters at which it is cut into panels with a smooth stiffness.
 
-    Panels end at the zeros of kappa - kappa_0 in `check` and at the `cuts`.
+    Ends of panels are at the `cuts` and at the zeros of the excess curvature in `check`.
 
     Attributes
     ----------
     check : EquilibriumCheck
         Curve and its zeros.
     natural_curvature : float or RestCurvature
-        kappa_0, 1/mm.
+        Curvature of the unloaded strip, 1/mm.
     law : MaterialLaw or None
         Moment-curvature law of a nonlinear material, or None for a linear material.
     cuts : tuple of float
-        Parameters of the curve.
+        Parameters of the curve at which panels end.
     kinks : tuple of (float, int)
         Arc lengths, mm, at which the stiffness is not smooth, each with the number of continuous derivatives.
     """
@@ -356,7 +361,7 @@ class CutCurve:
         weight: Weight | None = None,
         stations: Sequence[float] = (),
     ) -> "CutCurve":
-        """Cut where the natural curvature, the material law or the load is not smooth.
+        """Return the curve, cut where the natural curvature, the material law or the load is not smooth.
 
         `stations` are the arc lengths, mm, of forces between the ends.
         """
@@ -371,7 +376,7 @@ class CutCurve:
 
     @cached_property
     def panels(self) -> Panels:
-        """Panels of the curve."""
+        """Panels between the cuts."""
         check = self.check
         return cut_into_panels(
             check.curve, [z.t for z in check.zeros], cuts=list(self.cuts),
@@ -379,8 +384,10 @@ class CutCurve:
         )  # fmt: skip
 
     def for_weight(self, gravity: Gravity) -> "CutCurve":
-        """Return the curve with panels longer than sqrt(kappa l_eg^3) divided, since K varies on them under
-        weight."""
+        """Return the curve with panels longer than sqrt(kappa l_eg^3) divided, because K varies within them.
+
+        kappa is the curvature, l_eg the elasto-gravity length, and K the stiffness under weight.
+        """
         panels = self.panels
         steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
         parts = np.clip(np.ceil(np.diff(panels.edge_s) * steep / 2), 1, _MOST_PARTS).astype(int)
@@ -389,7 +396,7 @@ class CutCurve:
         return self._also_at(np.concatenate(inner))
 
     def for_stiffness(self, stiffness: PanelFunction) -> "CutCurve | None":
-        """Return the curve with panels halved where a stiffness is not resolved, or None if it is resolved."""
+        """Return the curve with panels halved where a stiffness is not resolved, or None if none is halved."""
         rough = stiffness.unresolved(_ROUGH)
         edges = self.panels.edges
         return self._also_at(((edges[1:] + edges[:-1]) / 2)[rough]) if rough.any() else None
@@ -401,7 +408,10 @@ class CutCurve:
 def _bend_kinks(
     check: EquilibriumCheck, natural_curvature: NaturalCurvature, law: MaterialLaw | None
 ) -> list[tuple[float, float, int]]:
-    """Return (t, s, continuity of K) where the natural curvature or the material law is not smooth."""
+    """Return the kinks of the natural curvature and of the material law.
+
+    Each kink has a parameter t, an arc length s (mm), and the number of continuous derivatives of the stiffness.
+    """
     excess = ExcessCurvature(check.curve, natural_curvature)
     return [*excess.kinks] + [
         (place.t, place.s, continuity)
@@ -412,15 +422,16 @@ def _bend_kinks(
 
 
 def _at_zero(s: float, zeros: FloatArray, length: float) -> float:
-    """Return the zero of the curvature within the length of a step of the stiffness from s, mm, or else s."""
+    """Return the zero of the curvature that is nearer to s, mm, than the length of a stiffness ramp, or else s."""
     near = zeros[np.abs(zeros - s) < STEP_LENGTH * length]
     return float(near[0]) if near.size else s
 
 
 def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
-    """Return places, mm, beyond a mass near a zero; each is twice as far from the zero as the previous place.
+    """Return arc lengths, mm, beyond a mass near a zero of the curvature.
 
-    Beyond the mass, the stiffness has a term that is inverse to the distance from the zero.
+    Each is twice as far from the zero as the previous arc length. Beyond the mass, the stiffness has a term that is
+    inversely proportional to the distance from the zero.
     """
     if not zeros.size:
         return []
@@ -433,7 +444,10 @@ def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
 
 
 def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]:
-    """Return (s, continuity of K) at masses and where the load is not smooth."""
+    """Return the arc lengths, mm, of masses and of kinks of the load.
+
+    Each has the number of continuous derivatives of the stiffness.
+    """
     if weight is None:
         return []
     kinks: list[tuple[float, int]] = []

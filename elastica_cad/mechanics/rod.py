@@ -1,4 +1,4 @@
-"""Record of a rod in balance, its stiffness at the nodes, and resampling."""
+"""Rod with its shape, stiffness and forces at the nodes, and resampling of a rod."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -39,12 +39,13 @@ if TYPE_CHECKING:
     from elastica_cad.mechanics.theorem1 import EquilibriumCheck, InflectionLine
 
 
-# Number of nodes of a final rod. A strip of 300 mm has a node every half millimetre, and the error of the discrete
-# shape is smaller than the kerf of a laser (paper, section 7.1: some hundreds).
+# Number of nodes of a final rod. A strip of 300 mm then has a node every half millimetre, and the error of
+# the discrete shape is smaller than the kerf of a laser. The paper (section 7.1) uses some hundreds of
+# nodes.
 DEFAULT_SAMPLES = SURVEY_POINTS
 
-# Number of nodes of the hundreds of rods in a search. Their error is nine times as large, which is still far below
-# the tolerance of limits; `editable_curve` removes it by extrapolation.
+# Number of nodes of the hundreds of rods in a search. Their error is nine times that of a final rod, but
+# far below the tolerance of limits. `editable_curve` removes it by extrapolation.
 SEARCH_SAMPLES = 201
 
 
@@ -53,7 +54,7 @@ DUST_SHARE = 1e-12
 
 
 def csv_text(table: Mapping[str, Any]) -> str:
-    """Return columns (n,) by name as comma-separated text with a header; names end in their unit.
+    """Return a table of named columns (n,) as comma-separated text with a header; each name ends in its unit.
 
     Examples
     --------
@@ -84,16 +85,10 @@ MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
 
 
 def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
-    """Return K (n,) at uniform arc lengths (n,), mm; a cell with a step has its mean compliance.
+    """Return the stiffness (n,) at uniform arc lengths (n,), mm; in the cell of a jump, by the mean compliance.
 
-    The turn of the cell is the integral of M / K. Therefore the shape is a continuous function of the place of a
-    step.
-
-    Examples
-    --------
-    >>> stepped = Profile([0, 0, 5, 5, 10, 10], [1, 1, 2, 2], 1)
-    >>> _nodal_stiffness(stepped, np.linspace(0, 10, 3)).round(3).tolist()
-    [1.0, 1.333, 2.0]
+    The turn of the rod in a cell is the integral of moment over stiffness. With the mean compliance, the shape is a
+    continuous function of the position of the jump.
     """
     K = profile(s)
     steps = np.array([place for place, continuity in profile.breaks if continuity < 0])
@@ -114,7 +109,7 @@ def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
 
 
 def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
-    """Return a stiffness and its values at nodes s (n,), mm, both over the least value.
+    """Return a stiffness profile and its values at nodes s (n,), mm, both divided by the least of these values.
 
     Raises
     ------
@@ -130,21 +125,21 @@ def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArra
 def _stiffness_profile_of(
     stiffness: "ArrayLike | Profile", length: float, samples: int | None
 ) -> tuple[Profile, int]:
-    """Return a profile over [0, length] and the number of nodes.
+    """Return the stiffness as a profile over [0, length], and the number of nodes.
 
     Parameters
     ----------
     stiffness : float, (n,) array_like or Profile
-        One value, values at n uniform stations, or a profile over [0, length].
+        Stiffness: one value, values at n uniform stations, or a profile over [0, length].
     length : float
-        mm.
+        Length of the rod, mm.
     samples : int or None
-        Number of nodes, or None for the number of values or the default number.
+        Number of nodes. None means the number of values in `stiffness`, or for one value the default number.
 
     Raises
     ------
     InputError
-        The length of the profile differs, or the values are not positive and finite.
+        The length of the profile differs from `length`, or the values are not positive and finite.
     """
     if isinstance(stiffness, Profile):
         if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
@@ -163,29 +158,35 @@ def _stiffness_profile_of(
 
 
 DIFFERENCE_SHARE = 1e-7
-"""Step of the finite differences for the slope of the stiffness, as a fraction of the largest bend."""
+"""Step of the finite differences for the slope of the stiffness, as a fraction of the largest curvature change."""
 
 CURL_POINTS = 24
-"""Number of quadrature points of the energy; its error is 1e-9 for flat strips and 1e-3 for others."""
+"""Number of quadrature points of the energy; its error is 1e-9 for flat strips and 1e-3 for other strips."""
 
 CURL_STEPS = 8
-"""Number of iterations from a moment to its curvature; they converge fast, because the stiffness varies slowly."""
+"""Number of iterations from a moment to its curvature.
+
+They converge fast, because the stiffness depends only slightly on the curvature.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class CurlingLaw(MaterialLaw):
-    """Law M = K m(kappa - kappa_0) at the nodes of a rod, with K in the design shape.
+    """Law M = K m(kappa - kappa_0) at the nodes of a rod whose section depends on its curvature.
+
+    M is the moment, K the stiffness in the design shape, m the effective curvature, kappa the curvature and
+    kappa_0 the natural curvature.
 
     Parameters
     ----------
     factor : BendFactor
-        Factor on the stiffness of the nodes as a function of their curvatures.
+        Function that returns factors on the stiffness of the nodes for their curvatures.
     designed : (n,) array
-        Factor at the design curvature, which K includes already.
+        Factors at the design curvature, which K already includes.
     natural_curvature : float or (n,) array
-        kappa_0 of the rod, 1/mm.
+        Natural curvature kappa_0 of the rod, 1/mm.
     below : MaterialLaw, optional
-        Law of the material; the result is its effective curvature times the factor.
+        Law of the material. Its effective curvature is multiplied by the factor.
 
     Examples
     --------
@@ -202,22 +203,22 @@ class CurlingLaw(MaterialLaw):
     below: MaterialLaw | None = None
 
     def share(self, curvature: ArrayLike) -> FloatArray:
-        """Return stiffness over stiffness of the design (..., n), for changes of curvature (..., n), 1/mm."""
+        """Return the stiffness over the design stiffness (..., n), for changes of curvature (..., n), 1/mm."""
         kappa = np.asarray(curvature, dtype=float) + self.natural_curvature
         return np.asarray(self.factor(kappa) / self.designed)
 
     def effective_curvature(self, curvature: ArrayLike) -> FloatArray:
-        """Return the effective curvature of all nodes (..., n), as in `MaterialLaw`."""
+        """Return the effective curvature of all nodes (..., n), as in `MaterialLaw.effective_curvature`."""
         change = np.asarray(curvature, dtype=float)
         m = change if self.below is None else self.below.effective_curvature(change)
         return np.asarray(m * self.share(change))
 
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`; of all nodes (n,)."""
+        """See `MaterialLaw.slope`; the result is for all nodes (n,)."""
         return self.with_slope(curvature)[1]
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
-        """See `MaterialLaw`; both for all nodes (n,)."""
+        """See `MaterialLaw.with_slope`; both results are for all nodes (n,)."""
         change = np.asarray(curvature, dtype=float)
         step = DIFFERENCE_SHARE * (float(np.abs(change).max()) or 1.0)
         here, beyond = self.share(np.stack([change, change + step]))
@@ -225,14 +226,14 @@ class CurlingLaw(MaterialLaw):
         return m * here, np.asarray(slope * here + m * (beyond - here) / step)
 
     def energy(self, curvature: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`; of all nodes (n,)."""
+        """See `MaterialLaw.energy`; the result is for all nodes (n,)."""
         change = np.asarray(curvature, dtype=float)
         x, weight = gauss_rule(CURL_POINTS)
-        root = (x + 1) / 2  # points are denser near rest, where the stiffness changes fastest
+        root = (x + 1) / 2  # points are denser near 0, where the stiffness changes most
         return np.asarray(change * ((weight * root) @ self.effective_curvature(root[:, None] ** 2 * change)))
 
     def curvature(self, effective: ArrayLike) -> FloatArray:
-        """See `MaterialLaw`; of all nodes (n,)."""
+        """See `MaterialLaw.curvature`; the result is for all nodes (n,)."""
         m = np.asarray(effective, dtype=float)
         change = m if self.below is None else self.below.curvature(m)
         for _ in range(CURL_STEPS):
@@ -241,7 +242,7 @@ class CurlingLaw(MaterialLaw):
         return change
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "CurlingLaw":
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.resampled`."""
         return CurlingLaw(
             self.factor.resampled(s, at), np.interp(at, s, self.designed),
             at_stations(self.natural_curvature, s, at),
@@ -250,15 +251,17 @@ class CurlingLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw`."""
+        """See `MaterialLaw.injective_limit`."""
         return float("inf") if self.below is None else self.below.injective_limit
 
 
-# largest relative difference of edge lengths; for samples of a curve it is about (kappa h)^2 / 24
+# largest relative difference of edge lengths; for samples of a curve it is about (curvature * edge
+# length)^2 / 24
 EVEN_EDGES = 1e-7
-TURN_POWER = 8  # power of the turns near the ends, which then extend over an eighth of the length
-NEWTON_STEPS = 5  # enough for rounding accuracy, because the angles are nearly exact
-TANGENT_RAD = 1e-8  # error of the tangent of the spline; over the length this is far below a micrometre
+TURN_POWER = 8  # power of the corrections near the ends, which then extend over an eighth of the length
+NEWTON_STEPS = 5  # sufficient for rounding accuracy, because the angles are nearly exact
+# error of the tangent of the spline; over the length of a rod it is far below a micrometre
+TANGENT_RAD = 1e-8
 
 
 def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
@@ -268,27 +271,27 @@ def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
 
 
 def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> PlaneCurve:
-    """Return the spline of unit speed that follows the edges of a discrete rod.
+    """Return the spline, with arc length as its parameter, that follows the edges of a discrete rod.
 
-    The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve at their middles. A curve of the
-    same length as the polygon passes the nodes at h^2 |kappa| / 24 on their inner side. The result integrates a
-    quintic spline through the edge angles. The end angles of this spline differ from the held angles by h^2
-    |kappa'| / 8. The smallest smooth turns that
-    correct the end angles and the end position are added.
+    The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve at their midpoints. A curve of
+    the same length as the polygon passes the nodes at the distance h^2 |kappa| / 24, with edge length h and
+    curvature kappa. The result integrates a quintic spline through the edge angles. Its end angles differ from
+    the held angles by h^2 |kappa'| / 8. The smallest smooth changes of angle that correct the end angles and the
+    end position are added.
 
     Parameters
     ----------
     s : (n,) array
         Arc lengths of the nodes, mm, uniform.
     position : (n, 2) array
-        Nodes, mm, with edges as long as their arc lengths.
+        Nodes, mm; the edges between them are as long as the arc lengths.
     angle : (n,) array
-        rad; the ends are held.
+        Angles at the nodes, rad; the result has exactly the first and the last angle.
 
     Returns
     -------
     PlaneCurve
-        Degree 5, its parameter is arc length (to 1e-8).
+        Spline of degree 5 whose parameter is arc length, with a relative error of 1e-8.
 
     Examples
     --------
@@ -328,7 +331,10 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
 
 
 def _turns(x: FloatArray) -> FloatArray:
-    """Return smooth changes (n, 18) of an angle at x (n,) in 0..1: two with mean 0 near the ends, and waves."""
+    """Return smooth changes (n, 18) of an angle at x (n,) in 0..1.
+
+    Two of them have the mean 0 and differ from 0 near the ends only; the others are sine waves.
+    """
     y, m = 1 - x, TURN_POWER
     beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
     k = np.arange(1, 17)
@@ -336,7 +342,7 @@ def _turns(x: FloatArray) -> FloatArray:
 
 
 def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
-    """Return the angles (n,) of the edges between nodes (n + 1, 2), near the nodal angles (n + 1,)."""
+    """Return the angles (n,) of edges between nodes (n + 1, 2), within half a turn of nodal angles (n + 1,)."""
     edge = np.arctan2(*np.diff(position, axis=0).T[::-1])
     middle = (angle[:-1] + angle[1:]) / 2
     return np.asarray(edge + 2 * np.pi * np.round((middle - edge) / (2 * np.pi)))
@@ -348,52 +354,53 @@ BAND_SHARE = 0.02
 
 @dataclass(frozen=True, eq=False)
 class Rod:
-    """Rod in the plane; all arrays are nodal, with the same n.
+    """Rod in the plane; all arrays contain values at its n nodes.
 
     Attributes
     ----------
     s : (n,) array
-        Arc length, mm, uniform, from 0 to the length.
+        Arc lengths, mm, in equal steps from 0 to the length.
     position : (n, 2) array
-        mm.
+        Positions, mm.
     angle : (n,) array
-        Turning angle, rad, continuous. For a discrete rod (paper, section 7.1) the end values are the angles of the
-        supports, and the other values are means of the two edges at the node.
+        Angles of the tangent, rad, continuous along the rod. For a discrete rod (paper, section 7.1) the end
+        values are the angles of the supports. The other values are means of the two edges at the node.
     curvature : (n,) array
-        Signed, 1/mm; a discrete rod has moment / stiffness + kappa_0 here.
+        Signed curvature kappa, 1/mm; for a discrete rod, moment / stiffness + natural curvature kappa_0.
     stiffness : (n,) array
-        K, dimensionless, least value 1.
+        Relative stiffness K, dimensionless; its least value is 1.
     moment : (n,) array
-        M = K (kappa - kappa_0), 1/mm; times the least bending stiffness (N mm2) it is N mm.
+        Bending moment M = K (kappa - kappa_0), 1/mm. Multiply by the least bending stiffness (N mm2) to obtain N
+        mm.
     force : (n, 2) array
-        lambda = R b, 1/mm2; times the least bending stiffness in N mm2 it is in N (minus the usual internal force).
-        Edge values of a discrete rod are averaged to the nodes. The end nodes have the value of the end edge minus
-        half a cell of weight.
+        Force lambda, 1/mm2: minus the usual internal force. Multiply by the least bending stiffness (N mm2) to
+        obtain N. For a discrete rod, the value at a node is the mean of its two edges. The value at an end
+        includes the weight of half an edge.
     profile : Profile
-        K as a spline of arc length, from which strips take their width.
+        Stiffness K as a spline of arc length, from which the width of a strip is computed.
     natural_curvature : float or (n,) array
-        kappa_0, 1/mm: a value for the whole rod, or values at the nodes (after plastic bending).
+        Natural curvature kappa_0, 1/mm: one value for the whole rod, or values at the nodes.
     gravity, weight, bending_stiffness
-        Loads, see `Gravity` and `Weight`; `bending_stiffness` is B, the least E I in N mm2, or
-        None.
+        Loads, see `Gravity` and `Weight`; `bending_stiffness` is the least bending stiffness B, N mm2, or None.
     law : MaterialLaw or None
-        Law M = K m(kappa - kappa_0) of a nonlinear material (paper, Appendix D). For a section that depends on the
-        curvature, `bend` adds its effect to the law, and K is that of the design; see `bending_law`.
+        Law M = K m(kappa - kappa_0) of a nonlinear material (paper, Appendix D). If the
+        section depends on the curvature, `bend` adds its effect to the law, and K is the stiffness of the design;
+        see `bending_law`.
     section : BoundedLaw or None
-        Section of the strip, if it is not a plain strip that bends with E.
+        Section of the strip, or None for a strip of one sheet that is narrow.
     residual : float
-        Largest relative moment imbalance.
+        Largest imbalance of moments, relative to the moments.
     shape : PlaneCurve or None
-        Drawn curve of the rod, or None if `curve` is drawn through the nodes.
+        Drawn curve of the rod, or None if the rod has none; `curve` is then computed from the nodes.
     check : EquilibriumCheck or None
-        Verdict of Theorem 1 on the drawn curve.
+        Result of the check of Theorem 1 for the drawn curve.
     moved : float
         Distance by which the drawn curve was moved to bring its inflections onto a line, mm.
     warnings : tuple of str
         Warnings about the result.
     between, point_forces : tuple of ElementForce
-        Elements and point forces between the ends, with their stations and forces on the strip; `force` steps by
-        them.
+        Elements and point forces between the ends, with their positions and forces on the strip. `force` jumps by
+        these forces.
     """
 
     s: FloatArray
@@ -456,26 +463,27 @@ class Rod:
         law: MaterialLaw | None = None,
         section: BoundedLaw | None = None,
     ) -> "Rod":
-        """Return a straight rod, as input of `bend`.
+        """Return a straight rod, for example as input of `bend`.
 
         Parameters
         ----------
         length : float
-            mm.
+            Length of the rod, mm.
         stiffness : float, (n,) array_like or Profile
-            Stiffness: one value, nodal values at n uniform stations, or a profile over [0, length]; scaled to a
-            least value 1.
+            Stiffness: one value, values at n uniform stations, or a profile over [0, length]. It is divided by
+            its least value, because the least stiffness of a rod is 1.
         samples : int, optional
             Number of nodes; by default 601, or the number of nodal values.
         start, angle
-            Position of the first end, mm, and direction, rad.
+            Position of the first end, mm, and angle of the rod, rad.
         gravity, supports, natural_curvature, weight, bending_stiffness, law, section
-            As in `optimal_rod`; the stiffness is that of the rod while it is straight.
+            As in `optimal_rod`. The stiffness applies while the rod is straight.
 
         Returns
         -------
         Rod
-            Rod without load: moment and force are zero. With gravity, `residual` is its imbalance.
+            Rod whose moments and forces are zero. With gravity it is not in equilibrium, and `residual` is its
+            imbalance.
 
         Raises
         ------
@@ -513,7 +521,7 @@ class Rod:
 
     @property
     def length(self) -> float:
-        """Arc length, mm."""
+        """Length of the rod, mm."""
         return float(self.s[-1])
 
     def __repr__(self) -> str:
@@ -528,9 +536,10 @@ class Rod:
         return svg_of_lines([(band, GREY, True), (self.position, BLUE, False)], repr(self))
 
     def table(self) -> dict[str, FloatArray]:
-        """Return columns (n,) by name with their unit, for a data frame or a file; force is lambda, moment M.
+        """Return columns (n,) of nodal values by name, for a data frame or a file; each name ends in its unit.
 
-        Multiplied by the bending stiffness of a strip (N mm2) they are in N and N mm, as in `Strip.table`.
+        Multiply forces and moments by the least bending stiffness of a strip (N mm2) to obtain N and N mm, as in
+        `Strip.table`.
         """
         return {
             "s_mm": self.s, "x_mm": self.position[:, 0], "y_mm": self.position[:, 1], "angle_rad": self.angle,
@@ -544,13 +553,13 @@ class Rod:
 
     @property
     def ratio(self) -> float:
-        """R = sup K / inf K, over the nodes and the profile between them."""
+        """Ratio of the largest to the least stiffness, at the nodes and on the profile between them."""
         low, high = self.profile.extremes
         return float(max(high, self.stiffness.max()) / min(low, self.stiffness.min()))
 
     @property
     def effective_curvature(self) -> FloatArray:
-        """Moment over K (n,), 1/mm: kappa - kappa_0, or its effective value by the law."""
+        """Moment over stiffness (n,), 1/mm: change of curvature, or its effective value by the material law."""
         change = self.curvature - self.natural_curvature
         return np.asarray(change if self.law is None else self.law.effective_curvature(change))
 
@@ -561,10 +570,11 @@ class Rod:
 
     @cached_property
     def bending_law(self) -> MaterialLaw | None:
-        """Law of M = K m(kappa - kappa_0) for any bend of the rod, as all solvers use it.
+        """Law M = K m(kappa - kappa_0) for every bend of the rod, as all solvers use it; see `MaterialLaw`.
 
-        If the stiffness of the section depends on the curvature, the law belongs to a section with stiffness K in
-        the present shape.
+        If the stiffness of the section depends on the curvature, the law is that of a section with the stiffness
+        K in the
+        present shape.
         """
         law, section, rest = self.law, self.section, self.natural_curvature
         if section is None or not section.follows_bend or isinstance(law, CurlingLaw):
@@ -582,7 +592,10 @@ class Rod:
 
     @property
     def support_forces(self) -> FloatArray:
-        """Forces (2, 2) of the supports on the start and the end, 1/mm2, without those of elements at the ends."""
+        """Forces (2, 2) of the supports on the start and the end, 1/mm2.
+
+        They do not include the forces of elements at the ends.
+        """
         forces = np.array([self.force[0], -self.force[-1]])
         for action in self.acting:
             for s, force in zip(action.s, action.force, strict=True):
@@ -591,16 +604,17 @@ class Rod:
 
     @property
     def between_forces(self) -> FloatArray:
-        """Force on the strip of each element in the order of `between` (m, 2), 1/mm2; of a tie at its start."""
+        """Forces of elements on the strip (m, 2), 1/mm2, in the order of `between`; of a tie at its start."""
         return np.array([action.force[0] for action in self.between]).reshape(-1, 2)
 
     @property
     def thrust_line(self) -> "tuple[InflectionLine | None, ...]":
-        """Sides of the thrust line: the line without moment of each piece between stations, in order.
+        """Sides of the thrust line, in order: the line of zero moment for each piece of rod between forces.
 
-        Two neighbouring sides intersect on the line of action of the force at their common station. A side is None
-        where the moment is constant.
-        A rod with weight has no sides, because its resultant turns along each piece.
+        Two neighbouring sides intersect on the line of action of the force at their common point. A side is None
+        if the
+        moment of its piece is constant. A rod with weight has no sides, because its internal force turns along
+        each piece.
         """
         from elastica_cad.mechanics.theorem1 import InflectionLine
 
@@ -624,13 +638,16 @@ class Rod:
         return tuple(sides)
 
     def following(self) -> "Rod":
-        """Return the rod with the law of its section, as needed to bend it to another shape."""
+        """Return the rod with `bending_law` as its law, as needed to bend it to another shape."""
         law = self.bending_law
         return self if law is self.law else replace(self, law=law)
 
     @property
     def tangent_stiffness(self) -> FloatArray:
-        """dM/dkappa (n,), the stiffness against small disturbances; K if there is no `bending_law`."""
+        """Stiffness dM/dkappa (n,) against small disturbances.
+
+        It equals `stiffness` if there is no `bending_law`.
+        """
         law = self.bending_law
         if law is None:
             return self.stiffness
@@ -638,19 +655,22 @@ class Rod:
 
     @property
     def flat_stiffness(self) -> FloatArray:
-        """K (n,) of the sections without the stiffening by bending: E I of their widths."""
+        """Stiffness (n,) of the unbent sections, which is proportional to the E I of their widths."""
         law = self.bending_law
         return self.stiffness / law.designed if isinstance(law, CurlingLaw) else self.stiffness
 
     @property
     def bending_energy(self) -> float:
-        """Integral of M over kappa from rest and along the rod, 1/mm; times the least bending stiffness N mm."""
+        """Elastic energy of bending, 1/mm, relative to the unloaded rod.
+
+        Multiply by the least bending stiffness (N mm2) to obtain N mm.
+        """
         change, law = self.curvature - self.natural_curvature, self.bending_law
         density = self.stiffness * (change**2 / 2 if law is None else law.energy(change))
         return float(np.sum((density[1:] + density[:-1]) * np.diff(self.s)) / 2)
 
     def bend_at(self, s: FloatArray) -> FloatArray:
-        """Return kappa - kappa_0 (n,), 1/mm, at arc lengths (n,), mm; for a drawn curve that of the curve."""
+        """Return the change of curvature (n,), 1/mm, at arc lengths (n,), mm; of a drawn curve if it exists."""
         s = numbers(s, "arc lengths")
         if self.shape is None:
             return Profile.interpolate(self.s, self.curvature - self.natural_curvature)(s)
@@ -658,13 +678,13 @@ class Rod:
         return np.asarray(curvature - self.rest_at(s))
 
     def rest_at(self, s: FloatArray) -> FloatArray:
-        """Return kappa_0 (n,), 1/mm, at arc lengths (n,), mm."""
+        """Return the natural curvature (n,), 1/mm, at arc lengths (n,), mm."""
         rest = np.broadcast_to(np.asarray(self.natural_curvature, dtype=float), self.s.shape)
         return np.asarray(np.interp(numbers(s, "arc lengths"), self.s, rest))
 
     @property
     def node_lengths(self) -> FloatArray:
-        """Voronoi lengths w (n,) of the nodes, mm (paper, section 7.1)."""
+        """Voronoi lengths (n,) of the nodes, mm (paper, section 7.1): half the sum of the incident edge lengths."""
         h = self.length / (self.s.size - 1)
         w = np.full(self.s.size, h)
         w[[0, -1]] = h / 2
@@ -672,7 +692,7 @@ class Rod:
 
     @property
     def nodal_load(self) -> FloatArray:
-        """Weight lumped at the nodes (n, 2) over the least bending stiffness, 1/mm2; zero without gravity."""
+        """Weight of each node (n, 2) over the least bending stiffness, 1/mm2; zero without gravity."""
         if self.gravity is None:
             return np.zeros_like(self.position)
         down = np.asarray(self.gravity.direction)
@@ -686,12 +706,12 @@ class Rod:
 
     @cached_property
     def discrete(self) -> DiscreteRod:
-        """Discrete rod for stability: angles and forces on the edges, and tangent stiffness at the nodes.
+        """Discrete rod for stability, with angles and forces of the edges, and tangent stiffness at the nodes.
 
         Raises
         ------
         InputError
-            When two neighbouring nodes coincide.
+            Two neighbouring nodes coincide.
         """
         steps = np.diff(self.position, axis=0)
         apart = (steps[:, 0] != 0) | (steps[:, 1] != 0)
@@ -712,7 +732,7 @@ class Rod:
             force += edge_forces(between[0], between)
             for action in acting:
                 nodal += np.einsum("nk,kc->nc", self.s[:, None] > action.s, action.force)
-        # the force of a node at a station may be that before or after the station
+        # if an element acts at a node, the nodal force may be the value before or after the jump
         missing = self.force - nodal
         force += np.median(missing, axis=0) if acting else missing.mean(axis=0)
         edge_length, bracing = self.length / angles.size, None
@@ -730,9 +750,9 @@ class Rod:
     def curve(self) -> PlaneCurve:
         """Shape as a spline: the drawn curve if it exists, otherwise a spline of degree 5.
 
-        For a discrete rod the spline has the length, end positions and end angles of the rod. It passes the nodes
-        at about h^2 kappa / 24, with the edge length h (see `integrate_edges`). If the nodes are samples of a
-        curve, the spline is a fit.
+        For a discrete rod the spline has the length, end positions and end angles of the rod. Its distance from
+        the nodes is about h^2 kappa / 24, with edge length h and curvature kappa (see `integrate_edges`). If the
+        nodes are samples of a curve, the spline is a fit.
         """
         if self.shape is not None:
             return self.shape
@@ -741,10 +761,11 @@ class Rod:
         return PlaneCurve(*fit_spline(self.position, 5, 1e-6 * self.length), 5)
 
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
-        """Return the rod with another stiffness profile; it is not in balance until it is bent.
+        """Return the rod with another stiffness profile; it is not in equilibrium before it is bent again.
 
-        `stiffness` is (n,) nodal values or a `Profile`; it is scaled to a least value of 1. A wide strip returned
-        by `bend` keeps the curl of its previous widths, so change the stiffness before `bend`.
+        `stiffness` contains values (n,) at the nodes, or is a `Profile`. It is divided by its least value. If
+        `bend` has
+        returned a wide strip, its law depends on the previous widths. Therefore change the stiffness before `bend`.
         """
         if not isinstance(stiffness, Profile) and numbers(stiffness, "stiffness").size not in (
             1,
@@ -766,8 +787,10 @@ class Rod:
 
 
 def resample(rod: Rod, samples: int) -> Rod:
-    """Return the rod with another number of nodes; the stiffness is that of the profile, other data are
-    interpolated."""
+    """Return the rod with another number of nodes.
+
+    The stiffness is evaluated on the profile, and the other data are interpolated.
+    """
     whole_number(samples, "samples", 4)
     s = np.linspace(0.0, rod.length, samples)
     K = _nodal_stiffness(rod.profile, s)
@@ -791,8 +814,10 @@ PROFILE_SHARE = 1e-6
 
 
 def as_bent(rod: Rod) -> Rod:
-    """Return the rod with the stiffness of its section in the present shape, and with the law of the material
-    only."""
+    """Return the rod with the stiffness of its sections in the present shape.
+
+    Its law is then that of the material only.
+    """
     law = rod.law
     if not isinstance(law, CurlingLaw):
         return rod

@@ -1,4 +1,4 @@
-"""Discrete rod as a system of equations: its data, its unknowns, and the `Rod` of a solution."""
+"""Equations of a discrete rod: its data, its unknowns, and the `Rod` of a solution."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -28,14 +28,20 @@ ROUNDED_IMBALANCE = (
 
 
 class Step(NamedTuple):
-    """Change of the unknowns: edge angles (n,), rad, and reactions (p,), 1/mm2, with those of the elements."""
+    """Change of the unknowns of a discrete rod.
+
+    The unknowns are the edge angles (n,), rad, and the reactions of supports and elements (p,), 1/mm2.
+    """
 
     angles: FloatArray
     reactions: FloatArray
 
 
 class Residual(NamedTuple):
-    """Moment imbalance of the edges (n,), 1/mm, and errors of the end positions (p,), mm, and of the elements."""
+    """Residuals of a discrete rod, which are zero in equilibrium.
+
+    They are the moment imbalance of the edges (n,), 1/mm, and the position errors of ends and elements (p,), mm.
+    """
 
     imbalance: FloatArray
     miss: FloatArray
@@ -48,26 +54,26 @@ class RodSystem:
     Attributes
     ----------
     stiffness : (n+1,) array
-        K at the nodes.
+        Relative stiffness K at the nodes.
     edge_length : float
-        mm.
+        Length of an edge, mm.
     load : (n+1, 2) array
         Weight of each node over the least bending stiffness, 1/mm2.
     natural_curvature : float or (n+1,) array
-        1/mm.
+        Curvature kappa_0 of the unloaded rod, 1/mm.
     supports : Supports
     start, end : (2,) arrays
-        Positions of the ends, mm; free coordinates are not used.
+        Positions of the ends, mm; coordinates that are free are ignored.
     end_angles : (2,) array
-        alpha_0 and alpha_l, rad; free angles are not used.
+        Angles of the tangent at start and end, rad; angles that are free are ignored.
     force : (2,) array
         Dead force, 1/mm2; each component acts at the end where its coordinate is free.
     moments : (2,) array
-        Counterclockwise moments applied at the start and at the end if the angle is free, 1/mm.
+        Counterclockwise moments, 1/mm, applied at the start and at the end if the angle is free.
     law : MaterialLaw, optional
-        M = K m(kappa - kappa_0) instead of K (kappa - kappa_0).
+        Material law for the moment K m(kappa - kappa_0) instead of K (kappa - kappa_0).
     actions : tuple of ElementForce
-        Mounted elements that act between the ends, with first values of their forces.
+        Mounted elements that act between the ends, with initial values of their forces.
     """
 
     stiffness: FloatArray
@@ -85,7 +91,7 @@ class RodSystem:
 
     @property
     def edges(self) -> int:
-        """Number of edges n."""
+        """Number of edges."""
         return self.stiffness.size - 1
 
     @property
@@ -95,7 +101,7 @@ class RodSystem:
 
     @cached_property
     def node_lengths(self) -> FloatArray:
-        """Voronoi lengths of the nodes, mm."""
+        """Voronoi lengths of the nodes, mm: half the sum of the incident edge lengths."""
         return node_weights(self.edge_length, self.edges)
 
     @cached_property
@@ -114,13 +120,13 @@ class RodSystem:
 
     @cached_property
     def given_force(self) -> FloatArray:
-        """lambda of the edges (n, 2) without the reactions, 1/mm2."""
+        """Force of the edges (n, 2) that loads alone cause, without the reactions, 1/mm2."""
         first = np.zeros(2)
         start = self.supports.ends[0]
         for i, held_at_start in enumerate((start.x, start.y)):
             if i in self.held:
                 continue
-            # lambda of the last edge carries the weight of the last node and the dead force
+            # the force in the last edge carries the weight of the last node and the dead force
             if held_at_start:
                 first[i] = -self.force[i] - self.load[1:, i].sum()
             else:
@@ -129,7 +135,7 @@ class RodSystem:
 
     @cached_property
     def chord(self) -> FloatArray:
-        """Distance from start to end along the coordinates held at both ends (p,), mm."""
+        """Coordinates (p,), mm, of the end relative to the start, for the coordinates that both ends hold."""
         return np.array([self.end[i] - self.start[i] for i in self.held])
 
     @cached_property
@@ -144,9 +150,9 @@ class RodSystem:
         )  # fmt: skip
 
     def state(self, angles: FloatArray, reactions: FloatArray | None = None) -> "RodState":
-        """Return the state of edge angles (n,), rad, and support reactions (p,), 1/mm2 (by default 0).
+        """Return the state with edge angles (n,), rad, and support reactions (p,), 1/mm2, which are 0 by default.
 
-        The reactions may include the unknowns of the elements; by default they have their first values.
+        The reactions may include the unknowns of the elements; by default these have their initial values.
         """
         if reactions is None:
             reactions = np.zeros(len(self.held))
@@ -171,8 +177,8 @@ class RodState:
     angles : (n,) array
         Edge angles, rad.
     reactions : (p,) array
-        Contributions of both supports to lambda along the coordinates that both ends hold, 1/mm2, and the unknowns
-        of the elements.
+        Contributions of both supports to the force in the edges along the coordinates that both ends hold, 1/mm2.
+        The unknowns of the elements follow.
     """
 
     system: RodSystem
@@ -186,12 +192,12 @@ class RodState:
         )
 
     def under(self, system: RodSystem) -> "RodState":
-        """Return these angles and reactions as a state of another system."""
+        """Return the same angles and reactions as a state of another system."""
         return self if system is self.system else RodState(system, self.angles, self.reactions)
 
     @cached_property
     def discrete(self) -> DiscreteRod:
-        """Rod of this shape, with its tangent stiffness and its edge forces."""
+        """Discrete rod of this state, with its tangent stiffness and its edge forces."""
         system, force = self.system, self.system.given_force.copy()
         for i, value in zip(system.held, self.reactions, strict=False):
             force[:, i] += value
@@ -215,18 +221,16 @@ class RodState:
 
     @property
     def _numbers(self) -> FloatArray:
-        """Unknowns of the elements."""
         return self.reactions[len(self.system.held) :]
 
     @cached_property
     def _equations(self) -> ElementEquations | None:
-        """Equations of the elements."""
         elements = self.system.elements
         return None if elements is None else elements.equations(tangents(self.angles), self._numbers)
 
     @cached_property
     def actions(self) -> tuple[ElementForce, ...]:
-        """Elements that act, with their forces and stations."""
+        """Elements that act, with their forces and positions."""
         elements = self.system.elements
         return () if elements is None else elements.solved(self._numbers)
 
@@ -248,12 +252,15 @@ class RodState:
 
     @cached_property
     def places(self) -> FloatArray:
-        """True for the errors of positions (p,) in `residual.miss`."""
+        """True for entries of `residual.miss` (p,) that are position errors."""
         held = np.ones(len(self.system.held), dtype=bool)
         return held if self._equations is None else np.concatenate([held, self._equations.places])
 
     def missed(self, miss: FloatArray) -> float:
-        """Return the largest error of a position over the length, or of a force over the moments' size."""
+        """Return the largest relative error in `miss`.
+
+        Position errors are relative to the length, force errors to the size of the moments.
+        """
         length = self.system.length
         if self._equations is None:
             return float(np.abs(miss).max(initial=0.0)) / length
@@ -262,7 +269,7 @@ class RodState:
 
     @cached_property
     def moments(self) -> FloatArray:
-        """M of the nodes (n+1,), 1/mm."""
+        """Bending moments of the nodes (n+1,), 1/mm."""
         system, hooke = self.system, self._hooke_moments
         if system.law is None:
             return hooke
@@ -274,7 +281,7 @@ class RodState:
 
     @cached_property
     def _hooke_moments(self) -> FloatArray:
-        """K (kappa - kappa_0) of the nodes (n+1,), 1/mm, and the given moments at ends free to turn."""
+        """Moments of the nodes (n+1,), 1/mm, by Hooke's law, and applied moments at ends that are free to turn."""
         system = self.system
         return bending_moments(
             system.stiffness, self.angles, system.node_lengths, ends=system.held_angles,
@@ -284,14 +291,14 @@ class RodState:
 
     @cached_property
     def _lawful(self) -> tuple[FloatArray, FloatArray]:
-        """Effective curvature of the nodes (n+1,), 1/mm, by the law, and its slope (n+1,)."""
+        """Effective curvature of the nodes (n+1,), 1/mm, by the material law, and its derivative (n+1,)."""
         system = self.system
         change = self._hooke_moments / system.stiffness
         return (change, np.ones_like(change)) if system.law is None else system.law.with_slope(change)
 
     @cached_property
     def residual(self) -> Residual:
-        """Imbalance of moments and errors of the end positions."""
+        """Imbalance of moments, and position errors of ends and elements."""
         system, rod = self.system, self.discrete
         reach = system.edge_length * rod.tangents.sum(axis=0)
         miss = np.array([reach[i] for i in system.held]) - system.chord
@@ -301,7 +308,7 @@ class RodState:
 
     @cached_property
     def energy(self) -> float:
-        """Elastic and potential energy over the least bending stiffness, 1/mm; the reactions are left out."""
+        """Elastic and potential energy over the least bending stiffness, 1/mm, without work of reactions."""
         system = self.system
         change = self._hooke_moments / system.stiffness
         stored = change**2 / 2 if system.law is None else system.law.energy(change)
@@ -319,19 +326,19 @@ class RodState:
 
     @cached_property
     def scale(self) -> float:
-        """Size of the moments to which an imbalance is compared, 1/mm."""
+        """Order of magnitude of the moments, 1/mm, to which an imbalance is compared."""
         force = np.abs(self.discrete.force).max(initial=0.0)
         return float(max(np.abs(self.moments).max(), force * self.system.length))
 
     @cached_property
     def noise(self) -> float:
-        """Imbalance caused by rounding of the angles, 1/mm."""
+        """Imbalance of moments that rounding errors of the angles cause, 1/mm."""
         turning = 1.0 + float(np.abs(self.angles).max())
         return 8 * ROUNDING * turning * float((self.system.stiffness / self.system.node_lengths).max())
 
     @property
     def imbalance(self) -> float:
-        """Largest moment imbalance over the moments' size; rounding of the angles is not counted."""
+        """Largest imbalance of moments, relative to `scale`, except for rounding errors of the angles."""
         largest, size = float(np.abs(self.residual.imbalance).max()), self.scale
         if largest <= self.noise:
             return min(largest / size, ROUNDED_IMBALANCE) if size > 0 else 0.0
@@ -339,16 +346,16 @@ class RodState:
 
     @property
     def gap(self) -> float:
-        """Error of the positions of ends and elements over the length."""
+        """Largest position error of ends and elements, relative to the length."""
         return self.missed(self.residual.miss)
 
     def rod(self, like: Rod) -> Rod:
-        """Return the `Rod` record of an equilibrium; other fields are those of `like`."""
+        """Return the `Rod` of this equilibrium; other attributes are those of `like`."""
         return replace(like, **self.record)
 
     @property
     def position(self) -> FloatArray:
-        """Nodes (n+1, 2), mm, where the supports hold them."""
+        """Positions of the nodes (n+1, 2), mm, at which the supports hold the rod."""
         system, position = self.system, self.discrete.position.copy()
         start = system.supports.ends[0]
         for i, held_at_start in enumerate((start.x, start.y)):
@@ -359,7 +366,7 @@ class RodState:
 
     @property
     def record(self) -> dict[str, Any]:
-        """Fields of the `Rod` record of this equilibrium, by name, without profile, weight and section."""
+        """Attributes of the `Rod` of this equilibrium, by name, without profile, weight and section."""
         system, edge, n = self.system, self.discrete.force, self.system.edges
         force = np.empty((n + 1, 2))
         force[1:-1] = (edge[:-1] + edge[1:]) / 2
@@ -368,7 +375,8 @@ class RodState:
         change = self._hooke_moments / system.stiffness
         if system.law is not None:
             for node, held in zip((0, -1), system.held_angles, strict=True):
-                if held is None:  # curvature from the applied moment at an end that is free to turn
+                # compute the curvature from the applied moment at an end that is free to turn
+                if held is None:
                     effective = np.zeros_like(change)
                     effective[node] = change[node]
                     change[node] = system.law.curvature(effective)[node]

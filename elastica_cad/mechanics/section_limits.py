@@ -1,4 +1,4 @@
-"""Limits of sections: strain of their layers, and failure of a material above its limits."""
+"""Limits of sections: strain of their layers, and failure of a material beyond its limits."""
 
 from dataclasses import dataclass
 from enum import IntEnum
@@ -12,13 +12,13 @@ from elastica_cad.errors import InputError
 from elastica_cad.mechanics.sheets import Sheet, built_in_figures
 
 STRAIN_SLACK = SEEN_APART
-"""Relative slack of the limit; a curve drawn at the limit deviates less after a spline is fitted."""
+"""Relative tolerance of the strain limit; a curve at the limit deviates less after a spline is fitted."""
 
 BRITTLE_FACTOR = 1.5
 """Estimated breaking strain of wood and brittle plastics, as a multiple of the largest long-term strain."""
 
 BRITTLE = ("plywood", "wood", "veneer", "board", "composite", "brittle plastic")
-"""Kinds of sheets with the factor `BRITTLE_FACTOR`."""
+"""Kinds of sheets whose breaking strain is estimated with `BRITTLE_FACTOR`."""
 
 CRACKS = "it may crack there"
 KEEPS_BEND = "it keeps a bend from there"
@@ -29,11 +29,11 @@ OUTCOMES = {
     **dict.fromkeys(("card", "paper", "metal"), KEEPS_BEND),
     "plastic": CREEPS,
 }
-"""Behaviour beyond the limit, by kind of sheet."""
+"""Behaviour of a sheet beyond its strain limit, by kind of sheet."""
 
 
 class StrainState(IntEnum):
-    """Results of the strain rule, the worst last."""
+    """Results of a comparison of a strain with the limit of the sheet, the worst last."""
 
     ALLOWED = 0
     WARNED = 1
@@ -42,18 +42,18 @@ class StrainState(IntEnum):
 
 @dataclass(frozen=True)
 class StrainVerdict:
-    """Verdict of the strain rule on a strain in a sheet.
+    """Result of the comparison of a strain with the limit of the sheet.
 
     Attributes
     ----------
     state : StrainState
-        Allowed up to the limit, warned above it, refused if the sheet breaks, unless limits are ignored.
+        Allowed up to the limit, warned above it, and refused if the sheet breaks (unless limits are ignored).
     used : float
-        Strain over the limit.
+        Ratio of the strain to the limit.
     at : float or None
-        Place along the strip, mm.
+        Arc length of the strain along the strip, mm.
     outcome : str
-        Behaviour of the material there; empty within the limit.
+        Behaviour of the material at this strain; empty within the limit.
     """
 
     state: StrainState
@@ -73,22 +73,24 @@ class StrainVerdict:
 
     @property
     def percent(self) -> int:
-        """Strain in percent of the limit, rounded such that it is above 100 exactly when the strain is above
-        the limit."""
+        """Strain in percent of the limit.
+
+        It is rounded such that it is above 100 exactly if the strain is above the limit.
+        """
         percent = round(100 * self.used)
         return min(percent, 100) if self.allowed else max(percent, 101)
 
 
 def judge_strain(sheet: Sheet, strain: float, at: float | None = None) -> StrainVerdict:
-    """Return the verdict on the strain of the outermost fibre of a sheet.
+    """Return the result of comparing the strain of the outermost fibre of a sheet with its limit.
 
     Parameters
     ----------
     sheet : Sheet
     strain : float
-        Dimensionless.
+        Strain of the outermost fibre, dimensionless.
     at : float, optional
-        Place of the strain along the strip, mm.
+        Arc length of the strain along the strip, mm.
 
     Examples
     --------
@@ -108,7 +110,7 @@ def judge_strain(sheet: Sheet, strain: float, at: float | None = None) -> Strain
 
 
 def breaking_strain(sheet: Sheet) -> float | None:
-    """Return the breaking strain of a sheet, estimated for brittle kinds, or None if it is unknown."""
+    """Return the breaking strain of a sheet (estimated for brittle kinds), or None if it is unknown."""
     known = sheet.break_strain
     if known is not None and known > sheet.max_strain:
         return known
@@ -116,7 +118,7 @@ def breaking_strain(sheet: Sheet) -> float | None:
 
 
 def thinner_for(sheet: Sheet, strain: float) -> float | None:
-    """Return the largest smaller thickness on sale, mm, that withstands the same curve, or None.
+    """Return the largest smaller thickness of this sheet on sale, mm, that withstands the same curve, or None.
 
     Examples
     --------
@@ -135,7 +137,7 @@ def thinner_for(sheet: Sheet, strain: float) -> float | None:
 
 
 LIMIT_SLACK = 1e-9
-"""Relative slack on limits that a design may touch."""
+"""Relative tolerance of limits that a design may reach."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,7 +148,7 @@ class LayerStrain:
     ----------
     sheet : Sheet
     strain : (n,) array
-        Distance from the neutral axis times |kappa - kappa_0|; 0 at stations without the layer.
+        Distance from the neutral axis times the absolute change of curvature; 0 at stations without the layer.
     """
 
     sheet: Sheet
@@ -169,24 +171,25 @@ class LayerStrain:
 
     @property
     def station(self) -> int:
-        """Index of the largest strain."""
+        """Index of the station with the largest strain."""
         return int(np.argmax(self.strain))
 
     def judged(self, at: float | None = None) -> StrainVerdict:
-        """Apply the strain rule to the largest strain, at arc length `at`, mm."""
+        """Compare the largest strain, at arc length `at`, mm, with the limit of the sheet."""
         return judge_strain(self.sheet, self.largest, at)
 
 
 @dataclass(frozen=True)
 class ScaleRange:
-    """Scales c for which E I = c K can be built inside a given outer width (paper, section 8.1).
+    """Scales c for which the bending stiffness c K can be built inside a given outer width (paper, section 8.1).
 
     Attributes
     ----------
     lowest, highest : float
-        max c_min and min c_max over the stations, N mm2 (with min K = 1, c is the least bending stiffness).
+        Limits of the scale, N mm2: the largest of the lower limits and the least of the upper limits of all
+        stations. If the least relative stiffness K is 1, c is the least bending stiffness.
     lowest_at, highest_at : int
-        Stations that decide them.
+        Indices of the stations that determine these limits.
     """
 
     lowest: float
@@ -196,7 +199,7 @@ class ScaleRange:
 
     @classmethod
     def of(cls, least: ArrayLike, most: ArrayLike, stiffness: ArrayLike) -> "ScaleRange":
-        """Return the range from the least and largest E I (n,), N mm2, of the stations, and K (n,)."""
+        """Return the range from least and largest E I (n,), N mm2, and relative stiffness (n,) of the stations."""
         K = positive(stiffness, "stiffness")
         low_EI, high_EI, K = matched(
             numbers(least, "least bending stiffness"), numbers(most, "most bending stiffness"), K
@@ -209,17 +212,17 @@ class ScaleRange:
 
     @property
     def feasible(self) -> bool:
-        """True if the stiffness can be built."""
+        """True if at least one scale can be built."""
         return self.lowest <= self.highest * (1 + LIMIT_SLACK)
 
     @property
     def scale(self) -> float:
-        """Choice of the paper, c = min c_max: as much added material as the outer width allows.
+        """Largest scale that can be built, as in the paper: as much added material as the outer width allows.
 
         Raises
         ------
         InputError
-            No scale fits; the message names the conflicting stations.
+            No scale can be built; the message states the conflicting stations.
         """
         if not self.feasible:
             raise InputError(
@@ -232,7 +235,7 @@ class ScaleRange:
 
 
 def matched(*rows: FloatArray) -> tuple[FloatArray, ...]:
-    """Return rows of equal length; a row of one value is repeated for all stations."""
+    """Return arrays of equal length; an array of one value is repeated for all stations."""
     try:
         return tuple(np.broadcast_arrays(*rows))
     except ValueError:

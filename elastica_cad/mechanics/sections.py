@@ -1,4 +1,4 @@
-"""Plain sections: stiffness, weight and strain of a width, and anticlastic bending."""
+"""Sections of one sheet: stiffness, weight and strain for a given width, and anticlastic bending."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -15,14 +15,18 @@ from elastica_cad.mechanics.stiffness_law import at_stations
 from elastica_cad.refusals import Length as Mm
 
 SECANTS = 12
-"""Largest number of steps of the search for the width of a given bending stiffness."""
+"""Largest number of secant steps in the search for the width of a given bending stiffness."""
 
 SETTLED = 1e-12
-"""Relative error at which a further step reaches rounding accuracy."""
+"""Relative error below which one more step reaches rounding accuracy."""
 
 SLOPES = (0.4, 3.0)
-"""Bounds on the slope of log(stiffness) over log(width). It is up to 1.25 for nu = 0.5 and 2.5 for 0.9, and
-smaller for strips whose natural curvature is flattened."""
+"""Bounds of the slope of log(stiffness) over log(width).
+
+The slope is up to 1.25 for a Poisson's ratio of 0.5 and 2.5 for 0.9. It is smaller for strips whose natural
+curvature
+is flattened.
+"""
 
 
 def anticlastic_factor(
@@ -33,28 +37,31 @@ def anticlastic_factor(
     poisson_ratio: float,
     natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
-    """Return M / (E I (kappa - kappa_0)) of a rectangular strip of constant curvature: 1 to 1/(1 - nu^2).
+    """Return the stiffening of a rectangular strip by anticlastic bending, a factor from 1 to 1/(1 - nu^2).
 
-    A narrow strip curls across by -nu (kappa - kappa_0) and bends with E. In a wide strip the curl is flattened
-    except at its edges, and the strip bends as a plate with E/(1 - nu^2). The factor depends on Searle's number w^2
-    kappa / h of the final curvature; a strip that is bent straight curls freely.
+    The factor is M / (E I (kappa - kappa_0)) for constant curvature kappa, natural curvature kappa_0, moment M
+    and bending stiffness E I. A narrow strip curls across its width by -nu (kappa - kappa_0) and bends with
+    Young's modulus E. A wide strip is flat across except at its edges, and bends as a plate with E/(1 - nu^2).
+    The factor depends on Searle's number w^2 kappa / h for width w and thickness h. A strip that is bent straight
+    curls freely.
 
     Parameters
     ----------
     width, curvature : array_like
-        mm and 1/mm, broadcast. The sign has no effect if the strip is flat before bending.
+        Width, mm, and final curvature, 1/mm, which are broadcast. The sign of the curvature has no effect if the
+        strip is flat before bending.
     thickness : float
-        mm.
+        Thickness of the strip, mm.
     poisson_ratio : float
-        nu, across the strip, from 0 to below 1.
+        Poisson's ratio nu, across the strip, from 0 to below 1.
     natural_curvature : array_like
-        kappa_0, the curvature before bending, 1/mm. If a strip is bent back towards straight and beyond, the factor
-        leaves the above range. It is then limited smoothly to between 1 - nu^2 and (1 + nu^2)/(1 - nu^2).
+        Curvature kappa_0 before bending, 1/mm. If a strip is bent back to straight and beyond, the factor leaves
+        the above range. It is then limited smoothly to values from 1 - nu^2 to (1 + nu^2)/(1 - nu^2).
 
     Returns
     -------
     array
-        Factor on E I, of the broadcast shape.
+        Factor on E I, with the broadcast shape.
 
     Raises
     ------
@@ -63,12 +70,12 @@ def anticlastic_factor(
 
     Notes
     -----
-    Least energy of bending and stretching over the deflection v(y) across the strip, D v'''' + E h kappa^2 v
-    = 0 with v'' = -nu b, b = kappa - kappa_0, v''' = 0 at the edges (Lamb 1891; Searle 1908; Ashwell 1950). With
-    x = (3 (1 - nu^2))^(1/4) (w^2 kappa / h)^(1/2) and f = (cosh x - cos x)/(sinh x + sin x) the energy is
-    D w b^2 g / 2, g = 1 - 2 nu^2 f / x, and the moment its derivative by kappa: (g + (b / kappa) x g'/4) /
-    (1 - nu^2). Curvature that varies within a few widths, and clamps that keep the ends flat, are outside the
-    formula.
+    The deflection v(y) across the strip minimizes the energy of bending and stretching:
+    D v'''' + E h kappa^2 v = 0 with plate stiffness D, v'' = -nu b and v''' = 0 at the edges, where b = kappa -
+    kappa_0 (Lamb 1891; Searle 1908; Ashwell 1950). Let x = (3 (1 - nu^2))^(1/4) (w^2 kappa / h)^(1/2) and f =
+    (cosh x - cos x)/(sinh x + sin x). The energy is D w b^2 g / 2 with g = 1 - 2 nu^2 f / x. The moment is its
+    derivative by kappa, so the factor is (g + (b / kappa) x g'/4) / (1 - nu^2). The formula does not apply to
+    curvature that varies within a few widths, and to clamps that keep the ends flat.
 
     Examples
     --------
@@ -99,8 +106,8 @@ def anticlastic_factor(
 def _kept_of_bent(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
-    """Return the counterpart of `flat` for strips with natural curvature kappa_0 (n,)."""
-    # where kappa is 0, `scaled` is 0, because `flat` vanishes faster than kappa
+    """Return the value that replaces `flat` for strips with natural curvature `rest` (n,)."""
+    # where kappa is 0, `scaled` is 0, because `flat` approaches 0 faster than kappa
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
@@ -110,7 +117,10 @@ def _kept_of_bent(
 
 
 def _eased(excess: FloatArray, room: FloatArray) -> FloatArray:
-    """Limit `excess` smoothly to `room`, unchanged up to half of it, so that widths have no corner."""
+    """Limit `excess` smoothly to `room`.
+
+    It is unchanged up to half of `room`, so that computed widths have no corner.
+    """
     half = room / 2
     late = np.maximum(excess / half - 1, 0)
     return np.asarray(np.minimum(excess, half) - half * np.expm1(-late))
@@ -124,13 +134,9 @@ def plate_width(
     poisson_ratio: float,
     natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
-    """Return widths w with w `anticlastic_factor`(w, curvature) = `effective`, the width of equal stiffness without
-    the plate effect.
+    """Return the widths of strips whose stiffness equals that of narrow strips of width `effective`.
 
-    Examples
-    --------
-    >>> round(plate_width(1000.0, 0.01, thickness=1.0, poisson_ratio=0.3).item(), 1)
-    911.1
+    The result w satisfies w `anticlastic_factor`(w, curvature) = `effective`.
     """
     h, nu = _checked(thickness, poisson_ratio)
     aim, kappa, rest = np.broadcast_arrays(
@@ -166,9 +172,9 @@ class SheetCurl:
     thickness : float
         Thickness of the sheet, mm.
     poisson_ratio : float
-        nu of the sheet, dimensionless.
+        Poisson's ratio of the sheet, dimensionless.
     natural_curvature : float or (n,) array
-        kappa_0, 1/mm.
+        Curvature before bending, 1/mm.
 
     Examples
     --------
@@ -183,14 +189,14 @@ class SheetCurl:
     natural_curvature: float | FloatArray = 0.0
 
     def __call__(self, curvature: FloatArray) -> FloatArray:
-        """Return the factors of the stations (..., n) at their curvatures (..., n), 1/mm."""
+        """Return the factors of the stations (..., n) for their curvatures (..., n), 1/mm."""
         return anticlastic_factor(
             self.width, curvature, thickness=self.thickness, poisson_ratio=self.poisson_ratio,
             natural_curvature=self.natural_curvature,
         )  # fmt: skip
 
     def stiffened(self, times: FloatArray, curvature: FloatArray) -> "SheetCurl":
-        """Return the curl of a strip that is stiffer by the factor `times` (n,), bent to curvatures (n,), 1/mm."""
+        """Return the object for a strip that is stiffer by factors `times` (n,) at curvatures (n,), 1/mm."""
         width = plate_width(
             times * self.width * self(curvature), curvature, thickness=self.thickness,
             poisson_ratio=self.poisson_ratio, natural_curvature=self.natural_curvature,
@@ -198,7 +204,7 @@ class SheetCurl:
         return replace(self, width=width)
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "SheetCurl":
-        """Interpolate from stations `s` (n,) to stations `at` (m,), mm."""
+        """Return the object for stations `at` (m,), mm, by interpolation between stations `s` (n,), mm."""
         rest = at_stations(self.natural_curvature, s, at)
         return replace(self, width=np.interp(at, s, self.width), natural_curvature=rest)
 
@@ -211,14 +217,17 @@ def _checked(thickness: float, poisson_ratio: float) -> tuple[float, float]:
 
 
 def _curl(x: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return f/x and its derivative, f = (cosh x - cos x)/(sinh x + sin x); a series below 0.3."""
+    """Return f/x and its derivative for f = (cosh x - cos x)/(sinh x + sin x).
+
+    A series replaces the formula below x = 0.3.
+    """
     is_small = x < 0.3
     y = np.where(is_small, 1.0, x)
     decay = np.exp(-y)
     squared, swing = decay**2, 2 * decay * np.cos(y)
     bottom = 1 - squared + 2 * decay * np.sin(y)
     f = (1 + squared - swing) / bottom
-    # (cosh - cos)' = sinh + sin is the denominator itself, whose derivative is cosh + cos
+    # the derivative of cosh - cos is sinh + sin, the denominator, whose derivative is cosh + cos
     slope = 1 - f * (1 + squared + swing) / bottom
     share = f / y
     curl, curl_slope = np.asarray(share), np.asarray((slope - share) / y)
@@ -229,30 +238,34 @@ def _curl(x: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
-    """Return k for the length l = k depth^2 / width of a bent strip that stores the energy released by a cut.
+    """Return the coefficient k for the energy that a cut from the edge of a bent strip releases.
 
-    A sheet without grain: k = pi (1 + nu) / (3 + nu). A through crack of length 2 a in a thin plate with the skin
-    stress sigma releases the energy pi (1 + nu) / (3 (3 + nu)) sigma^2 a^2 h / E (Sih, Paris and Erdogan, J. Appl.
-    Mech. 29, 1962; Hui and Zehnder, Int. J. Fracture 61, 1993). A cut from the edge releases half of this energy,
-    if the other edge is far. A strip of width w stores sigma^2 w h / (6 E) in each unit of its length.
+    The released energy equals the bending energy of a strip of length l = k depth^2 / width.
 
-    A sheet with grain: on the line of a crack across the strip the shear force is 0 by symmetry. Moment and slope
-    of a Kirchhoff half-plane there are M = Z |k| theta for waves exp(i k y), and the energy follows 1 / Z. With
-    E2 / E = r^2, g = G / E and nu the geometric mean of both ratios,
-    k = pi / 2 sqrt(2 (1 + nu) r + 4 (1 - nu^2) g) / (r + 4 g). E2 across the strip is seldom published. It is
-    assumed to be smaller than E in the same ratio as G is smaller than the G of a sheet without grain.
+    For a sheet without grain, k = pi (1 + nu) / (3 + nu). A through crack of length 2 a in a thin plate of
+    thickness h with the surface stress sigma releases the energy pi (1 + nu) / (3 (3 + nu)) sigma^2 a^2 h / E
+    (Sih, Paris and Erdogan, J. Appl. Mech. 29, 1962; Hui and Zehnder, Int. J. Fracture 61, 1993). A cut from the
+    edge releases half of this energy if the other edge is far away. A strip of width w stores the energy sigma^2
+    w h / (6 E) per length.
+
+    In a sheet with grain, the shear force on the line of a crack across the strip is 0 by symmetry. There the
+    moment M and slope theta of a Kirchhoff half-plane satisfy M = Z |m| theta for waves exp(i m y), and the
+    energy is proportional to 1 / Z. For moduli E along and E2 = r^2 E across the strip, shear modulus G = g E,
+    and nu the geometric mean of both Poisson's ratios, k = pi / 2 sqrt(2 (1 + nu) r + 4 (1 - nu^2) g) / (r + 4
+    g). E2 is seldom published. It is assumed that the ratio of E2 to E equals the ratio of G to the shear modulus
+    of a sheet without grain.
 
     Parameters
     ----------
     poisson_ratio : float
-        Dimensionless.
+        Poisson's ratio nu, dimensionless.
     grain : float
-        sqrt(E / G) of the sheet over sqrt(E / G) of a sheet without grain.
+        Ratio of sqrt(E / G) of the sheet to sqrt(E / G) of a sheet without grain.
 
     Raises
     ------
     InputError
-        The ratio is outside 0 to 0.5.
+        Poisson's ratio is not from 0 to 0.5, or `grain` is not positive.
 
     Examples
     --------
@@ -269,7 +282,7 @@ def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
 
 @dataclass(frozen=True)
 class PlainSection:
-    """Solid rectangle of a sheet: E I = w E h^3 / 12 (paper, section 8.1).
+    """Solid rectangular section of a sheet: E I = w E h^3 / 12 for width w, thickness h (paper, section 8.1).
 
     Examples
     --------
@@ -282,11 +295,11 @@ class PlainSection:
 
     @property
     def rigidity(self) -> float:
-        """E I per mm of width, N mm."""
+        """Bending stiffness per mm of width, N mm."""
         return self.sheet.bending_stiffness(1.0)
 
     def bending_stiffness(self, width: ArrayLike) -> FloatArray:
-        """Return E I (n,), N mm2, of widths (n,), mm."""
+        """Return E I (n,), N mm2, for widths (n,), mm."""
         return self.rigidity * positive(width, "width")
 
     def width(self, bending_stiffness: ArrayLike) -> FloatArray:
@@ -294,20 +307,20 @@ class PlainSection:
         return positive(bending_stiffness, "bending stiffness") / self.rigidity
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the width, as the parameter of a `StiffnessLaw`."""
+        """Return the width (n,), mm, for E I (n,), N mm2; see `StiffnessLaw.parameter`."""
         return self.width(bending_stiffness)
 
     def weight_per_length(self, width: ArrayLike) -> FloatArray:
-        """Return the weights, N/mm (n,), of widths (n,), mm."""
+        """Return the weights per length (n,), N/mm, for widths (n,), mm."""
         return areal_weight(self.sheet) * positive(width, "width")
 
     def weight(self, bending_stiffness: float) -> Weight:
-        """Return the weight law: beta K with beta = 12 rho g B / (E h^2), whatever the profile.
+        """Return the weight per length, which is proportional to the relative stiffness K of every width profile.
 
         Parameters
         ----------
         bending_stiffness : float
-            B, N mm2, the E I where K = 1.
+            E I where K = 1, N mm2.
         """
         return Weight(beta=areal_weight(self.sheet) * float(self.width(bending_stiffness)))
 
@@ -318,19 +331,19 @@ class PlainSection:
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, ...]:
-        """Return the skin strain h/2 |kappa - kappa_0| for curvatures (n,), 1/mm; there is a single layer."""
+        """Return the surface strain h/2 |kappa - kappa_0| for curvatures (n,), 1/mm, as that of a single layer."""
         kappa, rest = alike(curvature=curvature, natural_curvature=natural_curvature)
         bend = np.abs(kappa - rest)
         return (layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
 
     @property
     def curvature_limit(self) -> float:
-        """Largest |kappa - kappa_0| of the sheet, 1/mm: the inverse of the least cold-bend radius."""
+        """Largest change of curvature of the sheet, 1/mm: the inverse of its least radius of cold bending."""
         return 2 * self.sheet.max_strain / self.sheet.thickness
 
 
 WIDTH_SHARE = 1e-6
-"""Relative excess over the least width, so that the width of a rod is not below it by rounding."""
+"""Relative excess over the least width, so that rounding errors do not make a strip narrower than this width."""
 
 
 @dataclass(frozen=True)
@@ -341,9 +354,9 @@ class WidthRange:
     ----------
     sheet : Sheet
     least : float
-        Least width, mm; 0 for none.
+        Least width, mm; 0 for no limit.
     largest : float or None
-        Width of the widest place, mm. None if the narrowest place has the least width instead.
+        Width at the widest station, mm. None if the width at the narrowest station is the least width instead.
     """
 
     sheet: Sheet
@@ -352,7 +365,7 @@ class WidthRange:
 
     @property
     def stiffness(self) -> dict[str, float]:
-        """Arguments of `optimal_rod` for these widths, N mm2."""
+        """Arguments of `optimal_rod` that correspond to these widths, N mm2."""
         rigidity = PlainSection(self.sheet).rigidity
         if self.largest is None:
             return {"bending_stiffness": rigidity * self.least * (1 + WIDTH_SHARE)}
@@ -362,10 +375,10 @@ class WidthRange:
 
 @dataclass(frozen=True)
 class PerforatedSection(PlainSection):
-    """Sheet with holes: the ligaments at a station act like a strip of their total width.
+    """Section of a sheet with holes: the ligaments at a station act like a strip of their total width.
 
-    `width` is the total width of the ligaments. The weight is proportional to K as for a plain strip, whatever the
-    outer width.
+    `width` is the total width of the ligaments. The weight is proportional to the stiffness, and independent of
+    the outer width.
 
     Parameters
     ----------
@@ -374,7 +387,7 @@ class PerforatedSection(PlainSection):
     ligaments : int
         Number of ligaments side by side.
     least_ligament : float
-        Least width of a ligament that does not burn or tear away, mm.
+        Least width, mm, at which a ligament does not burn or break during cutting.
     """
 
     ligaments: int = 2
@@ -389,24 +402,27 @@ class PerforatedSection(PlainSection):
             raise InputError(f"least ligament is {self.least_ligament!r}: give 0 or more, in mm")
 
     def scale_range(self, outer_width: ArrayLike, stiffness: ArrayLike) -> ScaleRange:
-        """Return scales for which the ligaments fit the outer width (n,), mm, and are wide enough; K is (n,)."""
+        """Return scales for which the ligaments fit into the outer width (n,), mm, and are wide enough.
+
+        `stiffness` is the relative stiffness (n,).
+        """
         least = self.rigidity * self.ligaments * self.least_ligament
         return ScaleRange.of(least, self.bending_stiffness(outer_width), stiffness)
 
 
 @dataclass(frozen=True, eq=False)
 class WidthLaw:
-    """Strip of a sheet: narrow strips bend with E, wide strips as plates with E/(1 - nu^2).
+    """Stiffness law of a strip of one sheet: narrow strips bend with E, wide strips as plates with E/(1 - nu^2).
 
-    The weight is that of the sheet and not proportional to the stiffness; see `anticlastic_factor`.
+    The weight is not proportional to the stiffness; see `anticlastic_factor`.
 
     Parameters
     ----------
     sheet : Sheet
     least, largest : float
-        Limits of the width, mm; 0 for no least width, infinity for no largest width.
+        Limits of the width, mm; 0 means no least width, infinity no largest width.
     curvature, natural_curvature : float or (n,) array
-        kappa and kappa_0 of the stations, 1/mm; set by `bent`.
+        Curvature and natural curvature of the stations, 1/mm; set by `bent`.
 
     Examples
     --------
@@ -432,13 +448,13 @@ class WidthLaw:
 
     @classmethod
     def as_plate(cls, sheet: Sheet, largest: float | None) -> "WidthLaw | None":
-        """Return the law of a strip of constant width, or None if its stiffening by bending is unknown or zero."""
+        """Return the law for widths up to `largest`, or None if a width or the plate effect is unknown or zero."""
         known = largest is not None and sheet.poisson_known and sheet.poisson_ratio > 0
         return cls(sheet, 0.0, largest) if largest is not None and known else None
 
     @property
     def quantity(self) -> str:
-        """Width."""
+        """Name of the parameter: width."""
         return "width"
 
     @property
@@ -448,25 +464,28 @@ class WidthLaw:
 
     @property
     def follows_bend(self) -> bool:
-        """True, because a larger part of the width bends as a plate as the curvature grows."""
+        """True, because a larger part of the width bends as a plate if the curvature increases."""
         return True
 
     @property
     def stack(self) -> None:
-        """Always None: the section is a single piece."""
+        """Stack of glued plies; None, because the section is a single piece."""
         return None
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> "WidthLaw":
-        """Return the law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0 (n,) or a number, 1/mm."""
+        """Return the law at stations that are bent by `curvature` (n,), 1/mm.
+
+        The bend starts from the natural curvature `rest`, a number or (n,), 1/mm.
+        """
         bend, before = alike(curvature=curvature, rest=rest)
         return replace(self, curvature=bend + before, natural_curvature=before)
 
     def curl(self, parameter: FloatArray) -> SheetCurl | None:
-        """Return the effect of bending on the stiffness of widths (n,), mm, or None without a Poisson ratio."""
+        """Return the effect of bending on the stiffness of widths (n,), mm, or None if Poisson's ratio is 0."""
         return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
-        """Return E I (n,), N mm2, of widths (n,), mm, including the plate effect."""
+        """Return E I (n,), N mm2, for widths (n,), mm, including the plate effect."""
         w = positive(parameter, self.quantity)
         return np.asarray(
             self.sheet.bending_stiffness(1.0) * w * anticlastic_factor(w, self.curvature, **self._plate)
@@ -478,7 +497,7 @@ class WidthLaw:
         return plate_width(EI / self.sheet.bending_stiffness(1.0), self.curvature, **self._plate)
 
     def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
-        """Return the weights, N/mm (n,), of widths (n,), mm."""
+        """Return the weights per length (n,), N/mm, for widths (n,), mm."""
         return areal_weight(self.sheet) * positive(parameter, self.quantity)
 
     def strains(
@@ -488,7 +507,7 @@ class WidthLaw:
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, ...]:
-        """Return the skin strain h/2 |kappa - kappa_0|, whatever the width."""
+        """Return the surface strain h/2 |kappa - kappa_0|, which does not depend on the width."""
         return PlainSection(self.sheet).strains(curvature, natural_curvature=natural_curvature)
 
     @property
@@ -501,11 +520,13 @@ class WidthLaw:
 
 
 def areal_weight(sheet: Sheet) -> float:
-    """Return rho g h, N/mm2."""
+    """Return the weight per area, density * gravity * thickness, N/mm2."""
     return sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2 * sheet.thickness
 
 
 def layer_strain(sheet: Sheet, distance: FloatArray, bend: FloatArray) -> LayerStrain:
-    """Return the strain of a fibre at `distance` (n,), mm, from the neutral axis for kappa - kappa_0 = `bend` (n,),
-    1/mm."""
+    """Return the strain of fibres at `distance` (n,), mm, from the neutral axis.
+
+    `bend` (n,) is the change of curvature, 1/mm.
+    """
     return LayerStrain(sheet, np.atleast_1d(distance * bend))

@@ -1,4 +1,4 @@
-"""Sheets of material: the record, the library, and which sheets bend as far as a curve."""
+"""Sheets of material: their data, the library of sheets, and the sheets that withstand the bend of a curve."""
 
 import os
 import sys
@@ -27,7 +27,7 @@ from elastica_cad.refusals import note
 SCHEMA = 1
 
 NOMINAL_KEY = "nominal_poisson_ratio"
-"""Key of a Poisson ratio that is not measured for this sheet."""
+"""Key of a Poisson's ratio that was not measured for this sheet."""
 
 UNITS = {
     "thickness": "mm",
@@ -36,16 +36,16 @@ UNITS = {
     "max_strain": "parts of the length (0.01 = 1 %)",
     "kerf": "mm",
 }
-"""Units of the figures that every sheet has."""
+"""Units of the properties that every sheet has."""
 
 OPTIONAL_UNITS = {
     "shear_modulus": "MPa",
     "break_strain": UNITS["max_strain"],
     **dict.fromkeys(("least_width", "least_ligament", "least_bridge"), "mm"),
 }
-"""Units of the figures that a sheet may have."""
+"""Units of the optional properties of a sheet."""
 
-# key -> (lowest value, highest value of any sheet, description of the unit)
+# key -> lowest value of any sheet, highest value, description of the unit
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {
     "thickness_mm": (1e-3, 1e3, "millimetres: 0.8 for a 0.8 mm sheet"),
     "youngs_modulus_MPa": (0.1, 1.5e6, "N/mm2: 9000 for 9 GPa"),
@@ -62,7 +62,10 @@ PLAUSIBLE: dict[str, tuple[float, float, str]] = {
 
 
 def plausible_number(value: object, key: str, where: str, name: str | None = None) -> float:
-    """Return the number, or refuse it if it must be in a wrong unit; the message has `name` in place of the key."""
+    """Return the number, or refuse it if it is so small or large that its unit must be wrong.
+
+    The message contains `name` instead of the key, if a name is given.
+    """
     number = _finite_number(value, f"{where}: {key}")
     low, high, hint = PLAUSIBLE.get(key.replace("_range", ""), (float("-inf"), float("inf"), ""))
     if not low <= number <= high and number > 0:
@@ -77,7 +80,7 @@ def plausible_number(value: object, key: str, where: str, name: str | None = Non
 
 
 def _advise_key(key: str) -> str:
-    """Suggest the known key that is nearest to an unknown key."""
+    """Return an advice that names the known key nearest to an unknown key."""
     keys = sheet_keys()
     for known, entry in keys.items():
         stem = entry.name
@@ -104,7 +107,7 @@ def require_printable(text: str, where: str) -> str:
 
 
 def even_shear_ratio(poisson_ratio: float) -> float:
-    """Return G / E of a sheet without grain, 1 / (2 (1 + nu))."""
+    """Return G / E of a sheet without grain, 1 / (2 (1 + nu)), with Poisson's ratio nu."""
     return 1 / (2 * (1 + poisson_ratio))
 
 
@@ -122,23 +125,23 @@ def _finite_number(value: Any, where: str) -> float:
 
 
 def toml_text(text: str) -> str:
-    """Return a TOML basic string."""
+    """Return the text as a basic string of TOML."""
     import json
 
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
 def _toml_value(value: str | float | tuple[float, float]) -> str:
-    """Write the value of a key as TOML: a text, a number or a range."""
+    """Return the value of a key as TOML: a text, a number or a range."""
     if isinstance(value, tuple):
         return f"[{value[0]!r}, {value[1]!r}]"
     return toml_text(value) if isinstance(value, str) else repr(float(value))
 
 
 class NominalRatio(float):
-    """Poisson's ratio for estimates, but not for widths, because it is not measured.
+    """Poisson's ratio that was not measured; it is used for estimates, but not for widths.
 
-    It is a float that stays nominal in `dataclasses.replace`, copies, pickles and files of sheets.
+    It is a float that remains a `NominalRatio` in `dataclasses.replace`, copies, pickles and files of sheets.
 
     Examples
     --------
@@ -153,11 +156,11 @@ class NominalRatio(float):
 
 
 USUAL_RATIO = NominalRatio(0.3)
-"""Poisson ratio of a sheet that gives none."""
+"""Poisson's ratio of a sheet for which no ratio is given."""
 
 
 def _checked_poisson_ratio(value: Any, where: str) -> float:
-    """Return the ratio, nominal if `value` is nominal.
+    """Return Poisson's ratio as a float, or as a `NominalRatio` if `value` is nominal.
 
     Raises
     ------
@@ -171,12 +174,12 @@ def _checked_poisson_ratio(value: Any, where: str) -> float:
 
 
 LIBRARY_VARIABLE = "ELASTICA_SHEETS"
-"""Environment variable that names other folders of sheets, or files, as PATH does."""
+"""Environment variable with folders or files of sheets, separated as in PATH."""
 
-_WORDS = ("kind", "grain")  # keys that are fields of `Sheet` without conversion
+_WORDS = ("kind", "grain")  # keys that are attributes of `Sheet` without conversion
 _LIMITS = ("least_width_mm", "least_ligament_mm", "least_bridge_mm")
 
-# key in the file -> field of `Sheet`, name of its source
+# key in the file -> attribute of `Sheet`, name of its source
 _FIGURES = {
     "thickness_mm": ("thickness", "thickness"),
     "youngs_modulus_MPa": ("youngs_modulus", "E"),
@@ -195,7 +198,7 @@ LARGEST_FILE = 2**20
 
 @lru_cache(maxsize=1)
 def built_in_figures() -> Mapping[str, Mapping[str, Any]]:
-    """Return the fields of each built-in `Sheet` except its name, by name.
+    """Return the attributes of each built-in `Sheet`, without its name, in a mapping by name.
 
     Examples
     --------
@@ -207,7 +210,7 @@ def built_in_figures() -> Mapping[str, Mapping[str, Any]]:
 
 @lru_cache(maxsize=1)
 def built_in_titles() -> Mapping[str, str]:
-    """Return the titles of the built-in sheets, by name.
+    """Return the titles of the built-in sheets in a mapping by name.
 
     Examples
     --------
@@ -219,7 +222,7 @@ def built_in_titles() -> Mapping[str, str]:
 
 @lru_cache(maxsize=1)
 def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
-    """Return name, fields and title of each built-in sheet, in the order of the file."""
+    """Return name, attributes and title of each built-in sheet, in the order of the file."""
     import tomllib
 
     text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
@@ -231,14 +234,14 @@ def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
 
 
 def _title(entry: Mapping[str, Any], fields: Mapping[str, Any]) -> str:
-    """Return the title of a sheet as a record, which front ends translate."""
+    """Return the title of a sheet as a template with values, which front ends translate."""
     if "name" in entry:
         return note(entry["title"])
     return note("{title} {thickness:g} mm", title=entry["title"], thickness=fields["thickness"])
 
 
 def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield name and fields of a sheet for each thickness of an entry."""
+    """Yield name and attributes of a sheet for each thickness of an entry in the file of built-in sheets."""
     thicknesses = entry["thickness_mm"]["value"]
     for i, thickness in enumerate(thicknesses if isinstance(thicknesses, list) else [thicknesses]):
         fields: dict[str, Any] = {key: entry[key] for key in _WORDS if key in entry}
@@ -274,10 +277,11 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
 
 
 def library_folders() -> tuple[Path, ...]:
-    """Return the locations of the sheets of a user: TOML files, or folders of TOML files.
+    """Return the locations of a user's sheets: TOML files, or folders of TOML files.
 
-    Those of the environment variable `ELASTICA_SHEETS`; without it `elastica/sheets` in the folder for settings:
-    `%APPDATA%` on Windows, `~/Library/Application Support` on macOS, `$XDG_CONFIG_HOME` or `~/.config` elsewhere.
+    They are read from the environment variable `ELASTICA_SHEETS`. By default the location is `elastica/sheets` in
+    the settings folder of the user: `%APPDATA%` on Windows, `~/Library/Application Support` on macOS,
+    `$XDG_CONFIG_HOME` or `~/.config` elsewhere.
     """
     named = [part for part in os.environ.get(LIBRARY_VARIABLE, "").split(os.pathsep) if part.strip()]
     if named:
@@ -310,7 +314,7 @@ def _read_table(path: str | Path) -> object:
     Raises
     ------
     InputError
-        No such file, not TOML, or another schema.
+        The file does not exist, is not TOML, or has another schema.
     """
     import tomllib
 
@@ -322,7 +326,7 @@ def _read_table(path: str | Path) -> object:
     try:
         if path.stat().st_size > LARGEST_FILE:
             raise InputError(f"{path} is larger than {LARGEST_FILE // 2**20} MB: name a file of sheets")
-        text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
+        text = path.read_bytes().decode("utf-8-sig")  # with or without a byte order mark
         data = parse_toml(text)
     except RecursionError as error:
         raise InputError(f"{path} nests lists or tables too deeply for a file of sheets") from error
@@ -347,7 +351,7 @@ def _read_table(path: str | Path) -> object:
 
 
 def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
-    """Return the fields of a sheet."""
+    """Return the attributes of a sheet from its table in a file."""
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
         raise InputError(f"{where} must be a table [sheets.{name}], got {quoted(entry)}")
@@ -382,8 +386,8 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
 
 PLYWOOD_SOURCE = "FAA AC 43.13-1B, table 1-2, 10 % moisture, cold mandrels"
 
-# thickness, radius along and across the face grain, inches as published; a strip along the grain bends across the
-# table's mandrel at 90 degrees to it
+# thickness, and least radius along and across the face grain, in inches as published; a strip along the
+# grain bends around the table's mandrel at 90 degrees to the grain
 ROWS_INCH = {
     3: (
         (0.035, 2.0, 1.1), (0.070, 5.2, 3.2), (0.100, 8.6, 5.2), (0.125, 12.0, 7.1), (0.155, 16.0, 10.0),
@@ -394,29 +398,34 @@ ROWS_INCH = {
         (0.375, 54.0, 36.0),
     ),
 }  # fmt: skip
-"""Rows of the table by number of plies."""
+"""Rows of the table, by number of plies."""
 
 SOLD_AS = 0.02
-"""Fraction by which a sheet may be thinner than the first row of its number of plies (0.160 in is sold as 4 mm)."""
+"""Fraction by which a sheet may be thinner than the first row of its number of plies.
+
+For example, plywood of 0.160 in is sold as 4 mm.
+"""
 
 PRINTED_ACCURACY = 0.01
 """Relative accuracy of a radius: the table has two digits, and the largest strain of a sheet is rounded."""
 
 LEAST_MM, LARGEST_MM = 0.7, 9.6
-"""Range of thicknesses for which the rows are used: a sheet of 0.8 mm has the strain of the thinnest row, 0.89
-mm."""
+"""Range of thicknesses, mm, for which the table is used.
+
+A sheet of 0.8 mm gets the strain of the thinnest row, 0.89 mm.
+"""
 
 
 def least_plywood_radius(thickness: float, grain: Literal["along", "across"]) -> float | None:
-    """Return the least radius of a dry, cold bend of aircraft plywood, mm, or None if it was not published.
+    """Return the published least radius of a dry, cold bend of aircraft plywood, mm, or None if there is none.
 
-    Between rows the strain of the skin is interpolated. If the table has plywood of 3 and of 5 plies, the larger
-    radius is used.
+    Between rows of the table the surface strain is interpolated. If the table has plywood of 3 and of 5 plies for
+    this thickness, the larger radius is returned.
 
     Parameters
     ----------
     thickness : float
-        mm.
+        Thickness of the plywood, mm.
     grain : "along" or "across"
         Direction of the strip relative to the face grain.
 
@@ -450,46 +459,46 @@ Range: TypeAlias = tuple[float, float]
 
 @dataclass(frozen=True)
 class Sheet:
-    """Sheet material of a given thickness; all values hold along the strip.
+    """Sheet material of a given thickness; all values apply to the direction along the strip.
 
     Parameters
     ----------
     name : str
         Name of the sheet in reports and file names.
     thickness : float
-        h, mm.
+        Thickness h, mm.
     youngs_modulus : float
-        E in bending along the strip, MPa (N/mm2).
+        Young's modulus E in bending along the strip, MPa (N/mm2).
     density : float
-        rho, kg/m3.
+        Density rho, kg/m3.
     max_strain : float
-        Largest skin strain for permanent use, dimensionless (0.01 = 1 %).
+        Largest surface strain for permanent use, dimensionless (0.01 = 1 %).
     kerf : float
         Width of material that the laser removes, mm; 0 if unknown.
     poisson_ratio : float
-        nu, dimensionless; 0 if the modulus was measured on a wide coupon, as that of a plate. A number counts as
-        known, and widths compensate for it (`poisson_known`). The default value, or a `NominalRatio`, is only used
-        for estimates.
+        Poisson's ratio nu, dimensionless; 0 if the modulus was measured on a wide sample and is that of a plate. A
+        number counts as known (`poisson_known`), and widths are corrected for its effect. The default value, or a
+        `NominalRatio`, is only used for estimates.
     shear_modulus : float, optional
-        Shear modulus G in the plane of the sheet, MPa, which resists twist. By default E / (2 (1 + nu)), as for
-        sheets without grain. G of plywood is much smaller.
+        Shear modulus G in the plane of the sheet, MPa, which determines the torsional stiffness. By default
+        E / (2 (1 + nu)), as for sheets without grain. The shear modulus of plywood is much smaller.
     grain : "along", "across" or "none"
         Direction of the strip relative to the (face) grain; "none" for sheets without grain. 0 and 90 (degrees) are
         accepted for "along" and "across".
     kind : str
         Family of materials, for example "plywood".
     source : str
-        Where the numbers come from.
+        Source of the numbers.
     thickness_range, youngs_modulus_range, density_range, max_strain_range, kerf_range : (low, high), optional
-        Range found in practice, in the unit of the quantity; by default the value counts as exact.
+        Range that occurs in practice, in the unit of the quantity; by default the value counts as exact.
     least_width, least_ligament, least_bridge : float, optional
         Least width, mm, of a strip or tongue, of a ligament of a perforated strip, and of a bridge between cuts of
-        a plate, that can be cut and lifted out. By default rules of thumb apply (`FabricationLimits`).
+        a plate, that can be cut and lifted out. The defaults are rules of thumb (`FabricationLimits`).
     stock : (float, float), optional
         Sides of the largest sheet on sale, mm.
     break_strain : float, optional
-        Breaking strain of the skin. By default wood and brittle plastics break at 1.5 times `max_strain`, and other
-        sheets do not break (`mechanics.section_limits`).
+        Surface strain at which the sheet breaks. By default wood and brittle plastics break at 1.5 times
+        `max_strain`, and other sheets do not break (`mechanics.section_limits`).
 
     Raises
     ------
@@ -603,19 +612,19 @@ class Sheet:
         return value
 
     def require_plausible(self) -> None:
-        """Refuse figures that no sheet has in the unit of the field.
+        """Refuse values that are so small or large that their unit must be wrong.
 
         Raises
         ------
         InputError
-            A figure must be in a wrong unit.
+            A value is outside the range of all sheets.
         """
         for key, entry in sheet_keys().items():
             if key in PLAUSIBLE and is_number(figure := getattr(self, entry.name)):
                 plausible_number(figure, key, f"sheet {self.name!r}", entry.name)
 
     def _grain_at(self, degrees: float) -> Grain:
-        """Return the word for an angle to the grain, degrees."""
+        """Return "along" or "across" for an angle to the grain of 0 or 90 degrees; refuse other angles."""
         turned: dict[float, Grain] = {0.0: "along", 90.0: "across"}
         if degrees % 180 not in turned:
             raise InputError(
@@ -640,7 +649,7 @@ class Sheet:
 
     @classmethod
     def of(cls, given: "Sheet | str") -> "Sheet":
-        """Return the sheet, or the sheet of a given name (see `named`).
+        """Return a given sheet, or the sheet with a given name (see `named`).
 
         Raises
         ------
@@ -668,9 +677,9 @@ class Sheet:
         Parameters
         ----------
         name : str
-            A name of `sheet_names`; a file, "my.toml"; or a sheet of a file, "my.toml:NAME".
+            A name of `sheet_names`, a file such as "my.toml", or a sheet in a file, "my.toml:NAME".
         folder : Path, optional
-            Folder of files; by default the working folder.
+            Folder of the files; by default the working folder.
 
         Raises
         ------
@@ -700,14 +709,9 @@ class Sheet:
         raise InputError("; ".join((f"unknown sheet {name!r}: {advice}", *problems)))
 
     def with_thickness(self, thickness: float) -> "Sheet":
-        """Return the same material at another thickness, mm; of plywood the strain limit follows the published
-        radii.
+        """Return the same material with another thickness, mm.
 
-        Examples
-        --------
-        >>> thick = Sheet.named("birch-plywood-3").with_thickness(3.6)
-        >>> thick.name, round(thick.least_radius)
-        ('birch-plywood-3.6', 359)
+        For plywood, the strain limit is computed from the published radii.
         """
         changed = replace(self, thickness=thickness, thickness_range=None)
         if changed.thickness == self.thickness:
@@ -729,30 +733,33 @@ class Sheet:
 
     @property
     def published_radius(self) -> float | None:
-        """Published least radius of plywood of this thickness and grain, mm, or None."""
+        """Published least radius of plywood with this thickness and grain, mm, or None."""
         if self.kind != "plywood" or self.grain == "none":
             return None
         return least_plywood_radius(self.thickness, self.grain)
 
     @property
     def shear_ratio(self) -> float:
-        """G / E, by default that of a sheet without grain."""
+        """Ratio G / E of shear modulus to Young's modulus; by default that of a sheet without grain."""
         G = self.shear_modulus
         return even_shear_ratio(self.poisson_ratio) if G is None else G / self.youngs_modulus
 
     @property
     def elasto_gravity_length(self) -> float:
-        """(E h^2 / (12 rho g))^(1/3), mm (section 5.1); weight has little effect on a much shorter strip."""
+        """Elasto-gravity length (E h^2 / (12 rho g))^(1/3), mm (paper, section 5.1).
+
+        Weight has little effect on a strip that is much shorter.
+        """
         weight = self.density * 1e-9 * STANDARD_GRAVITY_M_S2  # N/mm3
         return float((self.youngs_modulus * self.thickness**2 / (12 * weight)) ** (1 / 3))
 
     def gravity(self, direction: tuple[float, float] = (0.0, -1.0)) -> Gravity:
-        """Return the weight of a plain strip of this sheet; `direction` (2,) of gravity in the curve's plane."""
+        """Return the weight of a plain strip of this sheet; `direction` (2,) is that of gravity."""
         return Gravity(self.elasto_gravity_length, direction)
 
     @property
     def full_name(self) -> str:
-        """Title, such as "Birch plywood 0.8 mm", or the name of a user's sheet.
+        """Title of a built-in sheet, such as "Birch plywood 0.8 mm", or the name of a user's sheet.
 
         Examples
         --------
@@ -763,17 +770,23 @@ class Sheet:
 
     @property
     def least_radius(self) -> float:
-        """Least radius of a bend of the sheet, mm: h / (2 max_strain), because the skin is h/2 off centre."""
+        """Least radius to which the sheet can be bent, mm: h / (2 max_strain).
+
+        The surface is h/2 from the neutral axis, where h is the thickness.
+        """
         return self.thickness / (2 * self.max_strain)
 
     def bending_stiffness(self, width: float) -> float:
-        """Return E h^3 w / 12 of a plain strip of `width` mm, N mm2."""
+        """Return the bending stiffness E h^3 w / 12, N mm2, of a strip of `width` w mm and thickness h."""
         return (
             self.youngs_modulus * self.thickness**3 * require_number(width, "the width of a strip", "mm") / 12
         )
 
     def range_of(self, quantity: str) -> Range:
-        """Return the range of a quantity ("youngs_modulus", "thickness", ...); twice the value without a range."""
+        """Return the range of a quantity such as "youngs_modulus" or "thickness".
+
+        Without a range, both limits are the value.
+        """
         if not isinstance(quantity, str) or quantity not in UNITS:
             raise InputError(f"a sheet has no range of {quantity!r}: use one of {', '.join(UNITS)}")
         given: Range | None = getattr(self, f"{quantity}_range")
@@ -790,7 +803,7 @@ class Sheet:
         return html_table(f"Sheet {self.name!r}", rows)
 
     def toml(self) -> str:
-        """Return the sheet as an entry of a sheets file for `load_sheets`."""
+        """Return the sheet as an entry of a file that `load_sheets` reads."""
         lines = [f"[sheets.{toml_text(self.name)}]"]
         for key, field_name in ((key, entry.name) for key, entry in sheet_keys().items()):
             value = getattr(self, field_name)
@@ -803,7 +816,9 @@ class Sheet:
 
 
 def sheet_names() -> list[str]:
-    """Return the names of the user's and the built-in sheets; see `Sheet.named(name).source` for their sources.
+    """Return the names of the user's sheets and of the built-in sheets.
+
+    `Sheet.named(name).source` is the source of the numbers of a sheet.
 
     Examples
     --------
@@ -821,7 +836,7 @@ KINDS = {
 
 
 def sheets_by_kind() -> dict[str, list[Sheet]]:
-    """Return all sheets of `sheet_names`, by the title of their kind."""
+    """Return all sheets of `sheet_names`, grouped by the title of their kind."""
     by_kind: dict[str, list[Sheet]] = {}
     for sheet in map(Sheet.named, sheet_names()):
         by_kind.setdefault(KINDS.get(sheet.kind, sheet.kind.capitalize() or "Other"), []).append(sheet)
@@ -831,8 +846,8 @@ def sheets_by_kind() -> dict[str, list[Sheet]]:
 def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
     """Return the sheets of the user's library by name, and a message for each unusable file or sheet.
 
-    The library is `elastica/sheets` in the user's folder for settings, or the folders in the environment variable
-    `ELASTICA_SHEETS`. They contain TOML files for `load_sheets`. Names of built-in sheets are reserved.
+    The library consists of TOML files for `load_sheets`; see `library_folders`. Names of built-in sheets are
+    reserved.
     """
     by_name: dict[str, Sheet] = {}
     problems: list[str] = []
@@ -859,19 +874,19 @@ SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
 
 @cache
 def sheet_keys() -> Mapping[str, Field]:
-    """Return the possible keys of a sheet's table, which are fields of `Sheet` with their unit."""
+    """Return the possible keys in the table of a sheet, with the attribute of `Sheet` for each key."""
     known = {entry.name + SUFFIXES.get(entry.option.unit, ""): entry for entry in declared(Sheet)}
     return MappingProxyType(known | {NOMINAL_KEY: known["poisson_ratio"]})
 
 
 @lru_cache(maxsize=64)
 def _library_file(path: Path, *_state: int) -> Mapping[str, Sheet]:
-    """Return the sheets of a file, cached by the state of the file."""
+    """Return the sheets of a file; the result is cached until the file changes."""
     return load_sheets(path)
 
 
 def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
-    """Return the only sheet of "my.toml", or the sheet NAME of "my.toml:NAME"."""
+    """Return the only sheet in the file "my.toml", or the sheet NAME of "my.toml:NAME"."""
     stem, sign, wanted = name.partition(".toml:")
     path = (folder or Path()) / (f"{stem}.toml" if sign else name)
     sheets = load_sheets(path)
@@ -891,16 +906,16 @@ def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
 def load_sheets(path: str | Path) -> dict[str, Sheet]:
     """Load sheets from a TOML file.
 
-    The file contains tables ``[sheets.NAME]`` with ``thickness_mm``, ``youngs_modulus_MPa``, ``density_kg_m3`` and
-    ``max_strain``. Optional keys are ``kerf_mm``, ``poisson_ratio`` (or ``nominal_poisson_ratio`` for estimates
-    only), ``grain``, ``kind``, ``source`` and ranges such as ``youngs_modulus_range_MPa = [8200, 10300]``.
-    ``grain`` is a word or 0 or 90 degrees.
+    The file contains a table ``[sheets.NAME]`` for each sheet, with ``thickness_mm``, ``youngs_modulus_MPa``,
+    ``density_kg_m3`` and ``max_strain``. Optional keys are ``kerf_mm``, ``poisson_ratio`` (or
+    ``nominal_poisson_ratio`` for estimates only), ``grain``, ``kind``, ``source`` and ranges such as
+    ``youngs_modulus_range_MPa = [8200, 10300]``. ``grain`` is a word, or an angle of 0 or 90 degrees.
 
     Raises
     ------
     InputError
         The file does not exist or is not TOML, a key is unknown, or a value is missing or impossible. The message
-        names file, sheet and key.
+        states the file, the sheet and the key.
 
     Examples
     --------
@@ -916,7 +931,7 @@ def load_sheets(path: str | Path) -> dict[str, Sheet]:
 
 
 def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
-    """Return the sheets of the parsed table ``sheets`` of a TOML file; `where` names the file in messages.
+    """Return the sheets of the parsed table ``sheets`` of a TOML file; messages call the file `where`.
 
     Raises
     ------
@@ -934,14 +949,14 @@ def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
 
 @dataclass(frozen=True)
 class SheetForCurve:
-    """Sheet, and the least scale of a curve that it withstands.
+    """Sheet, and the least scale at which it withstands a curve.
 
     Attributes
     ----------
     sheet : Sheet
     scale : float
-        Largest strain of a strip in the curve over the long-term limit of the sheet. At 1 or less the sheet
-        withstands the curve as drawn, otherwise the curve must be enlarged by this factor.
+        Largest strain of a strip in the shape of the curve, divided by the long-term limit of the sheet. At 1 or
+        less the sheet withstands the curve as drawn. Otherwise the curve must be enlarged by this factor.
     """
 
     sheet: Sheet
@@ -949,7 +964,7 @@ class SheetForCurve:
 
     @property
     def fits(self) -> bool:
-        """True if the sheet withstands the curve at its size."""
+        """True if the sheet withstands the curve as drawn."""
         return self.scale <= 1.0
 
 
@@ -958,7 +973,7 @@ def sheets_for_curve(
 ) -> tuple[SheetForCurve, ...]:
     """Return all known sheets, sorted by the least scale at which they withstand a curve.
 
-    The strain of the skin of a sheet of thickness t is |kappa - kappa_0| t / 2.
+    The surface strain of a sheet is half its thickness times the absolute change of curvature.
 
     Parameters
     ----------
@@ -980,7 +995,7 @@ def sheets_for_curve(
 
 
 Color: TypeAlias = tuple[float, float, float]
-"""Red, green and blue in 0..1."""
+"""Red, green and blue, from 0 to 1."""
 
 _COLOR_BY_NAME = {
     "pom": (0.93, 0.93, 0.90),
@@ -1002,7 +1017,7 @@ _USUAL_COLOR = (0.80, 0.74, 0.62)  # a colour between wood and card
 
 
 def sheet_color(sheet: Sheet) -> Color:
-    """Return the colour of a sheet by its name, or else by its kind.
+    """Return the colour in which pictures show a sheet, by its name or else by its kind.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Stability out of the plane: the second variation of twist and bend across, of any section."""
+"""Stability against tipping out of the plane: second variation with twist and bending across the plane."""
 
 from dataclasses import dataclass
 from typing import Literal
@@ -21,22 +21,30 @@ from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import note
 
 EDGE_LOSS = 0.63
-"""Width, in thicknesses, that a rectangle loses in torsion (St Venant): G w h^3/3 (1 - 0.63 h/w)."""
+"""Width, in thicknesses, by which a rectangle is less stiff in torsion than a wide strip.
+
+For shear modulus G, width w and thickness h, the stiffness is G w h^3/3 (1 - 0.63 h/w) (St Venant).
+"""
 
 LEAST_TORSION = 0.25
-"""Least fraction of G w h^3/3 of a rectangle that is bent about its weak axis; a square has 0.42."""
+"""Least torsional stiffness, as a fraction of G w h^3/3, of a rectangle that is bent about its weak axis.
+
+A square has 0.42.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class SidewaysSection:
-    """Sections at equal distances along a strip; like K, stiffnesses are relative to B of the rod.
+    """Cross-sections at equal distances along a strip.
+
+    Stiffnesses are divided by the least bending stiffness of the rod.
 
     Attributes
     ----------
     width, thickness : (n,) array
-        mm; the thickness is that of a plate of equal bending and membrane stiffness.
+        Width and thickness, mm. The thickness is that of a plate with the same bending and membrane stiffness.
     edgewise, torsion : (n,) array
-        Stiffness of bending in the plane of the sheet, and of twist.
+        Stiffness of bending in the plane of the sheet, and torsional stiffness.
     """
 
     width: FloatArray
@@ -48,7 +56,7 @@ class SidewaysSection:
     def rectangle(
         cls, stiffness: FloatArray, width: FloatArray, thickness: FloatArray, shear_ratio: float
     ) -> "SidewaysSection":
-        """Return the sections of a solid strip of in-plane bending stiffness (n,); `shear_ratio` is G / E."""
+        """Return the sections of a solid strip with in-plane bending stiffness (n,); `shear_ratio` is G / E."""
         torsion = 4 * shear_ratio * stiffness * _held_back(thickness, width)
         return cls(width, thickness, stiffness * (width / thickness) ** 2, torsion)
 
@@ -64,27 +72,30 @@ class SidewaysSection:
         thickness: float,
         shear_ratio: float,
     ) -> tuple["SidewaysSection", "SidewaysSection"]:
-        """Return lower and upper bounds of the stiffnesses of a strip with holes, by energy.
+        """Return lower and upper bounds of the stiffnesses of a strip with holes, from energy principles.
 
         Parameters
         ----------
         stiffness, width, material : (n,) array
-            Stiffness of bending in the plane of the curve; width of the outline, mm; width less holes, mm; at every
-            station.
+            Stiffness of bending in the plane of the curve, width of the outline (mm), and width without holes
+            (mm), at every station.
         slope : (n,) array
-            Slope of ligaments relative to the strip, tan(theta).
+            Slope tan(theta) of the ligaments relative to the strip.
         ligaments : int
             Number of equal ligaments side by side.
         shear_ratio : float
-            G / E.
+            Ratio G / E of shear modulus to Young's modulus.
 
         Notes
         -----
-        Lower bound, by stresses in balance: every ligament, b wide across the strip, carries its part alone. In the
-        axes of a ligament a torque T is twist T cos(theta) and bending T sin(theta). This reduces G b h^3/3 by the
-        factor cos^2 / (cos^2 + 4 G/E sin^2). Edgewise, each ligament bends as b^3 h/12. Upper bound, by
-        displacements: all ligaments twist alike, G t h^3/3 with the total width t. They bend edgewise as a plane
-        section, at most as if all material were at the edges, (W^3 - (W - t)^3) h/12.
+        For the lower bound, stresses are in equilibrium. Every ligament, of width b across the strip, carries its
+        part alone. Along the axes of a ligament, a torque T is a torque T cos(theta) and a bending moment T
+        sin(theta). This reduces G b h^3/3, for sheet thickness h, by the factor cos^2 / (cos^2 + 4 G/E sin^2).
+        Edgewise, each ligament has the second moment of area b^3 h/12.
+
+        For the upper bound, displacements are compatible. All ligaments twist equally, with G t h^3/3 for their
+        total width t. Edgewise, they bend as a plane cross-section. Its second moment of area is at most that of
+        material at the edges of the outline of width W, (W^3 - (W - t)^3) h/12.
         """
         h = np.full(width.size, thickness)
         cos2 = 1 / (1 + slope**2)
@@ -109,23 +120,24 @@ class SidewaysSection:
         backing_width: FloatArray,
         section: LaminatedSection,
     ) -> "SidewaysSection":
-        """Return the sections of two sheets glued back to back.
+        """Return the sections of two sheets that are glued together.
 
         Parameters
         ----------
         stiffness : (n,) array
-            K of bending in the plane.
+            Relative stiffness K of bending in the plane.
         rigidity : float
-            B, N mm2: the E I where K = 1.
+            Bending stiffness E I where K = 1, N mm2.
         base_width, backing_width : (n,) array
-            mm.
+            Widths of the two sheets, mm.
         section : LaminatedSection
 
         Notes
         -----
-        Free torsion has no net shear flow at any place across the strip, so every place twists about its own
-        neutral layer: G1 h1^3/3 beside the backing, 4 (D66 - B66^2/A66) on it. The result is never less than that
-        of both sheets unglued.
+        In free torsion, the net shear flow is zero at every point across the strip, so every point twists about
+        its own neutral layer. Beside the backing the torsional stiffness per width is G1 h1^3/3, with shear
+        modulus G1 and thickness h1 of the base. On the backing it is 4 (D66 - B66^2/A66), with the stiffnesses A,
+        B, D of laminate theory. The result is at least that of both sheets without glue.
         """
         sheets, widths = (section.base, section.backing), (base_width, backing_width)
         h1, h2 = (sheet.thickness for sheet in sheets)
@@ -156,13 +168,16 @@ class SidewaysSection:
 
     @classmethod
     def round(cls, stiffness: FloatArray, diameter: float, shear_ratio: float) -> "SidewaysSection":
-        """Return the sections of a rod or tube, at most `diameter` mm thick: equal E I, and G J = 2 G/E E I."""
+        """Return the sections of a rod or tube with a largest diameter of `diameter` mm.
+
+        The bending stiffness E I is the same in all directions, and the torsional stiffness is 2 E I G / E.
+        """
         size = np.full(stiffness.size, diameter)
         return cls(size, size, stiffness, 2 * shear_ratio * stiffness)
 
 
 def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> float:
-    """Return G / E, by default that of an isotropic sheet, or refuse it."""
+    """Return G / E, by default that of an isotropic sheet; refuse an impossible value."""
     nu = require_number(poisson_ratio, "poisson_ratio")
     if not -1 < nu < 1:
         raise InputError(
@@ -175,29 +190,37 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
 
 
 def _held_back(thickness: FloatArray | float, width: FloatArray) -> FloatArray:
-    """Return the torsional stiffness of rectangles as a fraction (n,) of G w h^3/3."""
+    """Return the torsional stiffness of rectangles as a fraction (n,) of G w h^3/3; see `EDGE_LOSS`."""
     return np.asarray(np.maximum(1 - EDGE_LOSS * thickness / np.maximum(width, 1e-12), LEAST_TORSION))
 
 
 EDGES = 200
-"""Number of edges of the checked rod. The error of the margin falls with its square; here it is below 1e-3.
-With a rail it is below 5e-3."""
+"""Number of edges of the checked rod.
+
+The error of the margin is proportional to the inverse square of this number. Here it is below 1e-3, and with a rail
+below 5e-3.
+"""
 
 RIBBON_NUMBER = 16.0
-"""Largest w^2 kappa / h of a section that keeps its shape. Above it bending and twist are coupled (a ribbon).
-Then only a large margin of the rod proves that the strip is stable. Finite elements show that ribbons are more
-stable than the rod."""
+"""Largest w^2 kappa / h, for width w, curvature kappa and thickness h, at which a section keeps its shape.
+
+Above it bending and twist are coupled (a ribbon), and only a large margin of the rod proves that the strip is
+stable.
+Finite elements show that ribbons are more stable than the rod.
+"""
 
 MOST_RIBBON_NUMBER = 80.0
-"""Largest w^2 kappa / h that was compared with finite elements."""
+"""Largest w^2 kappa / h that was compared with finite elements; see `RIBBON_NUMBER`."""
 
 RIBBON_SLENDERNESS = 6.0
 """Least ratio of length to width of a strip; shorter strips are plates."""
 
 _POLE_SHARE = 64 * float(np.finfo(float).eps)  # error of an eigenvalue, as a fraction of the largest entry
-_RANK = 1e-9  # least relative singular value of independent constraints
+_RANK = 1e-9  # least relative singular value of linearly independent constraints
 _SIGN_SHARE = (
-    1e-9  # fraction of the gap between the two lowest eigenvalues: within it the margin is the eigenvalue
+    # distance from an eigenvalue, as a fraction of the gap to the next, within which the margin is this
+    # eigenvalue
+    1e-9
 )
 
 
@@ -208,12 +231,12 @@ class SidewaysStability:
     Attributes
     ----------
     margin : float
-        Lowest eigenvalue of the second variation under rotations out of the plane, over the integral of their
-        square, times length^2 (least bending stiffness 1). Positive means stable, as in `Stability.margin`.
+        Lowest eigenvalue of the second variation for rotations out of the plane, times length^2, if the least
+        bending stiffness is 1. Positive means stable, as in `Stability.margin`.
     ribbon_number : float
-        Largest w^2 kappa / h along the strip: see `RIBBON_NUMBER`.
+        Largest w^2 kappa / h along the strip, for width w, curvature kappa and thickness h; see `RIBBON_NUMBER`.
     slenderness : float
-        Length over the largest width.
+        Ratio of the length to the largest width.
     most : float or None
         Upper bound of the margin if only bounds of the stiffnesses are known; `margin` is then the lower bound.
     """
@@ -241,7 +264,7 @@ class SidewaysStability:
 
     @property
     def word(self) -> Literal["unstable", "low", "ample", "undecided"]:
-        """Rating of the margin in a word."""
+        """Rating of the margin: unstable, low, ample or undecided."""
         if not self.decided:
             return "undecided"
         if self.margin <= 0:
@@ -255,11 +278,10 @@ class SidewaysStability:
 
     @property
     def needs_guiding(self) -> bool:
-        """True if the strip tips sideways, or may do so if pushed."""
+        """True if the strip tips sideways, or a push may tip it."""
         return self.word in ("unstable", "low")
 
     def __str__(self) -> str:
-        """Return a sentence, with the margin if it is a warning."""
         return note(
             "sideways {word} (margin {margin:.3g}): {meaning}" if self.needs_guiding else "sideways {word}: "
             "{meaning}",
@@ -292,21 +314,22 @@ def sideways_stability(
     poisson_ratio: float = 0.3,
     shear_ratio: float | None = None,
 ) -> SidewaysStability:
-    """Check the stability of a rectangular strip against tipping out of its plane; O(n).
+    """Return the stability of a rectangular strip against tipping out of its plane.
 
-    Any support in the plane also holds the end in space: clamps, hinges and sliders prevent twist and sideways
-    displacement. An end without support is free. Gravity acts in the plane.
+    The computation takes O(n) operations. Every support in the plane also supports the end in space: clamps,
+    hinges and sliders prevent twist and sideways displacement. An end without support is free. Gravity acts in
+    the plane.
 
     Parameters
     ----------
     rod : Rod
-        Rod in balance; its stiffness is that of bending in the plane, without the additional stiffness of a plate.
+        Rod in equilibrium; its stiffness is that of bending in the plane, without the plate effect of wide strips.
     width : Profile, number or (n,) array
         Width of the strip along the rod, mm; values at equal distances.
     thickness : Profile, number or (n,) array
         Thickness of the strip along the rod, mm; values at equal distances.
     poisson_ratio : float
-        nu; G / E = 1 / (2 (1 + nu)) for an isotropic sheet.
+        Poisson's ratio nu; an isotropic sheet has G / E = 1 / (2 (1 + nu)).
     shear_ratio : float, optional
         G / E of a sheet with grain, as in `Sheet.shear_ratio`.
 
@@ -317,18 +340,21 @@ def sideways_stability(
 
     Notes
     -----
-    Kirchhoff's rod: a turn phi (in the plane's two directions) bends the strip edgewise by <phi', N> with
-    E h w^3/12 and twists it by <phi', T> with G w h^3/3 (1 - 0.63 h/w) (St Venant); the moment M works on the area
-    that phi sweeps, and the force lambda on the tangent's second change. The second variation is
+    The strip is a Kirchhoff rod with tangent T and normal N in the plane. A small rotation phi about axes in the
+    plane bends the strip edgewise by <phi', N> with the stiffness EI2 = E h w^3/12. It twists the strip by <phi',
+    T> with GJ = G w h^3/3 (1 - 0.63 h/w) (St Venant). The moment M does work on the area that phi encloses, and
+    the force lambda on the second-order change of the tangent. The second variation is
 
         int EI2 <phi', N>^2 + GJ <phi', T>^2 - M (phi x phi') + <lambda, N> phi_T phi_N - <lambda, T> phi_N^2 ds
 
-    under int phi_N = 0 where both ends are held. A pin also holds its place sideways. A taut rail touches the
-    strip across its whole width, so it stops twist there, but the strip slides along it. A cord of pull P and
-    length l adds P / l (w_q - w_p)^2 for the displacements w of its places. Prandtl's lateral buckling (M = 2 pi
-    sqrt(EI2 GJ) / L between clamps), Michell's of a cantilever and Euler's are contained. Not modelled: sections
-    that curl or flatten, warping held by the clamps (wide, strongly bent strips: "undecided"), slots, gravity
-    across the plane.
+    with the constraint int phi_N ds = 0 if both ends are held. A pin also prevents sideways displacement of its
+    point. A taut rail touches the strip across its whole width, so it prevents twist there, but the strip slides
+    along it. A cord of pull P and length l adds P / l (w_q - w_p)^2 for the sideways displacements w_p, w_q of
+    its two points. The equation includes Prandtl's lateral buckling (M = 2 pi sqrt(EI2 GJ) / L between clamps),
+    Michell's buckling of a cantilever, and Euler's buckling.
+
+    The model does not include sections that curl or flatten, clamps that prevent warping, slots, and gravity
+    across the plane. The result for wide, strongly bent strips is therefore "undecided".
 
     Examples
     --------
@@ -352,7 +378,7 @@ def sideways_stability(
 def sideways_stability_of(
     rod: Rod, section: SidewaysSection, most: SidewaysSection | None = None
 ) -> SidewaysStability:
-    """Return the stability of a strip against tipping, for any section given at `stations_of_sideways`.
+    """Return the stability of a strip against tipping, for sections at the stations `stations_of_sideways`.
 
     If only bounds of the section are known, `section` is the lower bound and `most` the upper bound.
 
@@ -370,7 +396,7 @@ def sideways_stability_of(
     bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
     return SidewaysStability(
         margin=sideways_margin(rod, section.edgewise, section.torsion),
-        # sections as thick as wide keep their shape
+        # sections that are as thick as wide keep their shape
         ribbon_number=float(np.where(w > section.thickness, w**2 * bend / section.thickness, 0.0).max()),
         slenderness=float(rod.length / w.max()),
         most=None if most is None else sideways_margin(rod, most.edgewise, most.torsion),
@@ -378,12 +404,12 @@ def sideways_stability_of(
 
 
 def stations_of_sideways(rod: Rod) -> FloatArray:
-    """Return the arc lengths (n,), mm, at which `sideways_stability_of` needs the section."""
+    """Return the arc lengths (n,), mm, at which `sideways_stability_of` needs the sections."""
     return np.linspace(0.0, rod.length, EDGES + 1)
 
 
 def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> float:
-    """Return the margin for uniformly spaced stiffnesses (n,), relative to the least bending stiffness.
+    """Return the margin for stiffnesses (n,) at equal distances, divided by the least bending stiffness.
 
     Examples
     --------
@@ -398,7 +424,7 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
     middle = (s[1:] + s[:-1]) / 2
     angle = np.interp(middle, rod.s, rod.angle)
     force = np.column_stack([np.interp(middle, rod.s, rod.force[:, k]) for k in (0, 1)])
-    if rod.acting:  # means of the edges, because the force steps
+    if rod.acting:  # use means over the edges, because the force jumps
         whole = np.cumsum(rod.discrete.force, axis=0, dtype=float) * rod.discrete.edge_length
         whole = np.concatenate([np.zeros((1, 2)), whole])
         force = np.column_stack([np.diff(np.interp(s, rod.s, whole[:, k])) for k in (0, 1)]) / edge
@@ -416,14 +442,16 @@ def sideways_margin(rod: Rod, edgewise: FloatArray, torsion: FloatArray) -> floa
 
 @dataclass(frozen=True, eq=False)
 class _Braces:
-    """Elements in the second variation out of the plane, for rotations (x, y) of every edge.
+    """Contribution of elements to the second variation for rotations out of the plane.
+
+    The vector phi (2 n,) contains the rotations about x and y of every edge.
 
     Attributes
     ----------
     rows : (k, 2 n) array
         Constraints rows @ phi = 0.
     terms : (r, 2 n) array
-        terms^t terms is added.
+        Rows of a matrix; terms^t terms is added to the second variation.
     """
 
     rows: FloatArray
@@ -431,11 +459,13 @@ class _Braces:
 
 
 def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
-    """Return the constraints by taut elements on a rod of edges with unit tangents T (n, 2).
+    """Return the constraints that taut elements impose on a rod of edges with unit tangents T (n, 2).
 
-    With w the displacement out of the plane, w' = phi_N: a pin holds w, the line of contact on a rail holds phi_T,
-    and a cord with pull P and length l adds P / l (w_q - w_p)^2. Friction is neglected, so a strip slides along a
-    rail.
+    Let w be the displacement out of the plane, with w' = phi_N for the rotation phi and the normal N. A pin holds
+    w. The
+    line of contact with a rail holds the twist phi_T. A cord with pull P and length l adds P / l (w_q - w_p)^2
+    for its
+    ends q and p. Friction is neglected, so a strip slides along a rail.
     """
     n, edge = len(T), rod.length / len(T)
     N = left_of(T)
@@ -445,7 +475,7 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
     taut = [action for action in rod.between if action not in slack]
 
     def rise(start: float, end: float) -> FloatArray:
-        """Return the weights (2 n,) of w(end) - w(start)."""
+        """Return the weights (2 n,) of the rotations in w(end) - w(start), with the sideways displacement w."""
         cover = edge_weights(end, edge, n) - edge_weights(start, edge, n)
         return np.asarray((edge * cover[:, None] * N).ravel())
 
@@ -459,13 +489,13 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
             terms.append(np.sqrt(action.size / np.hypot(*chord)) * rise(*action.s.tolist()))
     rows += [rise(places[0], place) for place in places[1:]]
     if not places and len(terms) == len(taut):
-        rows += list(np.tile(np.eye(2), n))  # a bow turns as a whole without a change of energy
+        rows += list(np.tile(np.eye(2), n))  # a bow rotates as a whole without a change of energy
     none = np.zeros((0, 2 * n))
     return _Braces(np.array(rows).reshape(-1, 2 * n), np.concatenate([none, *(term[None] for term in terms)]))
 
 
 def _lowest_braced(lower: FloatArray, braces: _Braces) -> float:
-    """Return the lowest eigenvalue of the band matrix with the terms, subject to the constraints."""
+    """Return the lowest eigenvalue of the band matrix with the added terms, subject to the constraints."""
     n = lower.shape[1]
     matrix = braces.terms.T @ braces.terms
     for k, diagonal in enumerate(lower):
@@ -499,7 +529,10 @@ def _band(
     angle: FloatArray, nodal_angle: FloatArray, force: FloatArray, moment: FloatArray, edge: float,
     edgewise: FloatArray, torsion: FloatArray, free: list[bool],
 ) -> FloatArray:  # fmt: skip
-    """Return the symmetric second variation in the rotations (x, y) of every edge, lower band (4, 2 n)."""
+    """Return the second variation for rotations about x and y of every edge.
+
+    The result is the lower band (4, 2 n) of a symmetric matrix.
+    """
     n = angle.size
     weight = node_weights(edge, n)
     T = tangents(nodal_angle)
@@ -516,12 +549,14 @@ def _band(
     blocks = spring[:-1] + spring[1:] - edge * along[:, None, None] * m[:, :, None] * m[:, None]
     mixed = t[:, :, None] * m[:, None]
     blocks += edge / 2 * across[:, None, None] * (mixed + mixed.transpose(0, 2, 1))
-    # terms of neighbouring edges: -spring, and half of -M (phi_i x phi_{i+1}) in each triangle of the matrix
+    # terms of neighbouring edges: -spring, and half of -M (phi_i x phi_{i+1}) in each triangle of the
+    # matrix
     turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
     links = -spring[1:-1] - moment[1:-1, None, None] / 2 * turn
     lower = np.zeros((4, 2 * n))
     lower[0, 0::2], lower[0, 1::2], lower[1, 0::2] = blocks[:, 0, 0], blocks[:, 1, 1], blocks[:, 1, 0]
-    # links[i] is (row of edge i, column of edge i + 1); its transpose is below the diagonal
+    # links[i] is the block in the row of edge i and the column of edge i + 1; its transpose is below the
+    # diagonal
     lower[2, 0 : 2 * n - 2 : 2], lower[3, 0 : 2 * n - 2 : 2] = links[:, 0, 0], links[:, 0, 1]
     lower[1, 1 : 2 * n - 2 : 2], lower[2, 1 : 2 * n - 2 : 2] = links[:, 1, 0], links[:, 1, 1]
     return lower
@@ -530,7 +565,7 @@ def _band(
 def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
     """Return the lowest eigenvalue of the band matrix A subject to <row, v> = 0.
 
-    It is between the two lowest eigenvalues of A, where <row, (A - mu)^-1 row> vanishes.
+    It is a zero of <row, (A - mu)^-1 row> between the two lowest eigenvalues of A.
     """
     if not np.all(np.isfinite(lower)):
         raise NotConvergedError(
@@ -559,7 +594,7 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
         return float(row @ lapack().dgbsv(3, 3, shifted, row[:, None], overwrite_ab=1)[2][:, 0])
 
     gap = second - first
-    # keep away from both poles by the rounding error of the largest entry
+    # keep a distance from both poles, because of rounding errors of the largest entry
     clear = max(_SIGN_SHARE * gap, _POLE_SHARE * float(np.abs(lower).max()))
     low, high = first + clear, second - clear
     if low >= high or along(low) >= 0:  # the lowest mode satisfies the constraint already

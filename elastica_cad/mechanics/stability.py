@@ -23,19 +23,20 @@ from elastica_cad.refusals import note
 
 @dataclass(frozen=True, eq=False)
 class Determinant:
-    """Stability determinant along a rod (Fig. 9).
+    """Stability determinant Z along a rod (paper, Fig. 9).
 
     Attributes
     ----------
     s : (n+1,) array
         Midpoints of the edges and the end of the rod, mm from the start.
     value : (n+1,) array
-        Z(s). Its sign changes are the conjugate points, except for rounding noise near s = 0, where Z has a zero of
-        high order.
+        Values of Z. Its sign changes are the conjugate points, except for rounding errors near s = 0, where Z has
+        a zero of high order.
     fields : (n+2, 1+p) array
-        zeta, eta_1, .. eta_p of the Jacobi equation on the edges and the two fictitious edges.
+        Solutions zeta, eta_1, .. eta_p of the Jacobi equation on the edges, and on a fictitious edge before and
+        after them.
     integrals : (n, p, 1+p) array
-        M_i and N_ij up to the end of each edge.
+        Integrals M_i and N_ij of the paper up to the end of each edge.
     """
 
     s: FloatArray
@@ -45,7 +46,10 @@ class Determinant:
 
     @property
     def sign_changes(self) -> FloatArray:
-        """Places (k,), mm, where Z changes sign; none before the first zero of zeta, where rounding noise rules."""
+        """Arc lengths (k,), mm, at which Z changes its sign.
+
+        Sign changes before the first zero of zeta are omitted, because they are rounding errors.
+        """
         beyond = np.flatnonzero(self.fields[1:, 0] <= 0)
         # before the first zero of zeta the rod is stable even if its end is free to move (Jacobi's test)
         first = max(int(beyond[0]) - 1, 0) if beyond.size else self.s.size
@@ -55,10 +59,10 @@ class Determinant:
 
 
 def stability_determinant(rod: DiscreteRod) -> Determinant:
-    """Return the curve Z(s) by the discrete Jacobi recursion of section 7.1, from the start of the rod.
+    """Return the stability determinant from the start of the rod, by the discrete Jacobi recursion.
 
-    If the angle is free at the start, zeta starts with slope zero. Rows of a coordinate that is not held at both
-    ends are left out.
+    The recursion is that of the paper, section 7.1. If the angle is free at the start, the solution zeta starts
+    with the slope 0. The rows of a coordinate that is not held at both ends are omitted.
 
     Raises
     ------
@@ -76,7 +80,8 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     n, rows, lengths = rod.angles.size, rod.constraint_rows, rod.edge_lengths
     right = np.zeros((n + 1, 1 + rows.shape[0]))
-    # initial value of all solutions: zeta'(0) = 1 as in Eq. 7 of the paper, or zeta(0) = 1 at an end free to turn
+    # initial value of all solutions: zeta'(0) = 1 as in Eq. 7 of the paper, or zeta(0) = 1 at an end free
+    # to turn
     right[0] = rod.node_lengths[0] if rod.held_angles[0] else 1.0
     right[1:, 1:] = -rows.T
     fields = np.zeros((n + 2, right.shape[1]))
@@ -91,23 +96,25 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
 def determinant_gradient(
     rod: DiscreteRod, *, weights: FloatArray, moments: FloatArray, load_slope: FloatArray | None = None
 ) -> FloatArray:
-    """Return the derivative of sum_i weights_i Z(s_i) by the nodal K, by the adjoint method (App. B).
+    """Return the derivative of a weighted sum of the stability determinant by the stiffness of the nodes.
 
-    The rod stays in equilibrium while K changes: its ends are held, and its angles and forces change. If the
-    weights form a bump around a conjugate point sigma (or interpolate Z there), the result is dZ/dK at sigma up to
-    a positive factor. A step along it moves sigma towards the end of the rod. The result is exact for Hooke's law.
-    If the stiffness depends on the bend, the change of dM/dkappa with the shape is neglected.
+    The method is the adjoint method (paper, Appendix B). The rod remains in equilibrium while the stiffness K
+    changes: its ends are held, and its angles and forces change. If the weights are positive only near a
+    conjugate point sigma (or interpolate Z there), the result is dZ/dK at sigma times a positive factor. A step
+    along it moves sigma towards the end of the rod. The result is exact for Hooke's law. If the stiffness depends
+    on the curvature, the change of dM/dkappa with the shape is neglected.
 
     Parameters
     ----------
     rod : DiscreteRod
-        In equilibrium.
+        Rod in equilibrium.
     weights : (n+1,) array
-        Weights of Z at the midpoints of the edges and at the end.
+        Weights of the determinant Z at the midpoints of the edges and at the end.
     moments : (n+1,) array
-        M at the nodes, 1/mm.
+        Bending moments of the nodes, 1/mm.
     load_slope : (n+1, 2) array, optional
-        Derivative of the weight of each node by its K, 1/mm2 (load / K if the weight is proportional to K).
+        Derivative of the weight of each node by its stiffness, 1/mm2. It is load / K if the weight is
+        proportional to K.
 
     Returns
     -------
@@ -158,9 +165,9 @@ def determinant_gradient(
 def conjugate_point(rod: DiscreteRod) -> float | None:
     """Return the first isoperimetric conjugate point from the start of the rod, mm, or None.
 
-    It is the shortest piece [0, s] of the rod, 0 < s <= l, clamped at s, on which the second variation is not
-    positive. It is found by bisection on the inertia of the leading pieces, which excludes the zero of high order
-    of Z at s = 0.
+    It is the length s of the shortest piece [0, s] of the rod that is not stable if it is clamped at s. It is
+    found by bisection on the number of unstable modes of the piece. This method excludes the zero of the
+    determinant at s = 0.
 
     Raises
     ------
@@ -178,7 +185,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     if count is None:
         return None
     ends = np.cumsum(lengths)
-    place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])  # place of the clamp of the piece of k edges
+    place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])  # position of the clamp of the piece of k edges
     if count == 1:
         return float(place[0])
     lower, upper = (
@@ -192,7 +199,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
 
 
 def _first_unstable_piece(rod: DiscreteRod) -> int | None:
-    """Return the least number of leading edges with an unstable mode under the constraints, or None."""
+    """Return the least number of edges from the start that have an unstable mode, or None."""
     (diagonal, off), rows = rod.hessian, rod.constraint_rows
 
     def is_unstable(k: int) -> bool:
@@ -208,7 +215,7 @@ def _first_unstable_piece(rod: DiscreteRod) -> int | None:
 
 
 def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = False) -> FloatArray:
-    """Solve the recursion for zeta_1 .. zeta_{n+1}, a lower triangular band (3, n+1)."""
+    """Solve the recursion for zeta_1 .. zeta_{n+1}, a lower triangular system with band (3, n+1)."""
     spring = rod.stiffness / rod.node_lengths
     if not rod.held_angles[0]:
         spring[0] = 0.0
@@ -236,7 +243,7 @@ def _matrices(fields: FloatArray, integrals: FloatArray) -> FloatArray:
 
 
 def _cofactors(Z: FloatArray) -> FloatArray:
-    """Return cofactor matrices (k, m, m), m <= 3; exact even if the determinant vanishes."""
+    """Return cofactor matrices (k, m, m) for m <= 3; they are exact even if the determinant is 0."""
     m = Z.shape[1]
     if m == 1:
         return np.ones_like(Z)
@@ -254,13 +261,13 @@ def _determinants(Z: FloatArray) -> FloatArray:
 
 
 def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return cross products (k, 3), faster than `numpy.cross`."""
+    """Return cross products (k, 3); this is faster than `numpy.cross`."""
     i, j = [1, 2, 0], [2, 0, 1]
     return np.asarray(u[:, i] * v[:, j] - u[:, j] * v[:, i])
 
 
 def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
-    """Return derivatives (n+1, 2) by the nodal loads from the derivatives by the edge forces."""
+    """Return derivatives (n+1, 2) by the loads of the nodes from the derivatives by the forces of the edges."""
     n = per_force.shape[0]
     per_load = np.zeros((n + 1, 2))
     ends = supports.ends
@@ -275,7 +282,7 @@ def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
 
 
 SAFE_MARGIN = 5.0  # large enough for inaccuracies of cutting and mounting; 0 is the limit of stability
-OUT_OF_BALANCE = 0.05  # largest imbalance of a rest shape as a fraction of the moments
+OUT_OF_BALANCE = 0.05  # largest imbalance of a rest shape, as a fraction of the moments
 
 
 @dataclass(frozen=True, eq=False)
@@ -287,21 +294,22 @@ class Stability:
     stable : bool
         True if every small disturbance that the supports allow increases the energy.
     margin : float
-        Lowest eigenvalue of h -> int K h'^2 - <lambda, gamma'> h^2 against int h^2 on the tangent space of
-        the end constraints, times length^2, with dM/dkappa as K. Positive means stable; margins of different rods
-        are comparable.
+        Lowest value of int (K h'^2 - <lambda, gamma'> h^2) ds / int h^2 ds, times length^2, over the changes h of
+        the tangent's angle that the supports allow. K is the stiffness dM/dkappa, lambda minus the internal
+        force, and gamma' the tangent. Positive means stable. Margins of different rods are comparable.
     mode : (n,) array
-        Turning angles of the lowest mode at the nodes, largest 1: the displacement in which the rod buckles first.
+        Changes of angle at the nodes in the lowest mode, in which the rod buckles first; the largest is 1.
     negative : int
         Number of unstable modes.
     conjugate_point : float or None
-        First isoperimetric conjugate point, mm of arc length from the start of the rod. None if the rod is stable,
-        if the angle is free at both ends, or with elements between the ends, where the point is not defined.
+        First isoperimetric conjugate point, mm of arc length from the start of the rod. None if the rod is stable.
+        None also if the angle is free at both ends or elements act between the ends, because the point is then not
+        defined.
     started_from : {"start", "end"} or None
-        End from which the conjugate point is determined; from the other end it is at a different place.
+        End from which the conjugate point is computed; from the other end it has a different position.
     determinant_s, determinant : (n,) arrays
-        Curve Z(s) of Fig. 9 in arc length from the start, mm; empty if not defined. Z has a zero of high order at
-        `started_from`.
+        Arc lengths from the start, mm, and stability determinant Z (paper, Fig. 9); empty if not defined. Z has a
+        zero of high order at `started_from`.
     borderline : bool
         True if the margin is smaller than its rounding error; `stable` is then False.
     """
@@ -324,7 +332,7 @@ class Stability:
 
     @property
     def word(self) -> Literal["unstable", "low", "ample"]:
-        """Rating of the margin in a word, by the limits 0 and `SAFE_MARGIN`."""
+        """Rating of the margin by the limits 0 and `SAFE_MARGIN`: unstable, low or ample."""
         if not self.stable:
             return "unstable"
         return "low" if self.margin < SAFE_MARGIN else "ample"
@@ -345,18 +353,19 @@ class Stability:
 
 
 def stability(rod: Rod) -> Stability:
-    """Check the stability of a rest shape with its weight, supports and elements between its ends; O(n).
+    """Return the stability of a rest shape with its weight, supports and elements between its ends.
 
-    Two independent methods must agree: the inertia of the second variation bordered by the end constraints (LDL^t),
-    and the lowest eigenvalue on their tangent space (inverse iteration). The result also has the stability
-    determinant of the Jacobi equation (paper, section 6.2). The determinant holds with weight too, because weight
-    enters only through the force. All methods use dM/dkappa (`Rod.tangent_stiffness`). In a wide strip (`section`)
-    that stiffens as it is bent, it is up to a tenth more than M / kappa.
+    The computation takes O(n) operations. Two independent methods must agree: the number of negative eigenvalues
+    of the second variation with the end constraints (LDL^t), and the lowest eigenvalue under these constraints
+    (inverse iteration). The result also contains the stability determinant of the Jacobi equation (paper, section
+    6.2). The determinant is valid with weight too, because weight changes only the force. All methods use the
+    stiffness dM/dkappa (`Rod.tangent_stiffness`). For a wide strip (`section`) that becomes stiffer when it is
+    bent, it is up to a tenth more than M / kappa.
 
     Parameters
     ----------
     rod : Rod
-        In equilibrium: from `optimal_rod`, `bend` or `nearest_rod`.
+        Rod in equilibrium, from `optimal_rod`, `bend` or `nearest_rod`.
 
     Returns
     -------
@@ -365,7 +374,7 @@ def stability(rod: Rod) -> Stability:
     Raises
     ------
     InputError
-        The rod is far from balance; call `bend` first.
+        The rod is far from equilibrium; call `bend` first.
     NotConvergedError
         The two methods disagree.
 
@@ -413,7 +422,10 @@ def stability(rod: Rod) -> Stability:
 
 
 def _nodal_mode(rod: DiscreteRod) -> FloatArray:
-    """Return the mode of the margin averaged to the nodes, largest 1; zero at an end with a held angle."""
+    """Return the lowest mode at the nodes, as means of the edges; the largest value is 1.
+
+    It is 0 at an end with a held angle.
+    """
     mode = rod.margin.mode
     nodal = np.empty(mode.size + 1)
     nodal[1:-1] = (mode[:-1] + mode[1:]) / 2

@@ -21,30 +21,31 @@ from elastica_cad.refusals import Point
 PathStep: TypeAlias = "float | ArrayLike | Mapping[str, Any]"
 Path: TypeAlias = "Callable[[float], PathStep] | ArrayLike | Sequence[Mapping[str, Any]]"
 
-LARGEST_TURN_RAD = 0.3  # largest turn of an edge in a step along the path
+LARGEST_TURN_RAD = 0.3  # largest rotation of an edge in a step along the path
 FIRST_STEPS = 16  # initial number of steps for each leg of the path
 RESOLUTION_SHARE = 1e-9  # accuracy of the limit, as a fraction of the path
-PUSH_RAD = 0.02  # push along the critical mode, after which the rod comes to rest
+PUSH_RAD = 0.02  # displacement along the critical mode, from which the energy is minimized
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class StabilityLimit:
-    """Place on a path of end positions or loads at which a stable rod becomes unstable.
+    """Point on a path of end positions or loads at which a stable rod becomes unstable.
 
     Attributes
     ----------
     parameter : float or None
-        Place on the path at which stability is lost: t of a function, otherwise the number of completed steps (2.25
-        is a quarter of the third step; 0 is the initial rod). None if the rod is stable along the whole path.
+        Path parameter at which stability is lost. For a function it is t. For a sequence it is the number of
+        completed steps: 2.25 is a quarter of the third step, and 0 is the initial rod. None if the rod is stable
+        along the whole path.
     at : dict
-        Entry of the path at this place: keywords of `bend`, {"end": ...} or {"load": factor}.
+        Entry of the path at this parameter: keywords of `bend`, {"end": ...} or {"load": factor}.
     kind : {"snap", "bifurcation"} or None
         "snap": the branch of equilibria turns back, and the rod jumps. "bifurcation": the shape remains an
         equilibrium, but the rod buckles away from it.
     before : Rod
-        Last stable shape (at the end of the path if `parameter` is None).
+        Last stable shape; it is at the end of the path if `parameter` is None.
     after : Rod or None
-        Stable shape in which the rod comes to rest just beyond the limit, or None if no such shape was found.
+        Stable shape of the rod just beyond the limit, or None if no such shape was found.
     parameters, margins : (k,) arrays
         Path parameters and margins of the computed stable states.
     """
@@ -74,18 +75,18 @@ class StabilityLimit:
 def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> StabilityLimit:
     """Return the end displacement or load factor at which a stable rod becomes unstable.
 
-    The branch of equilibria is followed from the present shape in adaptive steps. The place where the lowest
-    eigenvalue (the margin of `stability`) becomes zero is bisected. The stiffness of a wide strip (`section`) is
-    updated at every step.
+    The branch of equilibria is followed from the present shape in adaptive steps. The parameter at which the lowest
+    eigenvalue (the margin of `stability`) becomes zero is found by bisection. The stiffness of a wide strip
+    (`section`) is updated at every step.
 
     Parameters
     ----------
     rod : Rod
         Stable rod in equilibrium; a straight rod may be compressed.
     path : function or sequence
-        Positions of the end (k, 2), mm; load factors (k,), which multiply weight, dead forces and moments; or
-        mappings with keywords of `bend`. From the present state, a sequence is interpolated linearly from entry to
-        entry. A function of t in [0, 1] returns such an entry.
+        Entries of a sequence are positions of the end (k, 2), mm, or load factors (k,), or mappings with keywords
+        of `bend`. Load factors multiply weight, dead forces and moments. The path is linear from the present
+        state to the first entry and from entry to entry. A function of t in [0, 1] returns such an entry.
     side : {+1, -1}, optional
         Side to which a straight rod is bent (see `bend`).
 
@@ -98,7 +99,7 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     InputError
         The rod is unstable at the start, or the path is invalid.
     NotConvergedError
-        The start of the path is not reached.
+        No equilibrium is found at the start of the path.
 
     Examples
     --------
@@ -165,7 +166,7 @@ class Course:
 
     @classmethod
     def of(cls, rod: Rod, path: Path) -> "Course":
-        """Return the course from the present state of a rod along a path."""
+        """Return the path from the present state of a rod along given entries."""
         if callable(path):
             function = path
             return cls(rod, lambda t: _entry(function(t)), 1, 1.0)
@@ -184,18 +185,18 @@ class Course:
         return cls(rod, entry_at, legs, float(legs))
 
     def clipped(self, t: float, step: float) -> float:
-        """Return the next parameter; steps stop at corners of the path."""
+        """Return the next parameter; a step ends at a corner of the path."""
         corner = min(np.floor(t / self.end * self.legs + 1e-9) + 1, self.legs) * self.end / self.legs
         return float(corner if t + step >= corner * (1 - 1e-12) else t + step)
 
     def around(self, t: float) -> tuple[float, float]:
-        """Return a piece of the path around t without a corner."""
+        """Return an interval of the parameter at t without a corner of the path."""
         reach_t = 1e-3 * self.end
         a = max(t - reach_t, float(np.floor(t / self.end * self.legs)) * self.end / self.legs)
         return a, min(a + 2 * reach_t, self.end)
 
     def loaded(self, t: float) -> Rod:
-        """Return the rod with its weight at t."""
+        """Return the rod with its weight at parameter t."""
         entry = self.entry(t)
         rod = self.base
         if "gravity" in entry:
@@ -203,7 +204,7 @@ class Course:
         return _weighing(rod, entry["load"]) if "load" in entry else rod
 
     def system(self, t: float) -> RodSystem:
-        """Return the equations of the rod at t."""
+        """Return the equations of the rod at parameter t."""
         entry = self.entry(t)
         ends = {name: entry[name] for name in ("start", "end", "angles", "force", "moment") if name in entry}
         system = system_of(self.loaded(t), self.base, **ends)
@@ -212,7 +213,10 @@ class Course:
 
 
 def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, RodState]:
-    """Return the equilibrium at the start of the path, or slightly later if a straight rod must bend first."""
+    """Return the equilibrium at the start of the path.
+
+    If a straight rod must bend first, the equilibrium is slightly later.
+    """
     for t in (0.0, 1e-3 * course.end):
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
         if not reached.arrived:
@@ -236,9 +240,9 @@ Visit: TypeAlias = tuple[float, RodState, Margin]
 
 
 def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
-    """Return the last stable state before the margin changes sign, and True if the margin vanishes there.
+    """Return the last stable state before the margin changes its sign, and True if the margin is 0 there.
 
-    Near a fold a step may reach the adjacent unstable branch, where the margin jumps instead.
+    Near a fold a step may reach the neighbouring unstable branch. The margin then jumps instead.
     """
     start = low[2].value
     while high - low[0] > RESOLUTION_SHARE * course.end:
@@ -252,7 +256,7 @@ def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
 
 
 def _lost(course: Course, t: float, state: RodState, visited: list[tuple[float, float]]) -> StabilityLimit:
-    """Return the record of the loss of stability near path parameter t."""
+    """Return the `StabilityLimit` for a loss of stability near path parameter t."""
     kind = _kind(course, t, state)
     beyond = min(t + 1e-4 * course.end, course.end)
     mode = state.discrete.margin.mode
@@ -264,10 +268,10 @@ def _lost(course: Course, t: float, state: RodState, visited: list[tuple[float, 
 
 
 def _kind(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
-    """Return the kind of instability: at a fold the load does work on the critical mode, else it does not.
+    """Return the kind of instability: "snap" if the load does work on the critical mode, else "bifurcation".
 
-    The work is compared with the response of the rod without its axial force. The turn of an end is a large
-    imbalance of a single edge, which grows with the number of edges, but its response is smooth.
+    The work is compared with the response of the rod without its axial force. The rotation of an end causes a large
+    imbalance of a single edge, which increases with the number of edges, but the response is smooth.
     """
     margin, rod, norm = state.discrete.margin, state.discrete, np.linalg.norm
     a, b = course.around(t)
