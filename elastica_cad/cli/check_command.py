@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import groupby
+from itertools import chain, count, groupby
 from math import ceil
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -232,7 +232,7 @@ class _Request:
     def request(self, requested: RequestedCurve, problem: ElasticaError) -> "StripSpec | None":
         """Return the request for a strip of a common sheet, or None if it cannot have the options of the check."""
         settled = self.natural_curvature or self.smooth is not None or self.between
-        if settled or Path("out").exists():
+        if settled:
             return None
         return common_request(requested.curve, self.supports) if problem.refusal.changes else None
 
@@ -249,7 +249,13 @@ class _Request:
         spec = suggestion.requests[0]
         width = typed_length(cast(float, spec.max_width))
         words = "--sheet", spec.material.name, "--max-width", width
-        return typed_change(suggestion, *words, "-o", "out", instead="strip")
+        return typed_change(suggestion, *words, "-o", _new_folder(), instead="strip")
+
+
+def _new_folder() -> str:
+    """Return the first of out, out-2, out-3, ... that does not exist."""
+    names = chain(["out"], (f"out-{k}" for k in count(2)))
+    return next(name for name in names if not Path(name).exists())
 
 
 def _rows(report: dict[str, Any]) -> list[Row]:

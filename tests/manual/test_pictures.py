@@ -63,7 +63,7 @@ def test_a_script_draws_it(picture):
     elif path.parent.name in ("explanation", "tutorials"):
         assert path.stem in (DOCS / "pair_pictures.py").read_text(encoding="utf-8")
     elif path.parent == DOCS / "studio":
-        assert path.stem in ("drawing", "lamp")  # the page of the studio as a browser showed it
+        assert path.stem in ("drawing", "lamp", "drag")  # the page of the studio as a browser showed it
     elif path.parent.name == "cad":
         assert any(path.stem in script.name for script in path.parent.glob("*.py"))
     elif path.parent.name == "arch":

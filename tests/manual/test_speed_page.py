@@ -68,7 +68,7 @@ def test_a_run_is_told(script, kept):
     assert again["rows"] == kept["rows"]
     assert "2026-11-21: a processor, Python 3.11.2.\n" in script.page(again)
     slower = script.page(script.condensed(a_run(kept, 1000.0), busy=True))
-    assert "other work" in slower
+    assert "Other programs ran at the same time" in slower
     assert slower.split("## ")[1:] != script.page(again).split("## ")[1:]
 
 

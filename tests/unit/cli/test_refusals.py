@@ -129,9 +129,17 @@ SUGGESTED = [
     ("strip wide.dxf --sheet birch-plywood-2 --max-width 30 -o out", 1, "--thickness 0.8"),
     ("strip slight.svg --sheet birch-plywood-0.8 --max-width 30 -o out", 2, "--smooth 0.2"),
     ("strip corner.svg --sheet card-200gsm --max-width 12 -o out", 2, "--set curve.split_corners=true"),
-    ("check slight.svg", 2, "--smooth 0.2 -o out"),
+    ("check slight.svg", 2, "-o out --smooth 0.2"),
     ("strip slight.svg --sheet birch-plywood-0.8 --max-width 1.2 -o out --units inch", 2, "--smooth 0.2"),
 ]
+
+
+def test_a_suggested_command_writes_to_a_new_folder(desk, tmp_path):
+    shutil.copy(desk / "slight.svg", tmp_path)
+    for name in ("out", "out-2"):
+        (tmp_path / name).mkdir()
+    (cure,) = json.loads(run("check slight.svg --json", cwd=tmp_path, code=2).stdout)["cures"][:1]
+    assert "-o out-3 " in cure["text"]
 
 
 @pytest.mark.campaign
