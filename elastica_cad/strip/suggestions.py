@@ -14,7 +14,7 @@ from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.measured_points import Provenance
 from elastica_cad.geometry.plane_curve import split_at_corners
-from elastica_cad.mechanics.elements import NOUNS, Element, Pin, Rail, Tie
+from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie
 from elastica_cad.mechanics.equilibrium_check import largest_move
 from elastica_cad.mechanics.point_search import move_one_point
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
@@ -23,6 +23,7 @@ from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
 from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.held_shape import about
+from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 MOST = 4
@@ -58,40 +59,20 @@ class Suggestion:
         Largest distance from the drawn curve, mm.
     used : int
         Strain, % of what the sheet allows for long.
+    strips : tuple of Strip
+        The strips of the requests.
     """
 
     change: Change
     requests: tuple[StripSpec, ...] = field(repr=False)
     deviation: float
     used: int
+    strips: tuple[Strip, ...] = field(repr=False)
 
     @property
     def title(self) -> Refusal:
         """The change as an instruction, for a button or a line of text."""
-        value = self.change.value
-        match self.change.field, value:
-            case "point", (index, place):
-                drawn = self.requests[0].curve.provenance or Provenance()
-                return note(
-                    "Move control point {number} to {place}.", number=index + 1, place=drawn.shown(place)
-                )
-            case "smooth", _:
-                return note("Smooth the curve by {distance}.", distance=Length(value))
-            case "nearest", _:
-                return note("Take the nearest curve that a strip can take.")
-            case "split_corners", _:
-                return note("Cut one strip from corner to corner.")
-            case "between", Rail(float(at)):
-                return note("Rest the strip on a rail at {at}.", at=Length(at))
-            case "between", Pin(float(at)):
-                return note("Hold the strip with a pin at {at}.", at=Length(at))
-            case "between", Tie(float(start), float(end)):
-                return note("Tie the strip from {start} to {end}.", start=Length(start), end=Length(end))
-            case "sheet", _:
-                return note("Cut it from {sheet}.", sheet=value)
-            case "size", _:
-                return note("Draw the curve {scale} times as large.", scale=f"{value:g}")
-        return note("Set {field} to {value}.", field=FieldName(self.change.field), value=Length(value))
+        return instruction(self.change, self.requests[0].curve.provenance)
 
     @property
     def effect(self) -> Refusal:
@@ -108,16 +89,47 @@ class Suggestion:
     def __str__(self) -> str:
         return f"{self.title} ({self.effect})"
 
+    @property
+    def table(self) -> Any:
+        """Value of the change as in a design file."""
+        value = self.change.value
+        if not isinstance(value, Rail | Pin | Tie):
+            return value
+        given = {name: item for name, item in asdict(value).items() if item is not None}
+        return {"kind": NOUNS[type(value)], **given}
+
     def as_dict(self) -> dict[str, Any]:
         """Return field, value, deviation (mm), used strain (%) and text, for a report."""
-        value = self.change.value
-        table = (
-            {"kind": NOUNS[type(value)], **asdict(value)} if isinstance(value, Rail | Pin | Tie) else value
-        )
         return {
-            "field": self.change.field, "value": table, "deviation": self.deviation, "used": self.used,
+            "field": self.change.field, "value": self.table, "deviation": self.deviation, "used": self.used,
             "text": str(self),
         }  # fmt: skip
+
+
+def instruction(change: Change, drawn: Provenance | None = None) -> Refusal:
+    """Return a change as an instruction; a moved point is displayed as in the drawing program."""
+    value = change.value
+    match change.field, value:
+        case "point", (index, place):
+            shown = (drawn or Provenance()).shown(place)
+            return note("Move control point {number} to {place}.", number=index + 1, place=shown)
+        case "smooth", _:
+            return note("Smooth the curve by {distance}.", distance=Length(value))
+        case "nearest", _:
+            return note("Take the nearest curve that a strip can take.")
+        case "split_corners", _:
+            return note("Cut one strip from corner to corner.")
+        case "between", Rail(float(at)):
+            return note("Rest the strip on a rail at {at}.", at=Length(at))
+        case "between", Pin(float(at)):
+            return note("Hold the strip with a pin at {at}.", at=Length(at))
+        case "between", Tie(float(start), float(end)):
+            return note("Tie the strip from {start} to {end}.", start=Length(start), end=Length(end))
+        case "sheet", _:
+            return note("Cut it from {sheet}.", sheet=value)
+        case "size", _:
+            return note("Draw the curve {scale} times as large.", scale=f"{value:g}")
+    return note("Set {field} to {value}.", field=FieldName(change.field), value=Length(value))
 
 
 def suggest(
@@ -171,8 +183,7 @@ def _changes(spec: StripSpec, problem: ElasticaError) -> Iterator[Iterable[Chang
     for name in fields:
         yield [change for change in named if change.field == name]
         if exact and name == FIRST[-1]:
-            element = find_support(spec)
-            yield [] if element is None else [Change("between", element)]
+            yield _support(spec)
     if isinstance(problem, StrainError):
         share = problem.refusal.values["percent"] / 100
         yield _sheets(spec, share)
@@ -187,16 +198,10 @@ def _moved_points(spec: StripSpec) -> Iterator[Change]:
         yield Change("point", (index, tuple(curve.control_points[index].tolist())))
 
 
-def find_support(spec: StripSpec) -> Element | None:
-    """Return the rail, pin or tie that makes the curve of a refused request possible, or None.
-
-    The strip is not made. There is no search for a request with weight, loads, elements, or a curve that may
-    change.
-    """
-    if _is_bare(spec):
-        with suppress(ElasticaError):
-            return suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature)
-    return None
+def _support(spec: StripSpec) -> Iterator[Change]:
+    with suppress(ElasticaError):
+        if element := suggest_support(spec.rod_spec.curve_to_bend, spec.supports, spec.natural_curvature):
+            yield Change("between", element)
 
 
 def _is_bare(spec: StripSpec) -> bool:
@@ -239,24 +244,27 @@ def _requests(spec: StripSpec, change: Change) -> Sequence[StripSpec]:
 
 def _held(spec: StripSpec, change: Change) -> Suggestion | None:
     """Return the suggestion, or None if a strip is impossible or unsuitable."""
-    farthest, used = 0.0, 0
+    away, used, strips = [0.0], [0], []
     try:
         requests = tuple(_requests(spec, change))
         for request in requests:
             rod = solve_rod(request.rod_spec)
-            made = request.make(rod)
-            away = request.rod_spec.smoothing.moved + (rod.deviation if isinstance(rod, NearestRod) else 0.0)
+            strip = request.make(rod)
+            away.append(
+                request.rod_spec.smoothing.moved + (rod.deviation if isinstance(rod, NearestRod) else 0.0)
+            )
             if change.field == "point":
-                away = largest_move(spec.curve, request.curve)
-            wide = float(made.width.extremes[1]) > WIDEST_SHARE * made.rod.length
-            if wide or away > FAR_SHARE * _size(request) or not made.strain_verdict.allowed:
+                away.append(largest_move(spec.curve, request.curve))
+            wide = float(strip.width.extremes[1]) > WIDEST_SHARE * strip.rod.length
+            if wide or max(away) > FAR_SHARE * _size(request) or not strip.strain_verdict.allowed:
                 return None
-            if not stability(made.rod).stable:
+            if not stability(strip.rod).stable:
                 return None
-            farthest, used = max(farthest, away), max(used, made.strain_verdict.percent)
+            used.append(strip.strain_verdict.percent)
+            strips.append(strip)
     except ElasticaError:
         return None
-    return Suggestion(change, requests, farthest, used) if requests else None
+    return Suggestion(change, requests, max(away), max(used), tuple(strips)) if requests else None
 
 
 def _size(spec: StripSpec) -> float:

@@ -26,11 +26,11 @@ from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit
 from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
-from elastica_cad.mechanics.elements import NOUNS, Pin, PlacedElement, PointForce, Rail, Tie
+from elastica_cad.mechanics.elements import NOUNS, PlacedElement, PointForce, Rail
 from elastica_cad.mechanics.loads import PointMass, Weight
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Sheet, sheet_names
-from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
+from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.mechanics.thrust_line import thrust_sides
 from elastica_cad.model.assembly import assembly_parts
@@ -44,7 +44,7 @@ from elastica_cad.strip.solids import FlatSolid, PrismSolid
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.styles import Bends
-from elastica_cad.strip.suggestions import find_support
+from elastica_cad.strip.suggestions import Suggestion, suggest
 from elastica_cad.strip.summary import strip_rows
 from elastica_cad.strip.travel import bend_strip
 from elastica_cad.web.saved_design import (
@@ -412,18 +412,43 @@ def _nearest(request: Mapping[str, Any]) -> Record:
     }
 
 
-def _support(request: Mapping[str, Any]) -> Record:
-    """Return the rail, pin or tie that makes a strip possible, stable and strong enough, or an empty record."""
+def _cures(request: Mapping[str, Any]) -> Record:
+    """Return the changes that make a refused strip possible, each with the tables of its strips."""
     spec = _spec(request)
-    element = find_support(spec)
-    if element is None:
-        return {}
-    strip = spec.changed(between=element).make()
-    if not (strip.strain_verdict.allowed and stability(strip.rod).stable):
-        return {}
-    assert isinstance(element, Rail | Pin | Tie)
-    places = {"start": element.start, "end": element.end} if isinstance(element, Tie) else {"at": element.at}
-    return {"between": {"kind": NOUNS[type(element)], **places}}
+    try:
+        spec.make()
+    except ElasticaError as problem:
+        found = [
+            {
+                "text": suggestion.title,
+                "effect": suggestion.effect,
+                "strips": _changed_strips(request, suggestion),
+            }
+            for suggestion in suggest(spec, problem)
+        ]
+        return {"cures": found}
+    return {"cures": []}
+
+
+def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[Record]:
+    """Return the tables of the strips that replace a strip of the design."""
+    design = request["design"]
+    strip, change = design["strips"][request.get("strip", 0)], suggestion.change
+    match change.field:
+        case "point" | "size" | "split_corners":
+            tables = [strip | {"curve": curve_table(request.curve)} for request in suggestion.requests]
+            unlabelled = [{key: table[key] for key in table if key != "label"} for table in tables[1:]]
+            return [tables[0], *unlabelled]
+        case "nearest":
+            return [strip | {"limits": strip.get("limits", {})}]
+        case "lap":
+            return [strip | {"shop": strip.get("shop", design.get("shop", {})) | {"lap": change.value}}]
+        case "between":
+            return [strip | {"between": [suggestion.table]}]
+        case "sheet" if "thickness" in {**design, **strip}:
+            thickness = Sheet.named(change.value).thickness
+            return [strip | {"sheet": change.value, "thickness": thickness}]
+    return [strip | {change.field: suggestion.table}]
 
 
 def _sheets(request: Mapping[str, Any]) -> Record:
@@ -736,7 +761,7 @@ QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "strip": _strip,
     "nearest": _nearest,
     "sheets": _sheets,
-    "support": _support,
+    "cures": _cures,
     "bend": _bend,
     "model": _model,
     "pair": _pair,

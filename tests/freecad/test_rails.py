@@ -5,10 +5,11 @@ import pytest
 from freecad.elastica_wb import make_strip
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 from freecad.elastica_wb.features import fixtures
-from freecad.elastica_wb.features.strip import show_held, strip_of, valid_request
+from freecad.elastica_wb.features.strip import changeable, show_held, strip_of, valid_request, values_of
 from freecad.elastica_wb.features.strip_properties import acting_lines, spec_of
 from freecad.elastica_wb.live.curve_picture import curve_picture
-from freecad.elastica_wb.solving.verdicts import Verdict, find_support
+from freecad.elastica_wb.solving.strip_cache import changes_that_help
+from freecad.elastica_wb.solving.verdicts import Verdict
 
 import elastica_cad as ec
 
@@ -44,9 +45,10 @@ def test_lines_of_elements_and_loads_are_read_back(refused):
 
 def test_a_refused_curve_gets_the_support_that_the_core_finds(refused):
     assert "cannot" in refused.Verdict
-    support = find_support(valid_request(refused))
+    (suggestion,) = changes_that_help(valid_request(refused), changeable(refused))
+    support = suggestion.change.value
     assert support == ec.Rail(197.0)
-    change(refused, **acting_lines([support]))
+    change(refused, **values_of(refused, suggestion.change))
     assert refused.State == ["Up-to-date"]
     rod = ec.optimal_rod(WAVE, between=support)
     assert refused.Ratio == pytest.approx(rod.ratio, rel=1e-4)
@@ -65,7 +67,7 @@ def test_a_strip_on_a_rail_has_fixtures_and_no_accuracy(refused):
 
 def test_no_support_is_sought_for_a_request_that_has_one(refused):
     change(refused, Between=["at = 40"])
-    assert find_support(valid_request(refused)) is None
+    assert changes_that_help(valid_request(refused), changeable(refused)) == ()
 
 
 def test_the_overlay_shows_the_thrust_line_in_place_of_the_inflection_line():
@@ -95,7 +97,7 @@ def test_the_overlay_refuses_what_no_rail_holds():
 def test_rails_ties_and_loads_by_mouse(tmp_path):
     found = launching.run_window("rails.py", tmp_path)
     assert "cannot" in found["refused"]
-    assert found["offered"] == "Add this support: Rail at 197 mm"
+    assert found["offered"] == "Rest the strip on a rail at 197 mm."
     (between, _, state), verdict, offered = found["held"]
     assert (between, state, verdict, offered) == (
         ["at = 197.0"], ["Up-to-date"], "A flat strip takes this curve.", False,

@@ -505,17 +505,15 @@ def test_strips_of_the_curves_in_one_sketch(tmp_path):
 def test_buttons_carry_the_numbers_of_a_refusal(tmp_path):
     found = launching.run_window("suggested.py", tmp_path)
     good = ["Up-to-date"]
-    assert found["narrow"] == [
-        "Invalid",
-        ["Make it 4.34 mm wide", "Use the nearest curve", "Make it all the same"],
-    ]
-    assert found["width"] == ["Make it 4.34 mm wide", 4.34]
-    assert found["Make it 4.34 mm wide"][:2] == [good, []]
+    width = "Set MaxWidth to 4.34 mm."
+    assert found["narrow"] == ["Invalid", [width, "Make it all the same"]]
+    assert found["width"] == [width, 4.34]
+    assert found[width][:2] == [good, []]
     assert found["breaks"][1][-1] == "Make it all the same"
     assert found["Make it all the same"][0] == good
     assert found["anyway"] == [True, 4]
-    assert found["kinks"] == ["Up-to-date", ["Smooth by 0.1 mm"]]
-    assert found["Smooth by 0.1 mm"][:2] == [good, []]
+    assert found["kinks"] == ["Up-to-date", ["Smooth the curve by 0.1 mm."]]
+    assert found["Smooth the curve by 0.1 mm."][:2] == [good, []]
     assert found["smooth"] == 0.1
     assert found["gap"] == ["Invalid", ["Join the ends"]]
     assert found["Join the ends"][:2] == [good, []]

@@ -12,14 +12,19 @@ import trimesh
 
 import elastica_cad as ec
 from elastica_cad.cli import main
+from elastica_cad.strip.suggestions import suggest
 from elastica_cad.strip.summary import strip_rows
-from elastica_cad.web.answers import Download, answer, with_point_near, without_point
+from elastica_cad.web.answers import Download, answer, requested_spec, with_point_near, without_point
 from elastica_cad.web.saved_design import compose_design, curve_table, open_design
 from elastica_cad.web.vocabulary import page_words
 from elastica_cad.web.worker import reply
 from tests.studio.conftest import ARCH, WAVE, design, wave, without_command
 
 OFF_LINE = [(0, 0), (60, 80), (120, 100), (200, -60), (260, 50), (330, 0), (360, 50)]
+ZIGZAG = [(0, 20), (60, 20), (120, 40), (180, -20), (240, 50), (300, -50)]
+TWO_ARCS = {
+    "spline": [[0, 0], [80, 90], [160, 0], [240, 90], [320, 0]], "degree": 2, "knots": [0, 0, 0, 1, 1, 2, 2, 2],
+}  # fmt: skip
 LAMP = [[60, 0], [75, 20], [110, 60], [110, 120], [75, 160], [60, 180]]
 
 
@@ -335,11 +340,32 @@ def test_a_dragged_point_stops_at_the_border(between):
     assert "point" not in at(near, hold=hold)
 
 
-def test_the_support_that_is_suggested_makes_the_strip():
-    told = answer({"do": "support", "design": wave()})
-    made = answer({"do": "strip", "design": wave(between=[told["between"]])})
-    assert "refused" not in made
-    assert answer({"do": "support", "design": wave(gravity=True)}) == {}
+@pytest.mark.parametrize(
+    ("drawn", "fields"),
+    [
+        pytest.param(wave(), ["between"], marks=pytest.mark.campaign),
+        pytest.param(wave(ZIGZAG, sheet="pom-0.5"), ["point", "nearest"], marks=pytest.mark.campaign),
+        (design(sheet="oak-3", thickness=4.0), ["thickness", "sheet"]),
+        (design(strips=[{"label": "A1", "curve": TWO_ARCS}]), ["split_corners"]),
+    ],
+)
+def test_each_change_that_helps_makes_the_strip(drawn, fields):
+    """The page replaces the strip by the tables of the answer; the shape is that of the request that was tried."""
+    spec = requested_spec(drawn)
+    with pytest.raises(ec.ElasticaError) as refusal:
+        spec.make()
+    tried, cures = list(suggest(spec, refusal.value)), answer({"do": "cures", "design": drawn})["cures"]
+    assert [suggestion.change.field for suggestion in tried] == fields
+    assert [(cure["text"], cure["effect"]) for cure in cures] == [(one.title, one.effect) for one in tried]
+    for suggestion, cure in zip(tried, cures, strict=True):
+        for k, request in enumerate(suggestion.requests):
+            made = answer({"do": "strip", "design": drawn | {"strips": cure["strips"]}, "strip": k})
+            assert made["length"] == pytest.approx(request.make().rod.length, abs=0.01)
+
+
+def test_a_strip_that_can_be_made_needs_no_change():
+    assert asked("cures") == {"cures": []}
+    assert answer({"do": "cures", "design": wave(gravity=True)}) == {"cures": []}
 
 
 @pytest.mark.campaign

@@ -99,6 +99,7 @@ class Studio {
       ...options.map(([key, text]) => html("option", { value: key, selected: key === value }, text)));
     this.say = html("p", { class: "said", role: "status" });
     this.verdict = html("div", { class: "verdict", "aria-live": "polite" });
+    this.offers = html("div", {});
     this.numbers = html("dl", { class: "numbers" });
     this.point = html("div", { class: "point", hidden: true });
     this.dialog = html("dialog", { "aria-label": t("Start from") });
@@ -317,7 +318,9 @@ class Studio {
       this.form.show();
       this.choose(design);
     }
-    this.follow(design);
+    this.previewed = null;
+    this.offers.replaceChildren();
+    this.following = this.follow(design);
     clearTimeout(this.rest);
     this.rest = setTimeout(() => this.rested(), REST_MS);
     this.onchange(design);
@@ -355,18 +358,30 @@ class Studio {
     const design = this.design;
     if (this.address) history.replaceState(null, "", `#${await packed(design)}`);
     this.model();
-    this.support(design);
+    await this.following;
+    this.suggest(design, this.strip);
   }
 
-  // After a refusal: the rail, pin or tie that makes the curve possible, as a button.
-  async support(design) {
-    if (this.answer?.refused?.kind !== "not realizable") return;
-    const { between } = await this.channel.ask({ do: "support", design, strip: this.strip }) ?? {};
-    if (!between || !same(design, this.design)) return;
-    const { kind, ...places } = between, where = Object.values(places).map((place) => `${this.number(place)} mm`).join(" – ");
-    this.verdict.append(html("button", { type: "button", class: "support", onclick: () => {
-      this.history.change((one) => { this.listOf(one, "between").push(between); });
-    } }, `${this.t("Try")}: ${this.t(kind)} ${where}`));
+  // After a refusal: the changes that make the strip possible, each a button that shows its strip while it is pointed at.
+  async suggest(design, strip) {
+    if (design.pair || !this.answer?.refused || this.drawing.fingers.size || !same(design, this.design)) return;
+    this.offers.replaceChildren(html("p", {}, `${this.t("Searching for changes that help")} …`));
+    const answer = await this.channel.ask({ do: "cures", design, strip });
+    if (!answer || !same(design, this.design) || strip !== this.strip) return;
+    this.offers.replaceChildren(...(answer.cures ?? []).map(({ text, effect, strips }) => {
+      const change = (one) => { one.strips.splice(strip, 1, ...strips); }, changed = structuredClone(design);
+      change(changed);
+      const [show, hide] = [() => this.preview(changed), () => this.preview(null)];
+      return html("button", { type: "button", class: "cure", onpointerenter: show, onfocus: show, onpointerleave: hide, onblur: hide, onclick: () => this.history.change(change) }, text, html("small", {}, effect));
+    }));
+  }
+
+  // The strip of another design over the drawn curve; without one, the strip of this design again.
+  async preview(design) {
+    this.previewed = design;
+    const answer = design ? await this.channel.ask({ do: "strip", design, strip: this.strip, live: true }) : this.answer;
+    if (this.previewed !== design || !answer || (design && answer.refused)) return;
+    this.drawing.show({ points: this.points(design ?? this.design), answer, ghost: design ? this.answer.drawn : null });
   }
 
   async model() {
@@ -424,7 +439,7 @@ class Studio {
     const said = [title, ...texts].join();
     if (said !== this.verdict.said) { // a reader of the screen hears what is new
       this.verdict.className = `verdict ${state}`;
-      this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), ...this.suggestions(refused?.changes ?? []));
+      this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), this.offers);
     }
     this.verdict.said = said;
   }
@@ -442,13 +457,6 @@ class Studio {
       if (cell.textContent !== content) cell.textContent = content;
       cell.title = details.join(" ");
     }));
-  }
-
-  suggestions(changes) {
-    const { t } = this, settable = (this.hello.fields ?? []).map((field) => field.name);
-    return changes.filter(({ field }) => field === "nearest" || settable.includes(field) || field === "thickness").map(({ field, value }) => (field === "nearest"
-      ? html("button", { type: "button", onclick: () => this.nearest() }, t("Nearest curve"))
-      : html("button", { type: "button", onclick: () => this.history.change((design) => { tableOf(design, this.strip, field)[field] = value; }) }, `${t("Try")}: ${t(field.replaceAll("_", " "))} ${typeof value === "number" ? this.number(value) : value}`)));
   }
 
   tell(text, ...more) {

@@ -397,13 +397,13 @@ def typed(name, words):
 
 def suggestions():
     """What the buttons of the open panel say that suggest a change."""
-    return [button.text() for button in panel().form.suggestions if button.isVisible()]
+    return [" ".join(button.text().split()) for button in panel().form.suggestions if button.isVisible()]
 
 
 def suggested(words):
     """The button that suggests this change, once it is there."""
     assert until(lambda: words in suggestions()), suggestions()
-    button = next(one for one in panel().form.suggestions if one.text() == words)
+    button = panel().form.suggestions[suggestions().index(words)]
     scroll_to(button)
     return button
 

@@ -140,7 +140,7 @@ def change_ones_mind(document):
     open_panel("Elastica_Strip", wide)
     button("Cancel")
     open_panel("Elastica_Strip", bad)
-    click(suggested("Use the nearest curve"))
+    click(suggested("Take the nearest curve that a strip can take."))
     until(lambda: panel().object.Follow == "Nearest")
     button()
     (first,) = strips_of(document)

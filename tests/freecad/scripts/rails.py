@@ -26,6 +26,8 @@ from inside import (
     scroll_to,
     sketch,
     still,
+    suggested,
+    suggestions,
     trigger,
     typed,
     until,
@@ -75,12 +77,12 @@ def work():
     until(lambda: Gui.Control.activeDialog() and panel().form is not None)
     strip = document.getObject("Strip")
     answers["refused"] = strip.Verdict
-    until(panel().form.addSupport.isVisible)
-    answers["offered"] = panel().form.addSupport.text()
+    until(suggestions)
+    answers["offered"], *_ = suggestions()
     picture("offered.png")
-    click(panel().form.addSupport)
+    click(suggested(answers["offered"]))
     until(lambda: strip.Between and strip.State == ["Up-to-date"])
-    answers["held"] = [lines(strip), strip.Verdict, panel().form.addSupport.isVisible()]
+    answers["held"] = [lines(strip), strip.Verdict, bool(suggestions())]
     answers["numbers"] = panel().form.numbers.text()
     button()
 

@@ -38,6 +38,7 @@ BOW = [(0, 0), (25, 45), (35, 90), (25, 135), (0, 180)]
 def seen(name, strip):
     """What the panel offers, and how it looks."""
     at_rest()
+    until(lambda: not panel().form.searching.isVisible())
     answers[name] = [strip.State[-1], suggestions()]
     picture(f"{name}.png")
 

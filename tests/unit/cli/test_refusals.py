@@ -207,7 +207,7 @@ def test_ctrl_c_ends_the_search_and_keeps_what_was_found(monkeypatch):
         tried.append(change)
         if len(tried) == 2:
             raise KeyboardInterrupt
-        return suggestions.Suggestion(change, (spec,), 1.0, 50)
+        return suggestions.Suggestion(change, (spec,), 1.0, 50, ())
 
     monkeypatch.setattr(suggestions, "_held", held_once)
     spec = ec.StripSpec(ec.PlaneCurve.spline(CURVES["wave"], degree=4), "pom-0.5", max_width=20)

@@ -12,13 +12,14 @@ import FreeCAD as App
 from freecad.elastica_wb.curves.copies import Standing, copies, repeated
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 from freecad.elastica_wb.features.proxy import Feature, parents
-from freecad.elastica_wb.features.strip_properties import FOLLOW, PROPERTIES, STYLES, spec_of
+from freecad.elastica_wb.features.strip_properties import FOLLOW, PROPERTIES, STYLES, acting_lines, spec_of
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.objects import dress, is_sketch, is_strip
 from freecad.elastica_wb.host.property_table import put
 from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import sheet_called
+from freecad.elastica_wb.host.words import name_of
 from freecad.elastica_wb.solving.strip_cache import (
     bent_shape,
     find_nearest,
@@ -37,8 +38,13 @@ from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.refusals import Length, Refusal, note, sentences
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.suggestions import instruction
 
 BODY = "PartDesign::Body"
+
+CHANGEABLE = ("smooth", "nearest", "between", "max_width", "thickness", "sheet")
+DRAWN = ("point", "size")
+"""Fields of suggested changes: those of properties, and those of a sketch."""
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
@@ -176,55 +182,52 @@ def valid_request(obj: Any) -> StripSpec | None:
 
 
 def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
-    """Return the changes that an error or a remark of a strip suggests: a text, and the values of properties.
+    """Return changes that need no search: a text, and the values of properties.
 
-    Changes of numbers are tried, so they give a strip that can be made.
+    They follow from remarks on a strip, from edges that do not join, or ignore a limit.
     """
-    spec, fields = None, set[str]()
+    changes: list[Change] = []
+    spec = None
     try:
         spec = spec_of(obj, drawn_curve(obj.Curve, obj))
         strip = solve_strip(spec)
         remarks = [record for record in strip.warnings if isinstance(record, Refusal)]
-        changes = [change for record in remarks for change in record.all_changes]
-        changes += [Change("nearest", True) for fault in strip_faults(strip) if fault.curve_helps]
+        changes += (change for record in remarks for change in record.all_changes if _may_help(spec, change))
+        changes += (Change("nearest", True) for fault in strip_faults(strip) if fault.curve_helps)
     except FAILURES as error:
         refusal = explained(error).refusal
-        changes, fields = list(refusal.all_changes), refusal.fields
-        if spec is not None:  # the request is valid, so another curve may help
-            changes.append(Change("nearest", True))
-    if "ignore_limits" in fields:
-        changes.append(Change("ignore_limits", True))
-    known = filter(None, (_suggestion(obj, change) for change in changes if _may_help(spec, change)))
-    return dict(known)
+        changes += refusal.all_changes if spec is None else ()
+        changes += [Change("ignore_limits", True)] if "ignore_limits" in refusal.fields else []
+    texts = {"join": note("Join the ends"), "ignore_limits": note("Make it all the same")}
+    values = {texts.get(change.field) or instruction(change): values_of(obj, change) for change in changes}
+    return {text: value for text, value in values.items() if value}
 
 
-def _suggestion(obj: Any, change: Change) -> tuple[str, dict[str, Any]] | None:
-    """Return the text of a change and the values of properties, or None if the strip has no such property."""
+def changeable(obj: Any) -> tuple[str, ...]:
+    """Return the fields that suggestions may change: those of the sketch only for a strip along a whole sketch."""
+    source, edges = obj.Curve
+    return (*CHANGEABLE, *(DRAWN if is_sketch(source) and not any(edges) else ()))
+
+
+def values_of(obj: Any, change: Change) -> dict[str, Any]:
+    """Return the values of properties that make a change; none if the strip has no such property."""
     match change:
-        case Change("max_width", width) if obj.Style != STYLES[0]:
-            return note("Give it {width} of material", width=Length(width)), {"MaterialWidth": width}
         case Change("max_width", width):
-            return note("Make it {width} wide", width=Length(width)), {"MaxWidth": width}
-        case Change("style.width", width):
-            return note("Make it {width} wide", width=Length(width)), {"OuterWidth": width}
-        case Change("thickness", thickness):
-            return note("Use a sheet {thickness} thick", thickness=Length(thickness)), {
-                "Thickness": thickness
-            }
-        case Change("smooth", within):
-            return note("Smooth by {within}", within=Length(within)), {"Smooth": within}
+            return {"MaxWidth" if obj.Style == STYLES[0] else "MaterialWidth": width}
+        case Change("nearest"):
+            has_width = obj.MaxWidth.Value or obj.MinWidth.Value
+            return {"Follow": FOLLOW[1]} if obj.Follow == FOLLOW[0] and has_width else {}
         case Change("join", gap):
-            return note("Join the ends"), {"JoinGaps": gap}
-        case Change("nearest") if obj.Follow == FOLLOW[0] and (obj.MaxWidth.Value or obj.MinWidth.Value):
-            return note("Use the nearest curve"), {"Follow": FOLLOW[1]}
-        case Change("ignore_limits"):
-            return note("Make it all the same"), {"Anyway": True}
-    return None
+            return {"JoinGaps": gap}
+        case Change("between", element):
+            return {"Between": acting_lines([element])["Between"]}
+    name = name_of(change.field)
+    return {name: change.value} if name in obj.PropertiesList else {}
 
 
-def _may_help(spec: StripSpec | None, change: Change) -> bool:
+def _may_help(spec: StripSpec, change: Change) -> bool:
     """Return True if a strip can be made after a change of numbers. Other changes are not tried."""
-    if spec is None or isinstance(change.value, bool):
+    if isinstance(change.value, bool):
         return True
     with suppress(ElasticaError):
         changed = spec.with_change(change)

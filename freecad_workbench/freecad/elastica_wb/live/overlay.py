@@ -106,9 +106,9 @@ class Overlay:
         """Show both edges of the strip; an empty sequence hides them."""
         self._set(width=edges)
 
-    def show_nearest(self, points: FloatArray | None) -> None:
-        """Show the nearest curve that can be bent; None hides it."""
-        self._set(nearest=() if points is None else (points,))
+    def show_nearest(self, *curves: FloatArray) -> None:
+        """Show the nearest curve that can be bent, or the curves of a suggested change; none hides them."""
+        self._set(nearest=curves)
 
     def shown(self) -> dict[str, int]:
         """Return the number of points in each part."""

@@ -168,7 +168,7 @@ class Session:
         self._answer.stop()
         self.near = None
         self.card.offer("")
-        self.overlay.show_nearest(None)
+        self.overlay.show_nearest()
         try:
             gap = gap_of(*sketches.followers(self.sketch))
             self._curve, self._geometry = sketch_curve(self.sketch, geometry, gap), geometry

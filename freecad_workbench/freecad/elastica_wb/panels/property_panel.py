@@ -8,14 +8,14 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
+from textwrap import fill
 from typing import Any
 
 import FreeCAD as App
 import FreeCADGui as Gui
 from freecad.elastica_wb.curves.edge_chains import curves_in
-from freecad.elastica_wb.curves.sketch_curves import is_edge, linked, picked
-from freecad.elastica_wb.features.strip import valid_request
-from freecad.elastica_wb.features.strip_properties import acting_lines, acting_words, places_of
+from freecad.elastica_wb.curves.sketch_curves import curve_into, drawn_curve, is_edge, linked, picked
+from freecad.elastica_wb.features.strip import DRAWN, changeable, valid_request, values_of
 from freecad.elastica_wb.host.fields import (
     field_for,
     on_change,
@@ -24,25 +24,28 @@ from freecad.elastica_wb.host.fields import (
     set_value,
     value_of,
 )
-from freecad.elastica_wb.host.objects import is_sketch, lives
+from freecad.elastica_wb.host.objects import is_sketch, is_strip, lives
 from freecad.elastica_wb.host.progress import begun
 from freecad.elastica_wb.host.property_table import Property, reword
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.words import report_error, together, worded
-from freecad.elastica_wb.live.overlay import COLORS
+from freecad.elastica_wb.live.curve_picture import curve_picture
+from freecad.elastica_wb.live.overlay import COLORS, Overlay
 from freecad.elastica_wb.live.verdict_card import hex_of
-from freecad.elastica_wb.panels.panel import Panel
-from freecad.elastica_wb.recording import record_value, recorded
-from freecad.elastica_wb.solving.verdicts import Verdict, find_support
+from freecad.elastica_wb.panels.panel import Panel, active_view
+from freecad.elastica_wb.recording import record_call, record_value, recorded
+from freecad.elastica_wb.solving.strip_cache import changes_that_help
+from freecad.elastica_wb.solving.verdicts import Verdict
 
 from elastica_cad._text import html_text
-from elastica_cad.mechanics.elements import Element
-from elastica_cad.refusals import note
 from elastica_cad.report_rows import Row
+from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.suggestions import Suggestion
 
-PEEK_MS = 60  # between checks whether a support was found
+IDLE_MS = 400  # after the last change, until the search for changes that help begins
+PEEK_MS = 60  # between checks whether it has ended
 STYLES = {
     severity: f' style="color: {hex_of(COLORS[verdict])};"'
     for severity, verdict in (("error", Verdict.CANNOT), ("warning", Verdict.BREAKS))
@@ -50,6 +53,8 @@ STYLES = {
 """Colours of rows by their severity: red if the strip fails by a number, orange for other warnings."""
 
 
+SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching for changes that help")
+BUTTON_LETTERS = 32  # in a line of a button, which must not widen the panel
 MOST_SUGGESTED = 5  # buttons for changes that may help
 
 
@@ -120,8 +125,12 @@ class PropertyPanel(Panel):
         for name, widget in self.fields.items():
             on_change(widget, lambda *_, name=name: self._touch(name))
         self._refresh = later(self._show, parent=self.form)
-        self._search: Future[Element | None] | None = None
-        self._look = later(self._offer_support, PEEK_MS, self.form)
+        self._overlay: Overlay | None = None
+        self._tried: tuple[Suggestion, ...] = ()
+        self._refused: StripSpec | None = None
+        self._search: Future[tuple[Suggestion, ...]] | None = None
+        self._idle = later(self._begin_search, IDLE_MS, self.form)
+        self._look = later(self._end_search, PEEK_MS, self.form)
         App.addDocumentObserver(self)
         self._show()
 
@@ -135,16 +144,14 @@ class PropertyPanel(Panel):
         form.numbers.setWordWrap(True)
         form.message.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         outer.addWidget(form.message)
-        form.suggestions = [QtWidgets.QPushButton() for _ in range(MOST_SUGGESTED)]
+        form.suggestions = [_ChangeButton(number, self._preview) for number in range(MOST_SUGGESTED)]
         for number, button in enumerate(form.suggestions):
             button.clicked.connect(lambda *_, number=number: self._take(number))
             button.hide()
             outer.addWidget(button)
-        form.addSupport = QtWidgets.QPushButton()
-        form.addSupport.setObjectName("addSupport")
-        form.addSupport.clicked.connect(self._add_support)
-        form.addSupport.hide()
-        outer.addWidget(form.addSupport)
+        form.searching = QtWidgets.QLabel(f"{translate('Elastica', SEARCHING)} …")
+        form.searching.hide()
+        outer.addWidget(form.searching)
         outer.addWidget(form.numbers)
         form.picture = QtWidgets.QLabel()
         outer.addWidget(form.picture)
@@ -215,6 +222,9 @@ class PropertyPanel(Panel):
         self._stop_picking()
         self._refresh.stop()
         self._look.stop()
+        self._idle.stop()
+        self._preview(None)
+        self._refused = None
         for name in list(self.fields):
             delattr(self.form, name)
             put_away(self.fields.pop(name))
@@ -223,6 +233,7 @@ class PropertyPanel(Panel):
 
     def let_go(self) -> None:
         """Release the document, which is about to be closed."""
+        self._overlay = None
         self.closed()
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
@@ -282,10 +293,11 @@ class PropertyPanel(Panel):
         self.form.picture.setVisible(picture is not None)
         if picture is not None:
             self.form.picture.setPixmap(picture)
+        alone = failed and is_strip(obj) and len(self.objects) == 1
+        self._refused, self._tried = valid_request(obj) if alone else None, ()
         self._suggest()
-        spec = valid_request(obj) if failed and getattr(obj, "Follow", "") == "Exactly" else None
-        self._search = begun(find_support, spec) if spec is not None and len(self.objects) == 1 else None
-        self._offer_support()
+        self.form.searching.setVisible(self._refused is not None)
+        self._idle.start() if self._refused is not None else self._idle.stop()
         self.form.footnote.setText("" if failed else layout.footnote(obj))
         self.show_message(self._words())
         if layout.source:
@@ -317,40 +329,71 @@ class PropertyPanel(Panel):
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))
 
     def _suggest(self) -> None:
-        """Show a button for each change that an error or a remark of the features suggests."""
+        """Show a button for each change that makes the strip possible, or that a remark suggests."""
+        self._preview(None)
         self._suggested = defaultdict(list)
+        for suggestion in self._tried:
+            self._suggested[suggestion.title].append((self.object, suggestion))
         for obj in self.objects:
             for text, values in self.layout.suggestions(obj).items():
                 self._suggested[text].append((obj, values))
-        texts = [*self._suggested, *[""] * MOST_SUGGESTED]
-        for text, button in zip(texts, self.form.suggestions, strict=False):
-            button.setText(worded(text))
+        none = [""] * MOST_SUGGESTED
+        effects = [worded(suggestion.effect) for suggestion in self._tried] + none
+        for button, text, effect in zip(
+            self.form.suggestions, [*self._suggested, *none], effects, strict=False
+        ):
+            button.setText(fill(worded(text), BUTTON_LETTERS))
+            button.setToolTip(effect)
             button.setVisible(bool(text))
+
+    def _begin_search(self) -> None:
+        """Search for changes that help, unless the user holds a mouse button or an earlier search still runs."""
+        if self._refused is None:
+            return
+        runs = self._search is not None and not self._search.done()
+        if runs or QtWidgets.QApplication.mouseButtons():
+            self._idle.start()
+            return
+        self._search = begun(changes_that_help, self._refused, changeable(self.object))
+        self._searched = self._refused
+        self._look.start()
+
+    def _end_search(self) -> None:
+        """Show the changes when the search has ended, unless the request has changed since."""
+        if not self._search.done():
+            self._look.start()
+        elif self._searched is self._refused:
+            self._tried = self._search.result()
+            self.form.searching.hide()
+            self._suggest()
+
+    def _preview(self, number: int | None) -> None:
+        """Show the curve of a suggested change in the view, or hide it."""
+        if self._overlay is not None:
+            self._overlay.remove()
+            self._overlay = None
+        view = active_view()
+        if number is None or number >= len(self._tried) or view is None:
+            return
+        suggestion = self._tried[number]
+        self._overlay = Overlay(view, drawn_curve(self.object.Curve).world)
+        request, strips = suggestion.requests[0], suggestion.strips
+        if suggestion.change.field == "between":
+            self._overlay.show(curve_picture(request.curve, request))
+        self._overlay.show_nearest(*(strip.rod.position for strip in strips))
 
     def _take(self, number: int) -> None:
         """Apply a suggested change to the features that it is for."""
-        for obj, values in [*self._suggested.values()][number]:
+        for obj, change in [*self._suggested.values()][number]:
+            if isinstance(change, Suggestion) and change.change.field in DRAWN:
+                sketch, _ = obj.Curve
+                recorded(curve_into, sketch, change.requests[0].curve)
+                record_call(sketch, "solve")
+                continue
+            values = values_of(obj, change.change) if isinstance(change, Suggestion) else change
             for name, value in values.items():
                 setattr(obj, name, value)
                 self._changed[name] = None
-        self._recompute()
-
-    def _offer_support(self) -> None:
-        """Show the button for a support when the search has found one."""
-        if self.form is None:
-            return
-        waits = self._search is not None and not self._search.done()
-        if waits:
-            self._look.start()
-        support = None if waits or self._search is None else self._search.result()
-        self.form.addSupport.setVisible(support is not None)
-        if support is not None:
-            words = acting_words(support, places_of(support))
-            self.form.addSupport.setText(worded(note("Add this support: {element}", element=words)))
-
-    def _add_support(self, *_: Any) -> None:
-        self.object.Between = acting_lines([self._search.result()])["Between"]
-        self._changed["Between"] = None
         self._recompute()
 
     def _replace(self, work: Callable[[Any], None]) -> None:
@@ -401,6 +444,24 @@ class PropertyPanel(Panel):
         Gui.Selection.removeObserver(self)
         if self.form is not None and self.layout.source:
             set_value(self.form.pick, False)
+
+
+class _ChangeButton(QtWidgets.QPushButton):
+    """Button of a suggested change. It calls `preview` with its number, or with None when the mouse leaves it."""
+
+    def __init__(self, number: int, preview: Callable[[int | None], None]) -> None:
+        super().__init__()
+        self._number, self._preview = number, preview
+
+    def enterEvent(self, event: Any) -> None:
+        """Show the change."""
+        self._preview(self._number)
+        super().enterEvent(event)
+
+    def leaveEvent(self, event: Any) -> None:
+        """Hide the change."""
+        self._preview(None)
+        super().leaveEvent(event)
 
 
 def table_of(rows: Sequence[Row]) -> str:

@@ -34,6 +34,7 @@ from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, glued
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.suggestions import Suggestion, suggest
 
 Result = TypeVar("Result")
 
@@ -103,6 +104,16 @@ def solve_strip(spec: StripSpec) -> Strip:
     """
     spec = _first_equal(spec.in_plane)
     return in_background(SEARCHING, _strip, spec) if spec.may_change else _strip(spec)
+
+
+@remembered
+def changes_that_help(spec: StripSpec, fields: tuple[str, ...]) -> tuple[Suggestion, ...]:
+    """Return the changes of these fields that make a refused strip possible. The search takes seconds."""
+    try:
+        _strip(spec.in_plane)
+    except ElasticaError as problem:
+        return tuple(suggest(spec.in_plane, problem, fields))
+    return ()
 
 
 def moved_by_smoothing(spec: StripSpec) -> float:

@@ -4,26 +4,23 @@
 """Verdicts on curves and strips: can, cannot or breaks, with the reasons in words."""
 
 from collections.abc import Iterable, Iterator
-from contextlib import suppress
 from dataclasses import dataclass
 from enum import Enum
 
 import numpy as np
 from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.words import together
-from freecad.elastica_wb.solving.strip_cache import judged, remembered, sharpest_bend, solve_strip
+from freecad.elastica_wb.solving.strip_cache import judged, sharpest_bend
 
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.errors import ElasticaError, StrainError
 from elastica_cad.forming.fairing_request import outline_steps
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
-from elastica_cad.mechanics.elements import Element
 from elastica_cad.mechanics.section_limits import StrainVerdict, judge_strain
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 from elastica_cad.refusals import Length, Refusal, Span, note, sentences
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.suggestions import find_support as find_element
 
 SLENDER = 2.0
 """Smallest ratio of length to width for which a strip bends as a rod."""
@@ -134,16 +131,6 @@ def quick_answer(
     return (
         _failing([fault]) if fault else Answer(Verdict.CAN, translate("Elastica", "can"), sentence_of(check))
     )
-
-
-@remembered
-def find_support(spec: StripSpec) -> Element | None:
-    """Return the rail, pin or tie with which a refused strip has no faults, or None."""
-    support = find_element(spec)
-    with suppress(ElasticaError):
-        if support is not None and not any(strip_faults(solve_strip(spec.changed(between=support)))):
-            return support
-    return None
 
 
 def strip_answer(strip: Strip) -> Answer:

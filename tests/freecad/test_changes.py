@@ -1,0 +1,86 @@
+"""Changes after a refusal: one list in Python, command line, page and FreeCAD, and the panel's buttons by mouse."""
+
+import json
+
+import numpy as np
+import pytest
+from freecad.elastica_wb import make_strip
+from freecad.elastica_wb.features.strip import changeable, strip_of, valid_request, values_of
+from freecad.elastica_wb.solving.strip_cache import changes_that_help
+
+import elastica_cad as ec
+from elastica_cad.cli import main
+from elastica_cad.strip.suggestions import suggest
+from elastica_cad.web.answers import answer
+from elastica_cad.web.saved_design import curve_table
+
+from . import launching
+from .features import change
+
+ZIGZAG = [(0, 20), (60, 20), (120, 40), (180, -20), (240, 50), (300, -50)]
+WAVE = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
+BOW = [(0, 0), (30, 60), (60, 80), (90, 80), (120, 60), (150, 0)]
+
+
+@pytest.mark.parametrize(
+    ("points", "sheet", "fields"),
+    [
+        (BOW, "oak-3", ["sheet", "size"]),
+        pytest.param(ZIGZAG, "pom-0.5", ["point", "nearest"], marks=pytest.mark.campaign),
+        pytest.param(WAVE, "birch-plywood-0.8", ["between"], marks=pytest.mark.campaign),
+    ],
+)
+def test_all_front_ends_list_the_same_changes(points, sheet, fields, drawn, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    curve = ec.PlaneCurve.spline(points, degree=5)
+    spec = ec.StripSpec(curve, sheet, max_width=25)
+    with pytest.raises(ec.ElasticaError) as refusal:
+        spec.make()
+    expected = [(one.change.field, one.title, one.effect) for one in suggest(spec, refusal.value)]
+    assert [field for field, *_ in expected] == fields
+
+    strip = make_strip(drawn(points, 5), Sheet=sheet, MaxWidth=25, flat_part=False)
+    found = changes_that_help(valid_request(strip), changeable(strip))
+    assert [(one.change.field, one.title, one.effect) for one in found] == expected
+
+    design = {"schema": 1, "sheet": sheet, "max_width": 25, "strips": [{"curve": curve_table(curve)}]}
+    cures = answer({"do": "cures", "design": design})["cures"]
+    words = [(title, effect) for _, title, effect in expected]
+    assert [(cure["text"], cure["effect"]) for cure in cures] == words
+
+    ec.write_curves([curve], "curve.json")
+    with pytest.raises(SystemExit):
+        main(["strip", "curve.json", "--sheet", sheet, "--max-width", "25", "-o", "out", "--json"])
+    listed = json.loads(capsys.readouterr().out)["cures"]
+    assert [cure["field"] for cure in listed] == fields
+    assert all(
+        cure["text"].endswith(f"({effect}).") for cure, (*_, effect) in zip(listed, expected, strict=True)
+    )
+
+
+def test_another_sheet_makes_the_strip_of_its_suggestion(drawn):
+    strip = make_strip(drawn(BOW, 5), Sheet="oak-3", MaxWidth=25, flat_part=False)
+    suggestion = changes_that_help(valid_request(strip), changeable(strip))[0]
+    change(strip, **values_of(strip, suggestion.change))
+    assert strip.State == ["Up-to-date"]
+    (made,) = suggestion.strips
+    assert strip_of(strip).rod.position == pytest.approx(made.rod.position)
+    assert strip_of(strip).sheet == made.sheet
+
+
+@pytest.mark.campaign
+def test_changes_by_mouse(tmp_path):
+    found = launching.run_window("changes.py", tmp_path)
+    assert found["searching"] == "Searching for changes that help …"
+    assert found["offered"] == found["offered again"]
+    assert found["offered"][0].startswith("Move control point 4 to (")
+    assert "nearest curve" in found["offered"][1]
+    assert found["shown"]["nearest"] > 100
+    assert "of the drawn curve" in found["tip"]
+    poles, verdict, offered, hidden = found["applied"]
+    moved = np.linalg.norm(np.subtract(poles, found["drawn"]), axis=1)
+    assert np.flatnonzero(moved > 1e-6).tolist() == [3]
+    assert verdict.startswith("A flat strip takes this curve.")
+    assert (offered, hidden) == ([], True)
+    assert found["undone"][0] == found["drawn"]
+    assert "cannot" in found["undone"][1]
