@@ -1,4 +1,4 @@
-"""Paths of cubics, arcs or lines in place of splines, to a stated tolerance."""
+"""Approximation of splines in a path by cubics, arcs or lines within a tolerance."""
 
 from collections.abc import Callable
 from itertools import pairwise
@@ -19,23 +19,23 @@ from elastica_cad.refusals import Length
 Motion = Callable[[FloatArray, int, bool], FloatArray]
 
 _PROBES = np.array([0.06, 0.2, 0.36, 0.5, 0.64, 0.8, 0.94])
-"""Fractions of a span at which the error is measured; spaced unevenly, unlike the sites."""
+"""Fractions of a span at which the error is measured; unlike the interpolation points, they are uneven."""
 
 _MOST_SPANS = 20_000
-"""Largest number of spans; a tolerance that needs more is refused."""
+"""Largest number of spans of an approximation; a tolerance that needs more is refused."""
 
 
 def as_cubics(path: Path, tolerance: float = 0.02, *, rational: bool = True) -> Path:
-    """Return the path with clamped splines of degree 3 at most; splines with these properties stay exact.
+    """Return the path with all splines as clamped splines of degree 3 at most.
 
     Parameters
     ----------
     path : Path
-        Lines and arcs are kept.
+        Path to convert; lines, arcs and clamped splines of degree 3 at most are not changed.
     tolerance : float
-        Largest distance, mm, of a replaced spline from its original; checked between the samples.
+        Largest distance, mm, between a spline and its approximation, measured between the interpolation points.
     rational : bool
-        If False, weighted splines are replaced too, for file formats with polynomial pieces only.
+        If False, splines with weights are approximated too, for file formats that have only polynomial pieces.
 
     Examples
     --------
@@ -65,9 +65,9 @@ def _as_cubic(segment: Segment, tolerance: float, rational: bool) -> Segment:
 
 
 def as_beziers(path: Path) -> Path:
-    """Return the same path with every spline as joined cubic Bezier curves: each interior knot three times.
+    """Return the same path with every spline as joined cubic Bezier curves, with threefold interior knots.
 
-    The splines must have degree 3 at most, as those of `as_cubics`.
+    The splines must have degree 3 at most, such as the result of `as_cubics`.
 
     Examples
     --------
@@ -96,7 +96,7 @@ def _joined_beziers(curve: PlaneCurve) -> PlaneCurve:
 
 
 def _raised(rows: FloatArray) -> FloatArray:
-    """Return homogeneous control points (n, 3) of a Bezier curve, with degree 1 or 2 raised to 3."""
+    """Return homogeneous control points (n, 3) of a Bezier curve of degree 1 to 3, raised to degree 3."""
     while (degree := len(rows) - 1) < 3:
         share = np.arange(1, degree + 1)[:, None] / (degree + 1)
         rows = np.concatenate([rows[:1], share * rows[:-1] + (1 - share) * rows[1:], rows[-1:]])
@@ -104,9 +104,9 @@ def _raised(rows: FloatArray) -> FloatArray:
 
 
 def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ...]:
-    """Return the distinct knots (k,) of each stretch of a curve with `continuity` continuous derivatives.
+    """Return the distinct knots (k,) of each part of a curve that has `continuity` continuous derivatives.
 
-    The last knot of a stretch is the first of the next.
+    The last knot of a part is the first knot of the next part.
 
     Examples
     --------
@@ -124,17 +124,18 @@ def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ..
 
 
 def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: float) -> PlaneCurve:
-    """Return the clamped cubic B-spline that follows `motion` to `tolerance` mm at equal parameters.
+    """Return the clamped cubic B-spline that approximates `motion` within `tolerance` mm at equal parameters.
 
-    The spline interpolates the motion at the knots and has its direction at the ends of every stretch.
+    The spline interpolates the motion at the knots, and has the same direction at the ends of every smooth part.
 
     Parameters
     ----------
     motion : callable
-        Maps parameters (n,), order (0 or 1) and side (True: the left limit) to positions or derivatives
-        (n, 2); smooth inside each stretch.
+        Function of parameters (n,), an order and a flag. It returns positions (n, 2) for the order 0, and
+        derivatives for the order 1. If the flag is True, values at knots are left limits. The function is smooth
+        inside each part.
     stretches : tuple of arrays
-        Initial sites of each stretch; the last site of a stretch is the first site of the next stretch.
+        Initial interpolation parameters of each smooth part; the last of a part is the first of the next part.
     """
     knots: list[FloatArray] = []
     points: list[FloatArray] = []
@@ -147,7 +148,7 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
 
 
 def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tuple[FloatArray, FloatArray]:
-    """Return knots and control points of the spline that interpolates a stretch with its end slopes."""
+    """Return knots and control points of the spline that interpolates a smooth part with its end slopes."""
     ends = np.concatenate([motion(sites[:1], 1, False), motion(sites[-1:], 1, True)])
     while sites.size <= _MOST_SPANS:
         knots = clamped_knots(sites, {}, 3)
@@ -173,10 +174,10 @@ def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tup
 
 
 _ROUNDING_SHARE = 1e-12
-"""Fraction of its coordinates below which a chord has no direction."""
+"""Length of a chord, as a fraction of its coordinates, below which its direction consists of rounding errors."""
 
 _SHORTEST_SHARE = 1e-6
-"""Shortest piece of a spline, as a fraction of its parameter range."""
+"""Length of the shortest piece of a spline, as a fraction of its parameter range."""
 
 _SAMPLES = np.linspace(0.0, 1.0, 33)
 """Fractions of a spline piece at which a biarc is compared with it."""
@@ -189,7 +190,7 @@ _NEAR = 0.05
 
 
 def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
-    """Return the path as lines between points on it, at most `tolerance` mm from it.
+    """Return the path as lines between points of the path; their distance from the path is at most `tolerance` mm.
 
     Examples
     --------
@@ -201,9 +202,9 @@ def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
 
 
 def as_arcs(path: Path, tolerance: float = 0.02) -> Path:
-    """Return the path with every spline replaced by tangent arcs (biarcs) at most `tolerance` mm away.
+    """Return the path with every spline approximated by tangent arcs (biarcs) within `tolerance` mm.
 
-    Lines and arcs are kept. Each biarc has the points and directions of the spline at its ends.
+    Lines and arcs are not changed. At its ends, each biarc has the points and directions of the spline.
 
     Examples
     --------
@@ -242,7 +243,7 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
 def _longest(
     spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
 ) -> tuple[float, list[Segment]]:
-    """Return the largest parameter b (to 5 %) and the biarc up to it that stays within the tolerance."""
+    """Return the largest end parameter (within 5 %) of a biarc from `start` within the tolerance, and the biarc."""
     allowed = _TAKEN * tolerance
     pieces, off = _biarc(spline, start, end)
     if off <= allowed:
@@ -269,7 +270,7 @@ def _longest(
 
 
 def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[list[Segment], float]:
-    """Return the biarc from `start` to u = b with equal tangent lengths, and its largest error, mm."""
+    """Return the biarc from `start` to parameter b with equal tangent lengths, and its largest error, mm."""
     a, s = start
     samples = spline.at(a + (b - a) * _SAMPLES)
     p, q = samples[0], samples[-1]
@@ -278,7 +279,7 @@ def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[l
     along, bend = float(chord @ (s + t)), float(2 * (1 - s @ t))
     square = float(chord @ chord)
     if along <= _ROUNDING_SHARE * float(np.abs([p, q]).max()):
-        return [], np.inf  # the chord runs backwards, or the spline is a loop
+        return [], np.inf  # the chord points backwards, or the spline is a loop
     # positive root of bend d^2 + 2 along d = square, in a form that is also valid for bend = 0
     d = square / (along + np.sqrt(along**2 + bend * square))
     middle = (p + d * s + q - d * t) / 2
@@ -288,6 +289,6 @@ def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[l
 
 
 def _arc(p: FloatArray, q: FloatArray, tangent: FloatArray, end: float) -> Segment:
-    """Return the arc from p to q with `tangent` at p (end = 1) or at q (end = -1)."""
+    """Return the arc from p to q with the given tangent at p (`end` = 1) or at q (`end` = -1)."""
     half_turn = end * float(turn_between(tangent, q - p))
     return segment_from_bulge(p, q, float(np.tan(half_turn / 2)))

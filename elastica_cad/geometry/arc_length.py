@@ -13,38 +13,39 @@ _DEGREE = 15
 """Degree of the Chebyshev series of the speed on each panel."""
 
 _FINE = 1e-14
-"""Size of the last coefficients, relative to the speed, below which they are rounding errors."""
+"""Last Chebyshev coefficients, relative to the speed, below which they are rounding errors."""
 
 _NOISE_SHARE = 1e-8
-"""Size of coefficients, relative to the speed, below which halving is tested; if it does not reduce the
-coefficients,
-they are rounding errors."""
+"""Coefficients, relative to the speed, below which halving a panel is tested.
+
+If halving does not reduce them, they are rounding errors.
+"""
 
 _NARROWEST = 2.0**-40
-"""Narrowest panel, as a fraction of the parameter range; halving it further gives rounding errors only."""
+"""Width of the narrowest panel, as a fraction of the parameter range; smaller ones contain only rounding errors."""
 
-# largest number of steps; three are usual, and many are needed only where the speed is almost 0
+# largest number of Newton steps; three are usual, and more are needed only where the speed is almost 0
 _NEWTON_STEPS = 40
 
 _SITES = chebyshev.chebpts1(_DEGREE + 1)
 _TO_SERIES = np.linalg.inv(chebyshev.chebvander(_SITES, _DEGREE)).T
 _INTEGRATE = np.asarray(chebyshev.chebint(np.eye(_DEGREE + 1), lbnd=-1, axis=0), dtype=float).T
 _PLACES = np.linspace(-1.0, 1.0, 17)
-"""Positions in a panel at which the arc length is tabulated, as starting points for Newton's method."""
+"""Coordinates in a panel at which the arc length is tabulated, as starting points for Newton's method."""
 
 
 @dataclass(frozen=True, eq=False)
 class ArcLength:
-    """Arc length s(t) on panels short enough for a series of degree 16 to be exact to rounding.
+    """Arc length as a function of the parameter, on panels with Chebyshev series of degree 16.
 
     Attributes
     ----------
     t : (k + 1,) array
-        Ends of the panels.
+        Parameters at the ends of the panels.
     s : (k + 1,) array
-        Arc length at the ends, mm; s[0] = 0.
+        Arc lengths at the ends of the panels, mm; s[0] = 0.
     series : (k, 17) array
-        Chebyshev coefficients over the panel of the arc length from its start.
+        Chebyshev coefficients of the arc length from the start of each panel.
     """
 
     t: FloatArray
@@ -52,7 +53,7 @@ class ArcLength:
     series: FloatArray
 
     def length_at(self, t: FloatArray) -> FloatArray:
-        """Return arc lengths (n,) at parameters (n,)."""
+        """Return arc lengths (n,), mm, at parameters (n,)."""
         panel = np.searchsorted(self.t[1:-1], t, side="right")
         x = np.clip(2 * (t - self.t[panel]) / np.diff(self.t)[panel] - 1, -1.0, 1.0)
         s = self.s[panel] + chebyshev.chebval(x, self.series.T[:, panel], tensor=False)
@@ -82,12 +83,15 @@ class ArcLength:
 
     @cached_property
     def _slopes(self) -> FloatArray:
-        """Series (k, 16) of ds/dx."""
+        """Chebyshev coefficients (k, 16) of the derivatives of the series by the panel coordinate x."""
         return np.asarray(chebyshev.chebder(self.series, axis=1), dtype=float)
 
     @cached_property
     def _table(self) -> tuple[FloatArray, FloatArray]:
-        """Positions over all panels, each 2 wide, and the arc length there, which never decreases."""
+        """Tabulated coordinates over all panels, each of width 2, and the arc lengths at these coordinates.
+
+        The arc lengths never decrease.
+        """
         panels = len(self.series)
         inside = self.series @ chebyshev.chebvander(_PLACES[:-1], _DEGREE + 1).T + self.s[:-1, None]
         places = (2.0 * np.arange(panels)[:, None] + _PLACES[:-1]).ravel()
@@ -96,7 +100,7 @@ class ArcLength:
 
 
 def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges: FloatArray) -> ArcLength:
-    """Tabulate the integral of `speed` over the spans between `edges`.
+    """Return the arc length for a function `speed` that is smooth between `edges`.
 
     Panels are halved until the last Chebyshev coefficients of the speed are rounding errors. If the parameters
     are large compared with their range, halving stops where it no longer reduces these coefficients.
@@ -104,7 +108,8 @@ def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges:
     Parameters
     ----------
     speed : callable
-        Maps spans (n,) and parameters (n,) in them to mm per unit of t.
+        Function of span indices (n,) and parameters (n,) in these spans; it returns speeds in mm per unit of the
+        parameter.
     """
     span, low, width = np.arange(edges.size - 1), edges[:-1], np.diff(edges)
     before = np.full(low.shape, np.inf)

@@ -1,7 +1,8 @@
 """Constraints on the control points of a curve, and the least change that satisfies them.
 
-Appendix C of the paper: inflections on a line, end points, end tangents, arc length. Every constraint is an
-equation G(q) = 0 in the control points q (m, 2), in row order. The weights of a rational curve do not change.
+The constraints are those of the paper's Appendix C: inflections on a line, end points, end tangents, arc length.
+Every constraint is an equation G(q) = 0 for the control points q (m, 2), with the coordinates in row order. The
+weights of a rational curve do not change.
 """
 
 from collections.abc import Sequence
@@ -29,20 +30,20 @@ class Constraint(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class EndPositions:
-    """Fixed end points (2,), mm; None leaves an end free."""
+    """Fixed end points (2,), mm; an end with the value None is free."""
 
     start: FloatArray | None
     end: FloatArray | None
 
     @classmethod
     def of(cls, curve: PlaneCurve) -> "EndPositions":
-        """Return the constraint that keeps both ends of `curve`."""
+        """Return the constraint that both ends of `curve` remain where they are."""
         require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
         start, end = curve.evaluate(np.array(curve.domain))
         return cls(start, end)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return the x and y distances of the fixed ends from their points, mm."""
+        """Return the x and y distances, mm, of the ends of the curve from the fixed points."""
         held = [(t, p) for t, p in zip(curve.domain, (self.start, self.end), strict=True) if p is not None]
         if not held:
             return np.zeros(0), np.zeros((0, curve.control_points.size))
@@ -53,14 +54,14 @@ class EndPositions:
 
 @dataclass(frozen=True, eq=False)
 class EndTangents:
-    """Fixed end tangents, given by their normal vectors (2,); None leaves an end free."""
+    """Fixed end tangents, given by their normal vectors (2,); an end with the value None is free."""
 
     start_normal: FloatArray | None
     end_normal: FloatArray | None
 
     @classmethod
     def of(cls, curve: PlaneCurve) -> "EndTangents":
-        """Return the constraint that keeps both end tangents of `curve`."""
+        """Return the constraint that both end tangents of `curve` remain the same."""
         require_record(curve, PlaneCurve, "the curve", "a PlaneCurve")
         velocity = curve.evaluate(np.array(curve.domain), 1)
         unit = velocity / np.linalg.norm(velocity, axis=1, keepdims=True)
@@ -68,7 +69,7 @@ class EndTangents:
         return cls(start, end)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return the normal components of the velocities d/dt at the fixed ends."""
+        """Return the components of the end velocities along the fixed normals."""
         ends = zip(curve.domain, (self.start_normal, self.end_normal), strict=True)
         held = [(t, n) for t, n in ends if n is not None]
         if not held:
@@ -80,14 +81,15 @@ class EndTangents:
 
 @dataclass(frozen=True, eq=False)
 class SmoothJoints:
-    """Continuous tangents where pieces meet in a control point.
+    """Constraint that tangents are continuous where pieces of a curve meet in a control point.
 
     Attributes
     ----------
     at : (k,) array
         Indices of the control points in which pieces meet.
     size : (k,) array
-        Lengths, mm, by which cross products of handles are divided, so that residuals are lengths.
+        Lengths, mm. Cross products of handles are divided by these, so that residuals are lengths. A handle is
+        the vector between a joint and the next control point.
     """
 
     at: IntArray
@@ -118,12 +120,16 @@ class SmoothJoints:
 
 @dataclass(frozen=True)
 class FixedLength:
-    """Fixed arc length `length`, mm."""
+    """Constraint on the arc length, with its value `length`, mm."""
 
     length: float
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return the excess length, mm; its derivative by q_i is the integral of <gamma' / |gamma'|, dR_i/dt>."""
+        """Return the excess length, mm, and its derivatives by the control points.
+
+        The derivative by control point q_i is the integral of <gamma' / |gamma'|, dR_i/dt>, with its basis
+        function R_i.
+        """
         low, width = curve.smooth_panels[:-1], np.diff(curve.smooth_panels)
         x, w = gauss_rule(16)
         t = (low[:, None] + width[:, None] * (1 + x) / 2).ravel()
@@ -136,7 +142,7 @@ class FixedLength:
 
 @dataclass(frozen=True, eq=False)
 class InflectionsOnLine:
-    """Inflections near parameters `t` (k,) that are on the line a + <b, x> = 0.
+    """Constraint that the inflections near parameters `t` (k,) are on the line a + <b, x> = 0.
 
     With a natural curvature, 1/mm, inflections are the points where the curvature crosses the natural curvature.
     """
@@ -147,7 +153,10 @@ class InflectionsOnLine:
     natural_curvature: float = 0.0
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return values a + <b, gamma(t_0)> at the inflections t_0, which move with the control points."""
+        """Return the values a + <b, gamma(t_0)> at the inflections t_0 of the curve gamma.
+
+        The inflections move with the control points.
+        """
         position, jacobian = _inflections(curve, self.t, self.natural_curvature)
         b = np.asarray(self.b, dtype=float)
         return self.a + position @ b, np.asarray(np.einsum("k,ikq->iq", b, jacobian))
@@ -155,14 +164,14 @@ class InflectionsOnLine:
 
 @dataclass(frozen=True, eq=False)
 class PointsOnLine:
-    """Points at parameters `t` (k,) that are on the line a + <b, x> = 0, as pinned ends must be."""
+    """Constraint that points at parameters `t` (k,) are on the line a + <b, x> = 0, as pinned ends must be."""
 
     a: float
     b: FloatArray
     t: FloatArray
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return values a + <b, gamma(t)>."""
+        """Return the values a + <b, gamma(t)> of the curve gamma."""
         b = np.asarray(self.b, dtype=float)
         rows = directed_rows(curve.basis(self.t), np.tile(b, (self.t.size, 1)))
         return self.a + curve.evaluate(self.t) @ b, rows
@@ -170,7 +179,7 @@ class PointsOnLine:
 
 @dataclass(frozen=True, eq=False)
 class CurvatureAt:
-    """Fixed `curvature`, 1/mm, at parameters `t` (k,); `size`, mm, converts residuals to lengths."""
+    """Constraint on the `curvature`, 1/mm, at parameters `t` (k,); `size`, mm, converts residuals to lengths."""
 
     t: FloatArray
     curvature: float | FloatArray
@@ -184,12 +193,12 @@ class CurvatureAt:
 
 @dataclass(frozen=True, eq=False)
 class CollinearInflections:
-    """Inflections near parameters `t` (k,) that are on one line; the line is free."""
+    """Constraint that the inflections near parameters `t` (k,) are on a common line in any position."""
 
     t: FloatArray
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return distances, mm, of inflections from the line through the two inflections farthest apart."""
+        """Return the distances, mm, of inflections from the line through the two inflections farthest apart."""
         position, jacobian = _inflections(curve, self.t)
         apart = np.linalg.norm(position[:, None] - position[None], axis=2)
         i, j = np.unravel_index(int(apart.argmax()), apart.shape)
@@ -200,7 +209,8 @@ class CollinearInflections:
         normal = left_of(chord) / size
         offset = position[others] - position[i]
         along = offset @ chord / size**2
-        # d<offset, n>: if the chord rotates, the line moves by the fraction `along` of the movement of its far end
+        # if the chord rotates, the point of the line moves by the fraction `along` of the movement of the
+        # chord's far end
         step = jacobian[others] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
         return offset @ normal, np.asarray(np.einsum("k,ikq->iq", normal, step))
 
@@ -212,15 +222,16 @@ def least_norm_newton(
     tolerance: float = 1e-10,
     max_steps: int = 30,
 ) -> tuple[PlaneCurve, tuple[float, ...]]:
-    """Move the control points a little until all constraints hold (paper, Appendix C).
+    """Return the curve after the least move of its control points that satisfies all constraints.
 
-    Each step is the least-norm solution of J dq = -G. A step is shortened only if the residual would grow.
+    Each step dq is the least-norm solution of J dq = -G, with residuals G and their derivatives J (paper,
+    Appendix C). A step is shortened only if the residual would increase.
 
     Parameters
     ----------
     tolerance : float
-        Norm of all residuals at which to stop, relative to the size of the curve. The iteration also stops if no
-        step reduces residuals caused by rounding of the control points; these are larger with dense knots.
+        Norm of all residuals, relative to the size of the curve, at which the iteration stops. The iteration also
+        stops if the residuals are rounding errors of the control points; these are larger with dense knots.
 
     Returns
     -------
@@ -231,7 +242,7 @@ def least_norm_newton(
     Raises
     ------
     NotConvergedError
-        If the constraints contradict each other, or an inflection disappears during the iteration.
+        The constraints contradict each other, or an inflection disappears during the iteration.
 
     Examples
     --------
@@ -274,7 +285,7 @@ def least_norm_newton(
 
 
 def _rounding(curve: PlaneCurve, jacobian: FloatArray) -> float:
-    """Return the norm of the residuals that rounding of the control points and of their evaluation may cause."""
+    """Return the norm of residuals that rounding of the control points and of their evaluation may cause."""
     return float(8 * _EPS * np.linalg.norm(np.abs(jacobian) @ np.abs(curve.control_points).ravel()))
 
 
@@ -306,12 +317,12 @@ def _assembled(curve: PlaneCurve, constraints: Sequence[Constraint]) -> tuple[Fl
 
 
 def directed_rows(basis: FloatArray, direction: FloatArray) -> FloatArray:
-    """Return derivatives (k, 2 m) of <direction_k, sum_i basis_ki q_i> by the control points q_i."""
+    """Return the derivatives (k, 2 m) of <direction_k, sum_i basis_ki q_i> by the control points q_i."""
     return np.asarray((basis[:, :, None] * direction[:, None, :]).reshape(basis.shape[0], -1))
 
 
 def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
-    """Return derivatives (k, 2 m) of the curvature det(gamma', gamma'') / |gamma'|^3 at parameters t (k,)."""
+    """Return the derivatives (k, 2 m) of the curvature at parameters t (k,) by the control points."""
     d1, d2 = curve.evaluate(t, 1), curve.evaluate(t, 2)
     speed = np.hypot(d1[:, 0], d1[:, 1])[:, None]
     turned1, turned2 = (left_of(d) for d in (d1, d2))
@@ -321,9 +332,11 @@ def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
 
 
 def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> tuple[FloatArray, FloatArray]:
-    """Return positions (k, 2) of the inflections near given parameters, and derivatives (k, 2, 2 m).
+    """Return the positions (k, 2) of the inflections near given parameters, and their derivatives (k, 2, 2 m).
 
-    At an inflection t_0, kappa = kappa_0 stays true, so dt_0/dq = -(d kappa/dq) / (d kappa/dt).
+    At an inflection with the parameter t, the curvature kappa always equals kappa_0. The derivatives by the
+    control points
+    q are therefore dt/dq = -(d kappa/dq) / (d kappa/dt).
     """
     t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
     velocity = curve.evaluate(t, 1)
@@ -334,7 +347,7 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
 
 
 def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) -> FloatArray:
-    """Return an inflection for each given parameter: in order if the counts agree, else the nearest."""
+    """Return an inflection for each given parameter: in order if the numbers agree, else the nearest."""
     inflections = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
     if inflections.size < near.size:
         raise NotConvergedError(

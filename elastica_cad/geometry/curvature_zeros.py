@@ -1,7 +1,8 @@
 """Zeros of piecewise polynomials along a curve: zeros of the curvature and crossings with a line.
 
-The sign of the curvature is that of det(P, P', P'') / w^3 in homogeneous coordinates P = (x w, y w, w). This is
-a polynomial on every knot span. Therefore no zero is missed between samples, even if two zeros are very close.
+The curvature has the sign of det(P, P', P'') / w^3 in homogeneous coordinates P = (x w, y w, w), with weight w. The
+determinant is a polynomial on every knot span. Therefore no zero is missed between samples, even if two zeros are
+very close.
 """
 
 from collections.abc import Callable
@@ -20,18 +21,18 @@ ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
 _EPS = float(np.finfo(float).eps)
 
 _DEGREE = 11
-"""Degree of the polynomials that approximate a function that is not a polynomial."""
+"""Degree of the polynomials that approximate functions other than polynomials."""
 
 _FOLLOWED = 1e-13
-"""Size of the last coefficients, relative to the size of a function, at which a polynomial approximates it."""
+"""Last coefficients, relative to the size of a function, below which a polynomial approximates the function."""
 
 _FOLLOWED_NOISE = 1e-12
-"""Size of the curvature polynomials in Bernstein form, in which the zeros are found."""
+"""Coefficients of the approximating polynomials, relative to the size of the function, that are rounding errors."""
 
 _FLAT = 1e-7
-"""Size of a function between two points, relative to its overall size, below which it counts as 0."""
+"""Largest value of a function on an interval, relative to its overall size, for which it counts as 0 there."""
 
-_MOST_CUTS = 12  # largest number of halvings of a span; any remaining error is rounding
+_MOST_CUTS = 12  # largest number of halvings of a span; any remaining error is a rounding error
 
 _SITES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))
 _TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_SITES, _DEGREE))
@@ -45,17 +46,17 @@ _TO_BERNSTEIN = np.linalg.inv(
 
 @dataclass(frozen=True)
 class ZeroPlace:
-    """A zero of a function along the curve, by parameter.
+    """Zero of a function along a curve, in terms of its parameter.
 
     Attributes
     ----------
     t, t_end : float
-        Parameters; t_end differs from t only for a stretch on which the function vanishes ("flat").
+        Parameter of the zero. For an interval in which the function is zero ("flat") they are its start and end.
     kind : str
-        "crossing" (the sign changes), "touch" (it does not), "end" (zero at an end of the curve),
-        "jump" (the sign changes by a jump, at a knot), "flat" (zero all along t..t_end).
+        "crossing" (the sign changes), "touch" (the sign does not change), "end" (a zero at an end of the curve),
+        "jump" (the sign changes by a jump at a knot), or "flat" (zero from t to t_end).
     before, after : int
-        Sign of the function on either side, 0 beyond the ends of the curve.
+        Signs of the function before and after the zero; 0 beyond the ends of the curve.
     """
 
     t: float
@@ -66,14 +67,16 @@ class ZeroPlace:
 
 
 def curvature_zero_places(bezier: FloatArray, edges: FloatArray, smooth: BoolArray) -> tuple[ZeroPlace, ...]:
-    """Return all zeros of the curvature of homogeneous Bezier pieces (p, degree + 1, 3).
+    """Return all zeros of the curvature of a curve that consists of Bezier pieces.
 
     Parameters
     ----------
+    bezier : (p, degree + 1, 3) array
+        Homogeneous control points of the pieces.
     edges : (p + 1,) array
         Parameters at which the pieces meet.
     smooth : (p - 1,) bool array
-        True where the curvature is continuous.
+        True for inner edges at which the curvature is continuous.
     """
     bezier = _unit_sized(bezier)
     numerator, noise = _curvature_numerator(bezier)
@@ -82,7 +85,7 @@ def curvature_zero_places(bezier: FloatArray, edges: FloatArray, smooth: BoolArr
 
 
 def line_places(bezier: FloatArray, edges: FloatArray, a: float, b: FloatArray) -> tuple[ZeroPlace, ...]:
-    """Return all zeros of a + <b, gamma> along homogeneous Bezier pieces."""
+    """Return all zeros of a + <b, gamma> along a curve gamma of homogeneous Bezier pieces."""
     terms = bezier * np.array([b[0], b[1], a])
     distance = terms.sum(axis=-1)
     noise = 16 * _EPS * np.abs(terms).sum(axis=-1).max(axis=1)
@@ -96,14 +99,14 @@ def function_zero_places(
 ) -> tuple[ZeroPlace, ...]:
     """Return all zeros along the curve of a function that is smooth between `edges`.
 
-    The function need not be a quotient of polynomials. Each span is halved until a polynomial agrees with the
-    function to rounding. The zeros of the polynomials are then found like those of the curvature: none is
-    missed between samples, and zeros without a change of sign are found.
+    Each span is halved until a polynomial agrees with the function within rounding errors. The zeros of the
+    polynomials are then found as for the curvature. No zero is missed between samples, and zeros without a change
+    of sign are found.
 
     Parameters
     ----------
     function : callable
-        Maps parameters (k,), never at an edge, to values (k,).
+        Function of parameters (k,) that returns values (k,); it is not evaluated at edges.
     smooth : (p - 1,) bool array
         True where the function is continuous across an inner edge.
     size : float
@@ -133,14 +136,17 @@ def function_zero_places(
 
 
 def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
-    """Return True (k - 1,) where neighbouring pieces that start at `starts` (k,) meet smoothly."""
+    """Return for inner boundaries (k - 1,) whether the function is continuous there.
+
+    The pieces start at the parameters `starts` (k,).
+    """
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
     return joined
 
 
 def _straight_pieces(bezier: FloatArray) -> BoolArray:
-    """Return True (p,) for pieces of a curve of extent 1 that are straight: curvature below 1e-8."""
+    """Return True (p,) for straight pieces of a curve of extent 1, with a curvature below 1e-8."""
     points = bezier[..., :2] / bezier[..., 2:]
     x, y = (points - points[:, :1]).transpose(2, 0, 1)
     along, across = x[:, -1:], y[:, -1:]
@@ -157,7 +163,7 @@ def _extent(bezier: FloatArray) -> float:
 
 
 def _unit_sized(bezier: FloatArray) -> FloatArray:
-    """Return the pieces moved to the origin and scaled to extent 1 and largest weight 1."""
+    """Return the pieces moved to the origin, and scaled to extent 1 and largest weight 1."""
     points = bezier[..., :2] / bezier[..., 2:]
     high, low = points.max(axis=(0, 1)), points.min(axis=(0, 1))
     unit = np.empty_like(bezier)
@@ -167,15 +173,17 @@ def _unit_sized(bezier: FloatArray) -> FloatArray:
 
 
 def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return Bernstein coefficients of det(A, B - A, A - 2B + C) and their rounding level (p,).
+    """Return Bernstein coefficients of a polynomial with the sign of the curvature, and their rounding errors (p,).
 
-    A, B, C are the de Casteljau points of the last but one step. The determinant D is det(P, P', P'') up to the
-    factor degree^2 (degree - 1), and kappa = (degree - 1)/degree * D * w^3 / |h|^3 with h of `hodograph`.
+    The polynomial is D = det(A, B - A, A - 2B + C), with the points A, B, C of the last but one step of de
+    Casteljau's
+    algorithm. D is det(P, P', P'') except for the factor degree^2 (degree - 1). The curvature is
+    (degree - 1)/degree * D * w^3 / |h|^3, with weight w and the result h of `hodograph`.
     """
     centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
     step = bezier[:, 1:] - bezier[:, :-1]
     bend = step[:, 1:] - step[:, :-1]
-    if np.ptp(bezier[..., 2]) == 0:  # scale weights to 1, so that only one factor of a term remains
+    if np.ptp(bezier[..., 2]) == 0:  # weights are scaled to 1, so that only one factor of a term remains
         d, e = (v[..., :2].transpose(2, 0, 1) for v in (step[:, :-1], bend))
         first, second = product(d, e[::-1])
         return first - second, _numerator_noise(d, e, centre)
@@ -199,7 +207,7 @@ def _numerator_noise(d: FloatArray, e: FloatArray, centre: FloatArray) -> FloatA
 
 @dataclass(frozen=True, eq=False)
 class _Pieces:
-    """A function along the curve that has the sign of Bernstein polynomials (p, n)."""
+    """Function along a curve that has the sign of polynomials with Bernstein coefficients (p, n)."""
 
     coefficients: FloatArray
     noise: FloatArray
@@ -243,7 +251,7 @@ def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
 def _at_start(
     f: _Pieces, edges: FloatArray, i: int, *, zero: BoolArray, start: list[int], stop: list[int]
 ) -> list[ZeroPlace]:
-    """Return the zero at the knot where piece i starts, or the flat stretch that starts there, or None."""
+    """Return the zero at the knot where piece i starts, or the interval of zeros from there, in a list."""
     t = float(edges[i])
     if f.flat[i]:
         if i and f.flat[i - 1]:

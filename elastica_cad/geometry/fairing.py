@@ -1,14 +1,20 @@
-"""Smoothing of curves: jumps of curvature, and polylines of drawings.
+"""Smoothing of curves with jumps of curvature, and of polylines in drawings.
 
 The smooth curve c is the spline of degree 4 with simple knots that minimises
 
-    integral of (n . (c - drawn))^2 ds + l^6 integral of (d kappa / ds)^2 ds.
+    integral of (n . (c - drawn))^2 ds + l^6 integral of (d kappa / ds)^2 ds,
 
-It keeps the ends and end tangents of the drawn curve; on request the curvature is 0 at the ends. The length l
-is the largest for which the curve stays within the tolerance. If the drawn curve is closed, c is periodic. The
-slope of the curvature is linearised about the curve of the previous round. All systems are sparse.
+where n is the normal of the drawn curve, s arc length, and kappa the curvature of c. It has the ends and end
+tangents of
+the drawn curve. On request the curvature is 0 at the ends. The smoothing length l is the largest for which the
+curve is
+within the tolerance. If the drawn curve is closed, c is periodic. The slope of the curvature is linearised about
+the
+curve of the previous iteration. All systems are sparse.
 
-Corners of at most 5 degrees are removed first, by turning the handles beside them.
+Corners of at most 5 degrees are removed first, by turning the handles beside them: the vectors from the corner to
+the
+neighbouring control points.
 """
 
 from collections.abc import Callable
@@ -30,13 +36,13 @@ from elastica_cad.refusals import Length
 
 POLYLINE_DEGREE = 4
 FIT_TOLERANCE = 0.05
-"""Distance, mm, of a curve from the points that it is fitted to."""
+"""Largest distance, mm, between a curve and the points to which it is fitted."""
 
-_EACH_SIDE = 4  # samples of the curve for each side
+_EACH_SIDE = 4  # number of samples of the curve for each side of a polyline
 
 
 def fit_polyline(vertices: FloatArray, tolerance: float) -> tuple[PlaneCurve, float]:
-    """Return the smooth curve within `tolerance` mm of the vertices (n, 2), and its distance from the sides.
+    """Return the smooth curve within `tolerance` mm of polyline vertices (n, 2), and its distance from the sides.
 
     Raises
     ------
@@ -55,13 +61,15 @@ def fit_polyline(vertices: FloatArray, tolerance: float) -> tuple[PlaneCurve, fl
 
 
 def allowed_distance(vertices: FloatArray) -> float:
-    """Return the largest allowed distance, mm, of a smooth curve from a polyline with these vertices."""
+    """Return the largest allowed distance, mm, between a smooth curve and a polyline with these vertices."""
     return max(0.5, 0.005 * float(np.ptp(vertices, axis=0).max()))
 
 
 def smooth_through(points: FloatArray, tolerance: float) -> PlaneCurve:
-    """Return the line through points (n, 2) if they are collinear, else the spline within `tolerance` mm of
-    them."""
+    """Return the line through points (n, 2) if they are collinear.
+
+    For other points, return the spline whose distance from the points is at most `tolerance` mm.
+    """
     chord = points[-1] - points[0]
     x, y = chord / max(float(np.hypot(*chord)), 1e-300)
     along, across = ((points - points[0]) @ np.array([[x, -y], [y, x]])).T
@@ -71,7 +79,10 @@ def smooth_through(points: FloatArray, tolerance: float) -> PlaneCurve:
 
 
 def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
-    """Return the largest distance of the curve from the sides near the same fraction of the length."""
+    """Return the largest distance, mm, between a curve and a polyline.
+
+    Each point of the curve is compared with the sides at about the same fraction of the length.
+    """
     places = lengths_along(vertices)
     count = _EACH_SIDE * len(places)
     positions = curve.sample(count).position
@@ -86,19 +97,20 @@ def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
     return float(nearest.max())
 
 
-DEGREE = 4  # the curvature and its slope are continuous at simple knots
+DEGREE = 4  # with simple knots, the curvature and its slope are continuous
 
 USUAL, USUAL_SHARE = 0.1, 5e-4
-"""Largest distance by which a curve is smoothed by default: in mm, and as a fraction of its length."""
+"""Default of the largest distance by which a curve is smoothed: in mm, and as a fraction of its length."""
 
-_EACH = 5  # sites of each span
-_FEWEST, _MOST = 24, 768  # fewest and most spans
-_ROUNDS = 3  # rounds of linearisation
-_HALVINGS = 14  # halvings of the range of smoothing weights
-_USED = 0.96  # fraction of the tolerance at the sites; between sites the distance is measured afterwards
+_EACH = 5  # number of sample points of each span
+_FEWEST, _MOST = 24, 768  # least and largest number of spans
+_ROUNDS = 3  # number of linearisations
+_HALVINGS = 14  # number of halvings of the range of smoothing lengths
+# fraction of the tolerance that is used at the samples; the distance between samples is measured afterwards
+_USED = 0.96
 _SLIDE = 1e4  # weight of motion along the curve, relative to motion normal to it
-_FINE = 1.5  # fewest spans in the smoothing length l
-_DENSE = 8  # points of each span at which the distance is measured
+_FINE = 1.5  # least number of spans in the smoothing length
+_DENSE = 8  # number of points of each span at which the distance is measured
 
 
 @dataclass(frozen=True, eq=False)
@@ -108,9 +120,9 @@ class Fairing:
     Attributes
     ----------
     curve : PlaneCurve
-        Degree 4, simple knots: curvature and its slope are continuous.
+        Spline of degree 4 with simple knots, so that its curvature and the slope of its curvature are continuous.
     moved : float
-        Largest distance between the two curves, mm, by dense sampling.
+        Largest distance between the smooth and the drawn curve, mm, at dense samples.
     tolerance : float
         Largest allowed distance, mm.
     """
@@ -121,10 +133,12 @@ class Fairing:
 
 
 def may_step(curve: PlaneCurve) -> bool:
-    """Return True if the curvature jumps, or its slope jumps at an inflection, so that a strip's width may step.
+    """Return True if the width of a strip with this curve may have a step.
 
-    Curves with corners or straight pieces are not smoothed: corners are refused, and straight pieces are
-    intended to be straight.
+    This is the case if the curvature jumps, or its slope jumps at an inflection. The result is False for curves
+    with
+    corners or straight pieces, because they are not smoothed: corners are refused, and straight pieces are
+    intended.
     """
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
     rough = [b for b in breaks if b.continuity <= 2]
@@ -138,19 +152,19 @@ def may_step(curve: PlaneCurve) -> bool:
 
 
 def usual_tolerance(curve: PlaneCurve) -> float:
-    """Return the largest distance, mm, by which a curve is smoothed by default."""
+    """Return the default of the largest distance, mm, by which a curve is smoothed."""
     return min(USUAL, USUAL_SHARE * curve.length)
 
 
 def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = (False, False)) -> Fairing:
-    """Return the curve smoothed as far as `tolerance` (mm) allows, with the same ends and end tangents.
+    """Return the smoothest curve within `tolerance` mm of a curve, with the same ends and end tangents.
 
-    A closed curve is smoothed at its seam too, and no point of it is fixed.
+    A closed curve is also smoothed where it starts and ends, and none of its points is fixed.
 
     Parameters
     ----------
     unbent : (bool, bool)
-        True if the curvature must be 0 at the start, at the end.
+        Flags for the start and the end: True if the curvature must be 0 there.
 
     Raises
     ------
@@ -194,7 +208,7 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
 def _fitted(
     curve: PlaneCurve, tolerance: float, spans: int, unbent: tuple[bool, bool]
 ) -> tuple[Fairing | None, float]:
-    """Return the smoothest spline with `spans` spans within the tolerance, or None, and its smoothing length l."""
+    """Return the smoothest spline with `spans` spans within the tolerance, or None, and its smoothing length."""
     problem = _Problem(curve, spans, unbent)
     points = problem.start()
     within: FloatArray | None = None
@@ -226,9 +240,8 @@ def _fitted(
 class _Problem:
     """Least squares problem for a given number of spans.
 
-    The unknowns are x and y of the free control points in turn. Of an open curve, these are all except the
-    fixed control points at its ends. Of a closed curve, they are those of one turn, because its last control
-    points repeat the first ones.
+    The unknowns are x and y of the free control points in turn. For an open curve, the control points at its ends
+    are fixed. For a closed curve, the last control points repeat the first ones and are not unknowns.
     """
 
     def __init__(self, curve: PlaneCurve, spans: int, unbent: tuple[bool, bool]) -> None:
@@ -272,7 +285,7 @@ class _Problem:
 
     @staticmethod
     def _choice(places: IntArray) -> Any:
-        """Return the matrix (2 m, k) from the unknowns to the free control points, x and y in turn."""
+        """Return the sparse matrix (2 m, k) from the unknowns to the free control points, x and y in turn."""
         from scipy.sparse import csr_matrix
 
         sought = np.flatnonzero(places >= 0)
@@ -282,7 +295,10 @@ class _Problem:
         return csr_matrix((np.ones(row.size), (row, column)), shape=size)
 
     def _rows(self, direction: FloatArray, derivative: int) -> Any:
-        """Return the sparse matrix (n, 2 m) from control points to direction . c^(derivative) at the sites."""
+        """Return the sparse matrix (n, 2 m) that gives derivatives of the curve along `direction` at the samples.
+
+        It is multiplied by the control points.
+        """
         from scipy.sparse import csr_matrix
 
         numbers = self.basis[derivative][:, :, None] * direction[:, None, :]
@@ -291,7 +307,7 @@ class _Problem:
         return csr_matrix((numbers.ravel(), columns.ravel(), starts), shape=(len(numbers), self.held.size))
 
     def _values(self, points: FloatArray, derivative: int) -> FloatArray:
-        """Return the derivative (n, 2) of the curve at the sites."""
+        """Return the derivatives (n, 2) of the curve at the samples."""
         return np.asarray(np.einsum("nk,nkd->nd", self.basis[derivative], points[self.support]))
 
     def _normal_equations(self, rows: Any, target: FloatArray) -> tuple[Any, FloatArray]:
@@ -300,15 +316,15 @@ class _Problem:
         return sought.T @ sought, sought.T @ (target - rows @ self.held.ravel())
 
     def start(self) -> FloatArray:
-        """Return the control points of the spline closest to the drawn curve."""
+        """Return the control points of the spline that is closest to the drawn curve."""
         rows = self._rows(self.across, 3)
         return self.solved(self._normal_equations(rows, np.zeros(self.s.size)), self.width**6 / 64)
 
     def slope_rows(self, points: FloatArray) -> tuple[Any, FloatArray]:
         """Return the normal equations of the curvature slope, linearised about the curve of `points`.
 
-        With unit tangent t, unit normal n and a speed near 1, a change d of the curve changes d kappa / ds by
-        n . d''' - 3 kappa t . d'' - 2 kappa' t . d' - 2 kappa^2 n . d'.
+        For unit tangent t, unit normal n, curvature kappa and a speed near 1, a change d of the curve changes d
+        kappa / ds by n . d''' - 3 kappa t . d'' - 2 kappa' t . d' - 2 kappa^2 n . d'.
         """
         d1, d2, d3 = (self._values(points, k) for k in (1, 2, 3))
         speed = np.hypot(d1[:, 0], d1[:, 1])
@@ -325,7 +341,7 @@ class _Problem:
         return self._normal_equations(rows, rows @ points.ravel() - slope)
 
     def solved(self, slope: tuple[Any, FloatArray], weight: float) -> FloatArray:
-        """Return the control points (m, 2) that minimise distance and weighted curvature slope."""
+        """Return the control points (m, 2) that minimise the distance plus the weighted slope of the curvature."""
         from scipy.sparse.linalg import spsolve
 
         matrix, right = (data + weight * part for data, part in zip(self.data_part, slope, strict=True))
@@ -333,14 +349,14 @@ class _Problem:
         return np.asarray(self.held + (self.chosen @ unknowns).reshape(-1, 2), dtype=float)
 
     def off(self, points: FloatArray) -> float:
-        """Return the largest distance normal to the drawn curve at the sites, mm."""
+        """Return the largest distance, mm, normal to the drawn curve at the samples."""
         return float(np.abs(((self._values(points, 0) - self.data) * self.across).sum(axis=1)).max())
 
 
 def two_sided_distance(first: PlaneCurve, other: PlaneCurve, count: int = 2000) -> float:
-    """Return the largest distance between two curves, mm, sampled at `count` points of each.
+    """Return the largest distance between two curves, mm, at `count` points of each curve.
 
-    Points are taken at equal distances and at all knots.
+    The points are at equal distances and at all knots.
     """
     return max(_farthest(_points(first, count), other), _farthest(_points(other, count), first))
 
@@ -351,29 +367,30 @@ def _points(curve: PlaneCurve, count: int) -> FloatArray:
 
 
 def _farthest(points: FloatArray, curve: PlaneCurve) -> float:
-    """Return the largest distance of points (n, 2) from a curve, mm."""
+    """Return the largest distance, mm, of points (n, 2) from a curve."""
     return float(distances(Spline(curve), points).max())
 
 
 PER_ROUNDING = 2 * np.sqrt(2.0)
-"""Largest error of the distance between the end of a handle and its node if all coordinates are rounded by 1."""
+"""Largest error of the distance between a corner and the next control point if coordinates are rounded by 1."""
 
 SMOOTHING_SHARE = 0.5
-"""Fraction of the allowed distance that is used to remove corners; the rest is for smoothing the curvature."""
+"""Fraction of the allowed distance that is used to remove corners; the rest is used to smooth the curvature."""
 
 POLYLINE_SHARE = 0.1
 """Largest `smooth` that is suggested for a polyline, as a fraction of its size."""
 
 WORTH_SHARE = 1e-3
-"""Largest suggested move, as a fraction of the length; larger moves would change the drawing visibly."""
+"""Largest suggested displacement, as a fraction of the length; a larger one would change the drawing visibly."""
 
 
 def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     """Return the curve without slight corners, and the largest distance, mm, by which it was moved.
 
-    Corners of more than 5 degrees stay, and so do corners whose removal would move the curve by more than half
-    of `smooth` (mm). A curve that was fitted to noisy points is fitted again, within `smooth` of each point. A
-    polyline becomes the smooth curve through its vertices, if that curve stays within `smooth` of the sides.
+    Corners of more than 5 degrees are not removed, and also corners whose removal would move the curve by more
+    than half of `smooth` (mm). A curve that was fitted to noisy points is fitted again, within `smooth` of each
+    point. A polyline becomes the smooth curve through its vertices, if the distance of this curve from the sides
+    is at most `smooth`.
 
     Examples
     --------
@@ -401,7 +418,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
 
 
 def smooth_for_corners(curve: PlaneCurve) -> float | None:
-    """Return the `smooth`, mm, rounded to one digit, with which `round_corners` removes all corners.
+    """Return the least `smooth`, mm, rounded to one digit, with which `round_corners` removes all corners.
 
     For a spline, it is at least the default smoothing distance, and at most a thousandth of the length. For a
     polyline, it is at most a tenth of the size. The result is None if the curve has no corners, or if

@@ -15,19 +15,19 @@ _PARTS = ("origin", "x_axis", "y_axis")
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """A plane in space with its axes.
+    """Plane in space with its origin and axes.
 
     Parameters
     ----------
     origin : (3,) array_like
-        mm.
+        Origin of the plane, mm.
     x_axis, y_axis : (3,) array_like
-        Directions at right angles to each other; they are normalized.
+        Perpendicular directions; they are normalized.
 
     Raises
     ------
     InputError
-        Numbers are not finite, or the axes are not at right angles.
+        Numbers are not finite, or the axes are not perpendicular.
 
     Examples
     --------
@@ -53,14 +53,14 @@ class Frame:
         self._hold(rows[0], rows[1] / sizes[0], rows[2] / sizes[1])
 
     def _hold(self, *rows: FloatArray) -> None:
-        """Create a frame from checked rows: origin and unit axes."""
+        """Set the attributes from checked arrays: origin and unit axes."""
         for row in rows:
             row.setflags(write=False)
         vars(self).update(zip(_PARTS, rows, strict=True))
 
     @property
     def z_axis(self) -> FloatArray:
-        """Unit normal of the plane, x_axis cross y_axis."""
+        """Unit normal of the plane: the cross product of x_axis and y_axis."""
         normal: FloatArray = self.axes[2]
         return normal
 
@@ -74,11 +74,11 @@ class Frame:
         return rows
 
     def point(self, local: ArrayLike) -> FloatArray:
-        """Return points in space (..., 3) of local coordinates (..., 2) or (..., 3), mm."""
+        """Return points in space (..., 3), mm, for local coordinates (..., 2) or (..., 3), mm."""
         return self.origin + self.direction(local)
 
     def direction(self, local: ArrayLike) -> FloatArray:
-        """Return vectors in space (..., 3) of local components (..., 2) or (..., 3)."""
+        """Return vectors in space (..., 3) for local components (..., 2) or (..., 3)."""
         local = numbers(local, "local coordinates")
         if local.shape[-1:] not in ((2,), (3,)):
             raise InputError(
@@ -88,19 +88,19 @@ class Frame:
         return vectors
 
     def local(self, points: ArrayLike) -> FloatArray:
-        """Return local coordinates (..., 3) of points in space (..., 3), mm."""
+        """Return local coordinates (..., 3), mm, of points in space (..., 3), mm."""
         points = numbers(points, "points in space")
         if points.shape[-1:] != (3,):
             raise InputError(f"points in space must be rows of three numbers, not of shape {points.shape}")
         return np.asarray((points - self.origin) @ self.axes.T, dtype=float)
 
     def within(self, outer: "Frame") -> "Frame":
-        """Return the frame in space, if this frame is in the coordinates of `outer`."""
+        """Return the frame in space, if this frame is given in the coordinates of `outer`."""
         require_record(outer, Frame, "the outer frame", "a Frame")
         return Frame(outer.point(self.origin), outer.direction(self.x_axis), outer.direction(self.y_axis))
 
     def carried(self, home: "Frame", now: "Frame") -> "Frame":
-        """Return the frame after the rigid motion that takes the frame `home` to `now`."""
+        """Return the frame after the rigid motion that moves the frame `home` to `now`."""
         for frame in (home, now):
             require_record(frame, Frame, "what a frame is carried with", "a Frame")
         axes = (home.axes @ axis for axis in (self.x_axis, self.y_axis))
@@ -118,7 +118,7 @@ class Frame:
 
 
 def frame_or_plain(frame: Frame | None) -> Frame:
-    """Return the frame, or the xy plane for None; raise InputError for any other type."""
+    """Return the frame, or the xy plane for None; refuse other types."""
     if frame is None:
         return Frame()
     require_record(frame, Frame, "the frame", "a Frame")

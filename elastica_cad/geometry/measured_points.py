@@ -1,4 +1,4 @@
-"""Origin of the coordinates of a curve, and the noise of measured points."""
+"""Origin of the coordinates of a curve, and noise of measured points."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -16,28 +16,34 @@ ORDERS = range(2, 8)
 """Orders of the divided differences that separate noise from shape."""
 
 FEWEST = 8
-"""Fewest differences of an order from which the noise is estimated."""
+"""Least number of differences of an order from which the noise is estimated."""
 
 SETTLED = 0.7
-"""Ratio of the differences of successive orders. Differences of a smooth curve decrease faster; those of noise do
-not."""
+"""Ratio of the divided differences of successive orders that separates noise from shape.
+
+The differences of a smooth curve decrease faster, and the differences of noise decrease more slowly.
+"""
 
 CROWDED_SHARE = 0.1
-"""Noise, as a fraction of the point spacing, above which every other point is left out, because the order of
-the points along the curve is lost in noise."""
+"""Noise, as a fraction of the point spacing, above which every other point is omitted.
+
+The order of the points along the curve would otherwise be lost in noise.
+"""
 
 REPORTED_MM = 0.01
-"""Smallest reported noise, mm; a fit removes smaller noise."""
+"""Smallest noise that is reported, mm; a fit removes smaller noise."""
 
 FINEST_MM = 1e-3
-"""Finest resolution of points, mm: curves that differ by less have the same widths."""
+"""Finest resolution of points, mm; curves that differ by less have the same widths."""
 
 MOST_DECIMALS = 9
 """Largest number of decimals of millimetres that points may have."""
 
 REACH = 4.0
-"""Largest distance of about a hundred noisy points from a smooth curve, in standard deviations; smaller for fewer
-points."""
+"""Largest distance of about a hundred noisy points from a smooth curve, in standard deviations.
+
+It is smaller for fewer points.
+"""
 
 OUTLIER_TIMES = 4.0
 """Factor for outliers. A point is an outlier if its distance from the curve of its neighbours exceeds this many
@@ -47,14 +53,14 @@ times the largest distance without it, and this many times the rounding error.
 
 @dataclass(frozen=True, eq=False)
 class MeasuredPoints:
-    """Points that a curve was fitted to.
+    """Points to which a curve was fitted.
 
     Attributes
     ----------
     points : (n, 2) array
-        mm.
+        Points, mm.
     noise : float
-        Standard deviation of their distance from the curve, mm.
+        Standard deviation of the distance of the points from the curve, mm.
     least : float
         Standard deviation that rounding alone causes, mm.
     rounding : float
@@ -68,9 +74,9 @@ class MeasuredPoints:
 
     @classmethod
     def of(cls, points: FloatArray, least: float = 0.0, rounding: float = 0.0) -> "MeasuredPoints":
-        """Return the points (n, 2), without equal neighbours, with their noise.
+        """Return points (n, 2), among which no neighbours are equal, with their noise.
 
-        If `rounding` is 0, it is found from the decimals of the numbers.
+        If `rounding` is 0, it is computed from the decimals of the numbers.
         """
         return cls(points, max(estimate_noise(points), least), least, rounding or _half_last_decimal(points))
 
@@ -86,15 +92,15 @@ class MeasuredPoints:
 
     @property
     def reach(self) -> float:
-        """Distance from the points, mm, within which a smooth curve need not follow the noise.
+        """Distance, mm, by which a smooth curve may differ from the points because of their noise.
 
-        It is at least the largest rounding error, which is sqrt(3) times the standard deviation of rounding.
+        It is at least the largest rounding error: sqrt(3) times the standard deviation of rounding errors.
         """
         return rounded_up(np.clip(2 * np.log10(len(self.points)), np.sqrt(3), REACH) * self.noise, 2)
 
     @cached_property
     def outlier(self) -> tuple[Refusal, ...]:
-        """Message about the point that is an outlier, such as a mistyped point; empty if there is none.
+        """Message about a point that is an outlier, such as a mistyped point; empty if there is none.
 
         Without the outlier, all points are close to the cubics through their neighbours. The first and last
         point are not checked, because a curve may end anywhere.
@@ -126,9 +132,9 @@ class MeasuredPoints:
         ),)  # fmt: skip
 
     def turns_beside(self, place: FloatArray) -> tuple[float, float, float]:
-        """Return the turning angles, rad, at the point nearest to a place (2,) and at its neighbours.
+        """Return the turning angles, rad, at the measured point nearest to `place` (2,) and at both neighbours.
 
-        Turns to the left are positive. At neighbours beyond the ends they are 0.
+        Angles to the left are positive. For neighbours beyond the ends they are 0.
         """
         turn = np.pad(self._turns[0], 2)
         at = int(np.hypot(*(self.points - place).T).argmin())
@@ -137,17 +143,14 @@ class MeasuredPoints:
 
     @property
     def bend_changes(self) -> int:
-        """Number of changes of the sense of turning of the points that exceed the effect of rounding.
-
-        A curve through the points has as many inflections or more.
-        """
+        """Number of changes of the turning direction along the points that exceed the effect of rounding."""
         turn, rounding = self._turns
         sides = np.sign(turn[np.abs(turn) > rounding])
         return int((sides[1:] != sides[:-1]).sum())
 
     @cached_property
     def _turns(self) -> tuple[FloatArray, FloatArray]:
-        """Turns (n - 2,) at the inner points, left positive, and the largest effects of rounding on them, rad."""
+        """Turning angles (n - 2,), rad, at the points, left positive, and the largest effects of rounding."""
         step = np.diff(self.points, axis=0)
         heading = np.arctan2(step[:, 1], step[:, 0])
         rounding = 2 * self.resolution / np.hypot(*step.T)
@@ -168,7 +171,7 @@ class MeasuredPoints:
 
 
 def _half_last_decimal(points: FloatArray) -> float:
-    """Return half a unit of the last decimal of coordinates, or of the ninth decimal if they have more decimals.
+    """Return half a unit of the last decimal of coordinates, or of the ninth decimal if they have more.
 
     Examples
     --------
@@ -183,11 +186,10 @@ def _half_last_decimal(points: FloatArray) -> float:
 def estimate_noise(points: FloatArray) -> float:
     """Return the standard deviation, mm, of the distance of points (n, 2) from a smooth curve.
 
-    It is the median of divided differences normal to the curve, scaled to unit variance of white noise. The order
-    is the least for which the next order does not reduce the estimate (Gasser, Sroka and
-    Jennen-Steinmetz, Biometrika 73, 1986, use order 2). It is 0 if there are too few points, or if the differences
-    decrease like
-    those of a smooth curve.
+    The result is the median of divided differences normal to the curve, scaled to unit variance of white noise.
+    The order of the differences is the least for which the next order does not reduce the estimate (Gasser, Sroka
+    and Jennen-Steinmetz, Biometrika 73, 1986, use order 2). The result is 0 if there are too few points, or if
+    the differences decrease like those of a smooth curve.
 
     Examples
     --------
@@ -219,7 +221,10 @@ def _off_nearest(points: FloatArray) -> FloatArray:
 
 
 def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
-    """Return divided differences (m,) normal to the curve, and unit weights (m, order + 1) of their points."""
+    """Return divided differences (m,) normal to the curve, and the weights of their points.
+
+    The weights (m, order + 1) have norm 1 for each difference.
+    """
     window = np.arange(len(points) - order)[:, None] + np.arange(order + 1)
     s, near = lengths_along(points)[window], points[window]
     gaps = (s[:, :, None] - s[:, None, :]) / np.ptp(s, axis=1)[:, None, None] + np.eye(order + 1)
@@ -232,26 +237,27 @@ def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray
 
 @dataclass(frozen=True, eq=False)
 class Provenance:
-    """Record of a curve's origin in a file: name, layer, units, precision.
+    """Origin of a curve in a file: name, layer, units, precision.
 
     Parameters
     ----------
     rounding : float
-        Largest rounding error of a coordinate, from the number of its digits, mm; 0 if coordinates are exact.
+        Largest rounding error of a coordinate, estimated from the number of its digits, mm; 0 if coordinates are
+        exact.
     healed : float
         Distance by which the curve was moved to remove rounding errors from its tangents, mm.
     undecided : tuple of Turn
-        Turns of the tangent that are either corners or rounding errors.
+        Turns of the tangent that may be corners or rounding errors.
     place : (3, 3) array, optional
-        Matrix from millimetres to the coordinates displayed by the drawing program.
+        Matrix that converts millimetres to the coordinates displayed by the drawing program.
     unit : str
         Unit of those coordinates: "mm", "user units".
     name, layer : str
         Names of the curve and its layer in the file; empty if it has none.
     holes : tuple of (float, float, float)
-        Circles drawn on a straight first or last piece of the curve: centre and diameter, mm.
+        Circles drawn on a straight first or last piece of the curve: x and y of the centre, and diameter, mm.
     measured : MeasuredPoints, optional
-        The points that the whole curve was fitted to.
+        Points to which the whole curve was fitted.
     vertices : (n, 2) array, optional
         Vertices of the drawn polyline, mm, if the whole curve is a polyline with corners.
     """
@@ -268,7 +274,7 @@ class Provenance:
     vertices: FloatArray | None = None
 
     def shown(self, point: ArrayLike) -> str:
-        """Return a point (2,) in mm as the drawing program displays it.
+        """Return the coordinates of a point (2,), mm, as the drawing program displays them.
 
         Examples
         --------
@@ -285,7 +291,7 @@ class Provenance:
         return note("({x:.6g}, {y:.6g}) {unit}", x=x, y=y, unit=self.unit)
 
     def transformed(self, matrix: FloatArray) -> "Provenance":
-        """Return the record of the curve's image under a 3 x 3 map."""
+        """Return the record for the image of the curve under a map with a 3 x 3 matrix."""
         m = np.asarray(matrix, dtype=float)
         if m[2, :2].any():
             return replace(self, rounding=0.0, place=None, holes=(), measured=None, vertices=None)
@@ -311,11 +317,11 @@ class Provenance:
         )
 
     def reversed(self) -> "Provenance":
-        """Return the record of the reversed curve."""
+        """Return the record for the reversed curve."""
         measured = self.measured and replace(self.measured, points=self.measured.points[::-1])
         vertices = None if self.vertices is None else self.vertices[::-1]
         return replace(self, measured=measured, vertices=vertices)
 
     def of_part(self) -> "Provenance":
-        """Return the record of a part of the curve, without the points of the whole curve."""
+        """Return the record for a part of the curve, without the points of the whole curve."""
         return replace(self, measured=None, vertices=None)

@@ -39,24 +39,28 @@ from elastica_cad.geometry.splines import (
 from elastica_cad.refusals import Length, note
 
 _STANDSTILL_SHARE = 1e-9  # speed that counts as zero, as a fraction of the largest speed on the span
-# largest speed of a span that is a point, as a fraction of the largest speed of the curve
+# largest speed on a span that is a single point, as a fraction of the largest speed of the curve
 _STILL_SPAN = 1e-14
-_ALONG_SHARE = 1e-9  # smallest component of a velocity along the axis of its cone, as a fraction
-_MOST_HALVINGS = 27  # halvings of a knot span; if a direction is undecided after them, there is a cusp
+# smallest component of a velocity along the axis of its cone, as a fraction of the velocity
+_ALONG_SHARE = 1e-9
+# largest number of halvings of a knot span; if a tangent direction is still undecided, there is a cusp
+_MOST_HALVINGS = 27
 
 
 @dataclass(frozen=True, eq=False)
 class TangentAngle:
-    """Angle of the tangent over the cones of the curve, continuous from cone to cone.
+    """Angle of the tangent of a curve as a continuous function.
+
+    The curve is cut into parts, on each of which the tangents are in a cone around a middle direction.
 
     Attributes
     ----------
     edges : (k + 1,) array
-        Parameters t at which the cones meet.
+        Parameters at which the parts meet.
     axis : (k, 2) array
-        Unit middle direction of each cone.
+        Unit vector of the middle direction of each part.
     angle : (k,) array
-        Angle of that direction, continued from cone to cone.
+        Angle of this direction, rad, continuous from part to part.
     spread : float
         Upper bound on the difference between the largest and the smallest angle of the curve, rad.
     """
@@ -67,15 +71,16 @@ class TangentAngle:
     spread: float
 
     def at(self, t: FloatArray, velocity: FloatArray, *, left: bool = False) -> FloatArray:
-        """Return angles (n,) of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
+        """Return the angles (n,), rad, of velocities (n, 2) at parameters (n,), without jumps of 2 pi."""
         cone = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
         return np.asarray(self.angle[cone] + turn_between(self.axis[cone], velocity), dtype=float)
 
 
 def hodograph(bezier: FloatArray) -> FloatArray:
-    """Return Bernstein coefficients (p, n, 2) along the velocity of homogeneous Bezier pieces (p, degree + 1, 3).
+    """Return Bernstein coefficients (p, n, 2) of vectors parallel to the velocity of Bezier pieces.
 
-    They are those of w P' - P w', the derivative by u times the squared weight, without the factor of the degree.
+    The pieces have homogeneous control points `bezier` (p, degree + 1, 3). The vectors are w P' - P w' for weight
+    w and weighted position P, divided by the degree. They are the velocity times the squared weight.
     """
     a, b = bezier[:, :-1], bezier[:, 1:]
     if np.ptp(bezier[..., 2]) == 0:
@@ -86,17 +91,17 @@ def hodograph(bezier: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class TangentCones:
-    """Parts of a curve within which the velocity stays in an open half plane.
+    """Parts of a curve on which all velocities are in an open half plane.
 
     Attributes
     ----------
     edges : (k + 1,) array
         Parameters at which the parts meet.
     hodographs : (k, n, 2) array
-        Bernstein coefficients along the velocity.
+        Bernstein coefficients of vectors parallel to the velocity, as returned by `hodograph`.
     standstill : float or None
-        Parameter of the first place where the velocity vanishes (cusp, coincident control points); the other
-        fields are of no use then.
+        Parameter of the first point at which the velocity is zero, by a cusp or coincident control points. The
+        other attributes are then undefined.
     """
 
     edges: FloatArray
@@ -105,10 +110,13 @@ class TangentCones:
 
 
 def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
-    """Return the turning angle of a curve without cusp; at a tangent break it jumps by the exterior angle."""
+    """Return the angle of the tangent of a curve without cusp.
+
+    At a corner it jumps by the exterior angle.
+    """
     first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
     axis = _unit(first + last)
-    # bounds hold for the whole piece, because its velocities are in the convex hull of the coefficients
+    # bounds apply to the whole piece, because its velocities are in the convex hull of the coefficients
     off_axis = turn_between(axis[:, None], cones.hodographs)
     to_start, to_end = off_axis[:, 0], off_axis[:, -1]
     across = turn_between(last[:-1], first[1:])
@@ -163,14 +171,14 @@ def _unit(v: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class RationalPieces:
-    """A curve as homogeneous Bezier pieces over the spans of its knots.
+    """Curve as homogeneous Bezier pieces over the spans of its knots.
 
     Attributes
     ----------
     spans : Spans
-        The knot spans.
+        Knot spans.
     control_points : (m, 3) array
-        Rows x w, y w, w.
+        Homogeneous control points: rows x w, y w, w for weight w.
     rational : bool
         True if the weights differ.
     """
@@ -181,7 +189,7 @@ class RationalPieces:
 
     @cached_property
     def bezier(self) -> FloatArray:
-        """Rows x w, y w, w of every span, (p, degree + 1, 3)."""
+        """Homogeneous control points x w, y w, w of every span, (p, degree + 1, 3)."""
         return self.spans.bezier(self.control_points)
 
     @property
@@ -191,11 +199,11 @@ class RationalPieces:
 
     @property
     def ends(self) -> tuple[list[float], list[float]]:
-        """First and last point, as x w, y w, w."""
+        """First and last point in homogeneous coordinates x w, y w, w."""
         return self.bezier[0, 0].tolist(), self.bezier[-1, -1].tolist()
 
     def inside(self, t: FloatArray) -> FloatArray:
-        """Return the parameters clipped to the domain within rounding; refuse parameters outside."""
+        """Return parameters that are outside the domain within rounding errors moved into it; refuse others."""
         a, b = self.edges[0], self.edges[-1]
         inside = np.minimum(np.maximum(t, a), b)
         if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):
@@ -203,11 +211,11 @@ class RationalPieces:
         return np.asarray(inside)
 
     def at(self, t: FloatArray, order: int, *, left: bool = False) -> list[FloatArray]:
-        """Return the position and derivatives d/dt up to `order`, each (n, 2)."""
+        """Return the position and its derivatives d/dt up to `order`, each (n, 2), at parameters t (n,)."""
         return self.within(*self.spans.locate(self.inside(t), left=left), order)
 
     def within(self, index: IntArray, u: FloatArray, order: int) -> list[FloatArray]:
-        """Evaluate at local coordinates u (n,) of spans (n,)."""
+        """Return the position and its derivatives up to `order` at local coordinates u (n,) of spans (n,)."""
         values = sums_in_pieces(scaled_bernstein(self.spans.degree, u), self._series_to(order), index)
         size = values.shape[1] // (order + 1)
         rows = [values[:, k : k + size] for k in range(0, values.shape[1], size)]
@@ -218,23 +226,27 @@ class RationalPieces:
         return rows
 
     def beside_knots(self, order: int) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Return derivatives up to `order` just before and just after the p - 1 interior knots, each (p - 1, 2)."""
+        """Return derivatives up to `order`, each (p - 1, 2), just before and just after the interior knots."""
         knots = self.edges.size - 2
         before = np.arange(knots)
         both = self.within(np.concatenate([before, before + 1]), np.repeat([1.0, 0.0], knots), order)
         return [d[:knots] for d in both], [d[knots:] for d in both]
 
     def speed(self, index: IntArray, t: FloatArray) -> FloatArray:
-        """Return lengths (n,) of the velocities d/dt, mm, at parameters (n,) of spans (n,)."""
+        """Return the speed (n,), mm per unit of t, at parameters (n,) of spans (n,)."""
         u = (t - self.edges[index]) / self.spans.widths[index]
         u = np.minimum(np.maximum(u, 0.0), 1.0)
         return norm(self.within(index, u, 1)[1])
 
     def extremes(self) -> FloatArray:
-        """Return parameters (k,) of the knots, and of places beyond their box where x or y is stationary."""
+        """Return parameters (k,) at which x or y may be extreme.
+
+        These are the knots, and points outside the bounding box of the knots at which x or y is stationary.
+        """
         points, edges = self.bezier[..., :2] / self.bezier[..., 2:], self.edges
         low, high = box_about(np.concatenate([points[:, 0], points[-1:, -1]]))
-        beyond = np.flatnonzero(((points < low) | (points > high)).any(axis=(1, 2)))  # convex hull property
+        # by the convex hull property
+        beyond = np.flatnonzero(((points < low) | (points > high)).any(axis=(1, 2)))
         if not beyond.size:
             return edges
         velocity = hodograph(self.bezier[beyond])
@@ -251,11 +263,11 @@ class RationalPieces:
 
     @cached_property
     def tangent_cones(self) -> TangentCones:
-        """Parts of the curve within which the tangent turns by less than 180 degrees."""
+        """Parts of the curve on which the tangent turns by less than 180 degrees."""
         return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
 
     def _series_to(self, order: int) -> FloatArray:
-        """Return position and derivatives up to `order`, (p, degree + 1, 2 or 3 columns an order), as `_series`."""
+        """Return `_series` of the orders 0 to `order`, (p, degree + 1, 2 or 3 columns for each order)."""
         if order not in self._known:
             self._known[order] = np.concatenate([self._series(k) for k in range(order + 1)], axis=2)
         return self._known[order]
@@ -265,23 +277,24 @@ class RationalPieces:
         degree, widths = self.spans.degree, self.spans.widths[:, None, None]
         if order > degree:
             return np.zeros_like(self._local)
-        # derivatives overflow if knots nearly coincide; callers that need these derivatives refuse such curves
+        # derivatives overflow if knots nearly coincide; callers that need these derivatives refuse such
+        # curves
         with np.errstate(over="ignore", invalid="ignore"):
             rate = perm(degree, order) / widths**order
             return np.asarray(_raised(degree, order) @ np.diff(self._local, order, axis=1) * rate)
 
     @cached_property
     def _known(self) -> dict[int, FloatArray]:
-        """Cached series, by their highest order."""
+        """Cache of the results of `_series_to`, by order."""
         return {}
 
     @cached_property
     def _local(self) -> FloatArray:
-        """Bezier points (p, degree + 1, 2 or 3) of the pieces, with weights if these differ.
+        """Bezier points (p, degree + 1, 2 or 3) of the pieces; the third column contains weights if these differ.
 
-        Coordinates are relative to the middle control point of each piece, because this subtraction is exact.
-        Otherwise, the second derivatives of short pieces far from the origin would have the rounding errors of
-        the coordinates.
+        Coordinates are relative to the middle control point of each piece; this subtraction is exact. Otherwise
+        the second derivatives of short pieces far from the origin would have the rounding errors of the
+        coordinates.
         """
         near = self.control_points[self.spans.first[:, None] + np.arange(self.spans.degree + 1)]
         near[..., :2] -= near[..., 2:] * self._origins[:, None, :]
@@ -296,7 +309,7 @@ class RationalPieces:
 
 @lru_cache(maxsize=64)
 def _raised(degree: int, times: int) -> FloatArray:
-    """Return the matrix from Bernstein coefficients of degree `degree - times` to scaled ones of `degree`."""
+    """Return the matrix from Bernstein coefficients of a degree reduced by `times` to scaled ones of `degree`."""
     c = np.eye(degree + 1 - times)
     for _ in range(times):
         c = raise_degree(c) if c.shape[1] > 1 else np.repeat(c, 2, axis=1)
@@ -336,20 +349,20 @@ SHORT_SPAN_SHARE = 1e-6
 
 @dataclass(frozen=True, eq=False)
 class KnotSides:
-    """Angle (rad), curvature and its slope just before and just after the interior knots, (3, p - 1) each."""
+    """Angle (rad), curvature and its slope, (3, p - 1), just before and just after the interior knots."""
 
     before: FloatArray
     after: FloatArray
 
     @classmethod
     def of(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
-        """Compare the curve on both sides of each knot."""
+        """Return the values on both sides of each interior knot."""
         t, (before, after) = pieces.edges[1:-1], pieces.beside_knots(ORDERS_OF_SIDES)
         return cls(_side(turning, t, before, left=True), _side(turning, t, after, left=False))
 
     @classmethod
     def of_seam(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
-        """Compare the end of a closed curve with its start, (3, 1) each."""
+        """Return the values, (3, 1), at the end of a closed curve and at its start."""
         before, after = (
             _side(turning, t, pieces.at(t, ORDERS_OF_SIDES, left=left), left=left)
             for t, left in ((pieces.edges[-1:], True), (pieces.edges[:1], False))
@@ -364,7 +377,7 @@ class KnotSides:
 
 
 def _side(turning: TangentAngle, t: FloatArray, derivatives: list[FloatArray], *, left: bool) -> FloatArray:
-    """Return angle, curvature and its slope (3, n) on one side of places t (n,), from the derivatives there."""
+    """Return angle, curvature and its slope (3, n) on one side of parameters t (n,), from the derivatives there."""
     _, d1, d2, d3 = derivatives
     return np.array([turning.at(t, d1, left=left), curvature(d1, d2), curvature_slope(d1, d2, d3)])
 
@@ -377,7 +390,7 @@ def knot_orders(pieces: RationalPieces, knots: FloatArray) -> IntArray:
 
 
 def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
-    """Return how many of angle, curvature and its slope, in this order, are equal on both sides."""
+    """Return how many of angle, curvature and its slope, in this order, are equal on both sides of each knot."""
     before, after = sides.before, sides.after
     scale = 1 / length + np.maximum(np.abs(before[1]), np.abs(after[1]))
     allowed = np.array([np.full(scale.size, 1e-9), 1e-8 * scale, 1e-6 * scale**2])
@@ -385,8 +398,10 @@ def agreeing_orders(sides: KnotSides, length: float) -> IntArray:
 
 
 SHORT_HANDLE = 1e-3
-"""Length of a handle, as a fraction of the size of the curve, above which it is not a rounding error of
-coordinates."""
+"""Length of a handle, as a fraction of the size of the curve, above which it is not a rounding error.
+
+A handle is the vector from the end of a piece to its next control point.
+"""
 
 
 def _refuse_standstill(
@@ -395,10 +410,10 @@ def _refuse_standstill(
     shown: Callable[[FloatArray], str],
     rounding: float,
 ) -> None:
-    """Raise InputError, with the position, if the curve has zero length or a point without tangent.
+    """Refuse a curve of zero length, or with a point without tangent; the message states its position.
 
-    `shown` formats a point (2,) in mm as the drawing program does. `rounding` is the largest rounding error of
-    a coordinate, mm.
+    `shown` formats the coordinates of a point (2,), mm, as the drawing program displays them. `rounding` is the
+    largest rounding error of a coordinate, mm.
     """
     if np.ptp(control_points, axis=0).max() == 0:
         raise InputError("all control points coincide, so the curve has zero length: draw it again")
@@ -440,15 +455,19 @@ def _length_until(pieces: RationalPieces, t: float) -> float:
 
 
 SAME_KNOT = 1e-12
-"""Distance from a knot, as a fraction of the domain, below which a parameter equals the knot. Shorter spans
-would be rounding errors."""
+"""Distance from a knot, as a fraction of the domain, below which a parameter equals the knot.
+
+Shorter spans would consist of rounding errors.
+"""
 
 FAR_SIZES = 1e6
-"""Distance of a move, in sizes of the curve, above which coordinates lose digits and the curve is checked again."""
+"""Displacement, in sizes of the curve, above which coordinates lose digits and the curve is checked again."""
 
 _AHEAD_SHARE = 1e-6
-"""Least step of a control polygon along the chord between the ends, as a fraction of the chord, for which the curve
-certainly has no point of zero speed."""
+"""Least step between control points along the chord of a curve, as a fraction of the chord.
+
+If all steps are larger, the curve certainly has no point of zero speed.
+"""
 
 MOST_TURNS = 100
 """Largest number of turns of an arc."""
@@ -459,7 +478,7 @@ MOST_UNEVEN = 1e8
 
 @dataclass(frozen=True, eq=False)
 class NurbsCurve:
-    """Knots, control points and weights of a curve with a tangent everywhere: see `PlaneCurve`."""
+    """Curve with knots, control points and weights that has a tangent everywhere; see `PlaneCurve`."""
 
     knots: FloatArray
     control_points: FloatArray
@@ -499,14 +518,14 @@ class NurbsCurve:
             _refuse_standstill(self._pieces, self.control_points, shown, rounding)
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the numbers without cached results, which are much larger and quickly computed again."""
+        """Return the attributes without cached results, which are much larger and quickly computed again."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
 
     def _part(
         self, knots: FloatArray, control_points: FloatArray, weights: FloatArray | None,
         provenance: Provenance | None = None,
     ) -> Self:  # fmt: skip
-        """Return a curve of this degree that is a part or a moved copy of this curve, without checking it again."""
+        """Return a part or moved copy of this curve with the same degree, without checking it again."""
         curve = object.__new__(type(self))
         for array in (knots, control_points, weights):
             if array is not None:
@@ -522,7 +541,7 @@ class NurbsCurve:
 
     @classmethod
     def spline(cls, control_points: ArrayLike, degree: int = 4) -> Self:
-        """Return the clamped B-spline with uniform knots over `control_points` (m, 2), m > degree."""
+        """Return the clamped B-spline with uniform knots and `control_points` (m, 2), m > degree."""
         points, degree = finite("control_points", control_points), whole_degree(degree)
         count = points.shape[0] if points.ndim else 0
         if count <= degree:
@@ -557,7 +576,7 @@ class NurbsCurve:
         start: float = 0.0,
         end: float = 2 * np.pi,
     ) -> Self:
-        """Return the ellipse arc (a cos v, b sin v), v from start to end (rad), rotated and moved; exact."""
+        """Return the exact ellipse arc (a cos v, b sin v), v from start to end (rad), rotated and moved."""
         centre, axes = finite("center", center), finite("semi_axes", semi_axes)
         if centre.shape != (2,):
             raise InputError(f"the center must be two numbers, in mm, not {centre.tolist()}")
@@ -578,22 +597,23 @@ class NurbsCurve:
     def fit(
         cls, points: ArrayLike, degree: int = 4, tolerance: float = 0.05, smoothing: float | None = None
     ) -> Self:
-        """Return a spline with few control points that passes all `points` (n, 2) within `tolerance` mm.
+        """Return a spline with few control points whose distance from all `points` is at most `tolerance` mm.
 
-        The curve keeps the noise of measured points. Strips report noise that affects their widths, and
-        `smooth` of a strip removes it.
+        The curve contains the noise of measured points. Strips report noise that affects their widths, and the
+        option `smooth` of a strip removes it.
 
         Parameters
         ----------
         points : (n, 2) array_like
             Points in order, mm; the curve starts and ends exactly at the first and last point.
         degree : int
-            3, 4 or 5.
+            Degree of the spline: 3, 4 or 5.
         tolerance : float
             Largest distance of a point from the curve, mm.
         smoothing : float, optional
             Weight of the mean square third derivative (mm, parameter from 0 to 1) relative to the mean square
-            distance (mm2); the curve may then exceed the tolerance. By default chosen from the noise of the points.
+            distance (mm2); the distance may then exceed the tolerance. By default the weight depends on the noise
+            of the points.
 
         Examples
         --------
@@ -618,14 +638,14 @@ class NurbsCurve:
         degree: int = 4,
         breaks: Sequence[tuple[float, int]] = (),
     ) -> Self:
-        """Return the spline that follows a smooth function within `tolerance` mm, in the function's own parameter.
+        """Return the spline that approximates a smooth function within `tolerance` mm at equal parameters.
 
         Parameters
         ----------
         function : callable
-            Maps parameters (k,) between `start` and `end` to points (k, 2), mm.
+            Function of parameters (k,) between `start` and `end` that returns points (k, 2), mm.
         breaks : sequence of (parameter, continuity)
-            Parameters where the function is only `continuity` times differentiable; they become knots.
+            Parameters at which the function is only `continuity` times differentiable; they become knots.
 
         Examples
         --------
@@ -642,7 +662,7 @@ class NurbsCurve:
         return cls(knots, control_points, degree)
 
     def drawn_as(self, provenance: Provenance | None) -> Self:
-        """Return the curve with another record of its source."""
+        """Return the curve with another record of its origin."""
         return self._part(self.knots, self.control_points, self.weights, provenance)
 
     @property
@@ -652,13 +672,13 @@ class NurbsCurve:
 
     @property
     def is_rational(self) -> bool:
-        """True if the weights differ."""
+        """True if the weights of the control points differ."""
         return self.weights is not None
 
     def evaluate(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray:
-        """Return the position or its derivative d/dt of order up to 3, shape (..., 2) for parameters (...).
+        """Return the position, or its derivative d/dt of order 1 to 3, (..., 2), at parameters t (...).
 
-        At a knot of low continuity this is the right-hand value, or the left-hand value with `left=True`.
+        If the result jumps at a knot, it is the right-hand value, or the left-hand value with `left=True`.
         """
         if not (is_whole(derivative) and 0 <= derivative <= 3):
             raise InputError(f"the order of a derivative must be 0 to 3, not {derivative!r}")
@@ -670,9 +690,9 @@ class NurbsCurve:
         return self._pieces.at(t, order)
 
     def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
-        """Return derivatives (n, m) of the position (or of its derivative) at t (n,) by the m control points.
+        """Return the derivatives (n, m) of the position, or of its derivative, at t (n,) by the m control points.
 
-        The rational basis functions R_i: position = sum of R_i(t) times control point i.
+        They are the rational basis functions R_i: the position is the sum of R_i(t) times control point i.
         """
         t = self._pieces.inside(np.atleast_1d(numbers(t, "parameters")))
         spans = self._pieces.spans
@@ -682,24 +702,27 @@ class NurbsCurve:
         return _quotient(numerators, [rows.sum(axis=0) for rows in numerators])[derivative].T
 
     def with_control_points(self, control_points: ArrayLike) -> Self:
-        """Return the curve with the same knots and weights over other control points (m, 2)."""
+        """Return the curve with the same knots and weights, but other control points (m, 2)."""
         return type(self)(self.knots, numbers(control_points, "control_points"), self.degree, self.weights)
 
     def siblings(self, control_points: FloatArray) -> list[Self]:
         """Return curves with the same knots and control points (n, m, 2), without weights.
 
-        The curves are not checked, to be fast for thousands of curves. Their speed must be positive everywhere,
-        as in this curve.
+        The curves are not checked, because a check would be slow for thousands of curves. Their speed must be
+        positive everywhere.
         """
         return [self._part(self.knots, points, None) for points in control_points]
 
     @property
     def bezier_table(self) -> tuple[FloatArray, FloatArray]:
-        """Ends (p + 1,) and homogeneous control points (p, degree + 1, 3) of the knot spans; do not modify."""
+        """Ends (p + 1,) and homogeneous control points (p, degree + 1, 3) of the knot spans; do not modify them."""
         return self._pieces.edges, self._pieces.bezier
 
     def bezier_pieces(self) -> tuple[tuple[float, float, FloatArray], ...]:
-        """Return the knot spans as (t0, t1, homogeneous control points (degree + 1, 3): rows x w, y w, w)."""
+        """Return the knot spans as tuples (t0, t1, control points).
+
+        The control points (degree + 1, 3) are homogeneous: rows x w, y w, w for weight w.
+        """
         edges = self._pieces.edges
         return tuple(
             (float(a), float(b), piece.copy())
@@ -707,14 +730,14 @@ class NurbsCurve:
         )
 
     def reversed(self) -> Self:
-        """Return the reversed curve."""
+        """Return the curve with its direction reversed."""
         weights = None if self.weights is None else self.weights[::-1]
         knots = self.knots[0] + self.knots[-1] - self.knots[::-1]
         drawn = self.provenance and self.provenance.reversed()
         return self._part(knots, self.control_points[::-1], weights, drawn)
 
     def trimmed(self, start: float, end: float) -> Self:
-        """Return the part between two parameters as a new clamped curve (Boehm's knot insertion)."""
+        """Return the part between two parameters as a new clamped curve, by Boehm's knot insertion."""
         p, start, end = self.degree, self._at_knot(start), self._at_knot(end)
         points = self._pieces.control_points.copy() if self.is_rational else self.control_points.copy()
         last = int(np.searchsorted(self.knots, end)) - 1
@@ -730,7 +753,7 @@ class NurbsCurve:
         return self._part(knots, rows, None)
 
     def _at_knot(self, t: float) -> float:
-        """Return the knot that equals a parameter within rounding, else the parameter."""
+        """Return the knot that equals a parameter within rounding errors, else the parameter."""
         low, high = self.domain
         nearest = float(self.knots[np.abs(self.knots - t).argmin()])
         return nearest if abs(nearest - t) <= SAME_KNOT * (high - low) else t
@@ -738,12 +761,12 @@ class NurbsCurve:
     def transformed(self, matrix: ArrayLike) -> Self:
         """Return the exact image under a projective map: matrix @ (x, y, 1) divided by its third component.
 
-        Realizable curves stay realizable with clamped ends (paper, section 4.3).
+        The image of a realizable curve with clamped ends is realizable too (paper, section 4.3).
 
         Raises
         ------
         InputError
-            When the matrix is singular, or when it sends a point of the curve to infinity.
+            The matrix is singular, or it maps a point of the curve to infinity.
         """
         knots, points, weights = map_spline(
             self.knots,
@@ -767,7 +790,7 @@ class NurbsCurve:
         points, (low, high) = self.control_points, self.domain
         box = box_about(points[[0, -1]])
         clamped = self.knots[0] == low and self.knots[-1] == high
-        if clamped and (points >= box[0]).all() and (points <= box[1]).all():  # convex hull property
+        if clamped and (points >= box[0]).all() and (points <= box[1]).all():  # by the convex hull property
             return box
         return box_about(self.evaluate(self._pieces.extremes()))
 

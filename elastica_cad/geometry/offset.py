@@ -1,4 +1,4 @@
-"""Offset paths: a loop grown or shrunk by a distance, or an open path moved sideways."""
+"""Offset of a path: a closed path becomes larger or smaller by a distance, an open path is moved sideways."""
 
 from dataclasses import dataclass
 from itertools import pairwise
@@ -16,24 +16,24 @@ from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, require_t
 from elastica_cad.refusals import Length
 
 _LOST_OFFSETS = 4.0
-"""Length in offsets above which a piece of the path is a feature that must not disappear."""
+"""Length of a piece of the path, as a multiple of the offset, above which it must not disappear."""
 
 
 def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path:
-    """Return the path at `distance` mm from `path`: exact for lines and arcs, to `tolerance` for splines.
+    """Return the offset of a path by `distance` mm, exact for lines and arcs, within `tolerance` for splines.
 
-    A closed path grows if `distance` is positive and shrinks if it is negative, whatever its direction. An open
-    path moves to the left of its direction if `distance` is positive. Outer corners are rounded by arcs about
-    the original corner, inner corners are trimmed. The offset of a spline is a single cubic spline.
+    A closed path becomes larger if `distance` is positive and smaller if it is negative, whatever its direction.
+    An open path moves to the left of its direction if `distance` is positive. Outer corners become arcs about the
+    original corner, and inner corners are trimmed. The offset of a spline is a single cubic spline.
 
     Parameters
     ----------
     path : Path
-        Without self-crossings.
+        Path that does not cross itself.
     distance : float
-        mm.
+        Distance of the offset, mm.
     tolerance : float
-        Largest error of an offset spline, mm; checked between the samples.
+        Largest error of an offset spline, mm, measured between its interpolation points.
 
     Raises
     ------
@@ -64,7 +64,10 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
 
 @dataclass(frozen=True, eq=False)
 class _Element:
-    """A piece of the raw offset: a moved segment or a rounded corner; `piece` is None if it has vanished."""
+    """Piece of the offset path before trimming: a moved segment, or an arc at a corner.
+
+    `piece` is None if the segment vanishes.
+    """
 
     piece: Segment | None
     source_length: float
@@ -72,7 +75,7 @@ class _Element:
 
 
 def _elements(path: Path, left: float, tolerance: float) -> list[_Element]:
-    """Return the moved segments, with arcs about the corners that are open on the offset side."""
+    """Return the moved segments, with arcs about the corners that are convex on the offset side."""
     segments = [part for segment in path.segments for part in _without_corners(segment)]
     following = segments[1:] + (segments[:1] if path.closed else [])
     elements: list[_Element] = []
@@ -87,7 +90,7 @@ def _elements(path: Path, left: float, tolerance: float) -> list[_Element]:
 
 
 def _without_corners(segment: Segment) -> list[Segment]:
-    """Return the segment, or the parts of a spline between its corners."""
+    """Return a segment without corners, or the parts of a spline between its corners, in a list."""
     if not isinstance(segment, Spline):
         return [segment]
     t0, t1 = segment.curve.domain
@@ -96,7 +99,7 @@ def _without_corners(segment: Segment) -> list[Segment]:
 
 
 def _moved(segment: Segment, left: float, tolerance: float) -> Segment | None:
-    """Return the segment moved to its left, or None if the radius of an arc would not stay positive."""
+    """Return the segment moved to its left, or None for an arc whose radius would not be positive."""
     if isinstance(segment, Line):
         normal = left_of(segment.tangent_at(0.0))
         return Line(segment.start + left * normal, segment.end + left * normal)
@@ -134,7 +137,7 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
 
 
 def _corner(before: Segment, after: Segment, left: float) -> Arc | None:
-    """Return the arc about a corner that is open on the offset side, or None for any other joint."""
+    """Return the arc about a corner that is convex on the offset side, or None for other joints."""
     s, t = before.tangent_at(1.0), after.tangent_at(0.0)
     turn = float(turn_between(s, t))
     if turn * left >= 0 or abs(turn * left) < JOIN / 4:
@@ -145,7 +148,10 @@ def _corner(before: Segment, after: Segment, left: float) -> Arc | None:
 
 
 class _Ring:
-    """Ordered elements of the raw offset, which are joined by trimming; vanishing elements are removed."""
+    """Pieces of the offset path in order, which are joined by trimming.
+
+    Pieces that vanish are removed.
+    """
 
     def __init__(self, elements: list[_Element], closed: bool, distance: float) -> None:
         self.elements = elements
@@ -153,7 +159,7 @@ class _Ring:
         self.distance = distance
 
     def joined(self) -> list[Segment]:
-        """Return the trimmed chain."""
+        """Return the trimmed segments in order."""
         alive = [i for i, element in enumerate(self.elements) if element.piece is not None]
         while True:
             self._refuse_losses(set(alive))
@@ -185,7 +191,7 @@ class _Ring:
         return self._piece(i).length
 
     def _refuse_losses(self, alive: set[int]) -> None:
-        """Refuse a result in which a feature of the path has disappeared."""
+        """Refuse an offset in which too long a piece of the path has disappeared."""
         n, first = len(self.elements), min(alive, default=0)
         alone = self.closed and len(alive) == 1 < n
         if not alive or (alone and not meets(self._piece(first), self._piece(first))):
@@ -205,7 +211,7 @@ class _Ring:
 
 
 def _joint(a: Segment, b: Segment) -> tuple[float, float] | None:
-    """Return the parameters of a and b where they meet, or None if they do not meet."""
+    """Return the parameters of a and b at which they meet, or None if they do not meet."""
     if np.hypot(*(b.start - a.end)) <= JOIN / 2:
         return 1.0, 0.0
     crossings = segment_crossings(a, b)
@@ -215,7 +221,7 @@ def _joint(a: Segment, b: Segment) -> tuple[float, float] | None:
 
 
 def _check(path: Path, moved: Path, distance: float, tolerance: float) -> None:
-    """Refuse a result that crosses itself or is closer to the path than `distance`."""
+    """Refuse an offset that crosses itself or is closer to the path than `distance`."""
     samples = np.concatenate([segment.at(np.array([0.1, 0.35, 0.65, 0.9])) for segment in moved.segments])
     near = np.min([distances(segment, samples) for segment in path.segments], axis=0)
     worst = int(np.argmin(near))

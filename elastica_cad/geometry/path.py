@@ -25,18 +25,22 @@ from elastica_cad.geometry.segments import (
 from elastica_cad.refusals import Length
 
 _BLOCK = 4096
-"""Number of points whose distances from all chords of a spline are in memory at a time (some ten MB)."""
+"""Number of points whose distances from all chords of a spline are computed at a time.
+
+The distances need some ten MB of memory.
+"""
 
 _NEWTON_STEPS = 6
-_ROUNDING_SHARE = 1e-12  # distance that is a rounding error, as a fraction of a length
-# last step of Newton's method, as a fraction of the domain; the distance changes with its square
+_ROUNDING_SHARE = 1e-12  # rounding error of a distance, as a fraction of a length
+# last step of Newton's method, as a fraction of the domain; the distance changes with the square of the
+# step
 _SETTLED = 1e-12
 _UNSETTLED = 1e-7  # last step, as a fraction of the domain, above which Newton's method has not converged
 _SEARCHES = 20  # number of refinements, each to a quarter of the span or less
 
 
 def distances(segment: Segment, points: ArrayLike) -> FloatArray:
-    """Return least distances (n,) of points (n, 2) from a segment, mm, to rounding error."""
+    """Return the least distances (n,), mm, of points (n, 2) from a segment, except for rounding errors."""
     p = np.asarray(points, dtype=float).reshape(-1, 2)
     if isinstance(segment, Line):
         return _to_chords(p, segment.start[None], segment.end[None])[0][:, 0]
@@ -47,7 +51,7 @@ def distances(segment: Segment, points: ArrayLike) -> FloatArray:
 
 
 def polyline_distances(line: FloatArray, points: FloatArray) -> FloatArray:
-    """Return least distances (n,) of points (n, 2) from a polyline (m, 2), mm."""
+    """Return the least distances (n,), mm, of points (n, 2) from a polyline with vertices (m, 2)."""
     rows = max(1, _BLOCK * _BLOCK // (16 * len(line)))
     return np.concatenate(
         [
@@ -58,7 +62,10 @@ def polyline_distances(line: FloatArray, points: FloatArray) -> FloatArray:
 
 
 def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
-    """Return the largest distance of 401 points of `found` from `target`, mm, or 0 if it is a rounding error."""
+    """Return the largest distance, mm, of 401 points of `found` from `target`.
+
+    The result is 0 if the distance is a rounding error.
+    """
     if found is target:
         return 0.0
     points, rounding = found.sample(401).position, _ROUNDING_SHARE * found.length
@@ -90,10 +97,14 @@ def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
 
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
-    """Return distances from a spline by Newton's method on <gamma - p, gamma'> = 0 from the nearest chords."""
+    """Return the distances of points from a spline.
+
+    Newton's method solves <gamma - p, gamma'> = 0 for the curve gamma and the point p, starting from the nearest
+    chords.
+    """
     u, q = chords(spline, _chord_tolerance(spline))
     chord, where = _to_chords(p, q[:-1], q[1:])
-    # the nearest chord, and chords of other branches that may be nearer within the chord error
+    # the nearest chord, and chords of other parts that may be nearer within the error of the chords
     close = chord <= chord.min(axis=1, keepdims=True) + 2 * _chord_tolerance(spline)
     close[:, 1:] &= chord[:, 1:] < chord[:, :-1]
     close[:, :-1] &= chord[:, :-1] <= chord[:, 1:]
@@ -122,9 +133,10 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
 
 
 def _searched(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArray) -> FloatArray:
-    """Return least distances (n,) of points from the spans low to high of a curve, by repeated sampling.
+    """Return the least distances (n,), mm, of points from parts `low` to `high` of a curve, by sampling.
 
-    This search is used if the speed is so uneven that Newton's method leaves the span found by chords.
+    This search is used if the speed of the curve is so uneven that Newton's method leaves the part of the nearest
+    chord.
     """
     rows, least = np.arange(len(p)), np.full(len(p), np.inf)
     for _ in range(_SEARCHES):
@@ -138,7 +150,7 @@ def _searched(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArra
 
 
 def _chord_tolerance(spline: Spline) -> float:
-    """Return the largest distance of chords from a spline, mm, for starting points of Newton's method."""
+    """Return the largest distance, mm, between a spline and the chords from which Newton's method starts."""
     return 1e-3 * max(1.0, spline.length / 100)
 
 
@@ -147,13 +159,13 @@ JOIN = 1e-6
 
 
 def meets(before: Segment, after: Segment) -> bool:
-    """Return True if a segment ends where another one starts."""
+    """Return True if the first segment ends where the second one starts."""
     return dist(before.end.tolist(), after.start.tolist()) <= JOIN
 
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """A chain of segments whose ends meet within 1e-6 mm.
+    """Chain of segments whose ends meet within 1e-6 mm.
 
     Parameters
     ----------
@@ -196,9 +208,10 @@ class Path:
 
     @classmethod
     def polyline(cls, points: ArrayLike, bulges: ArrayLike | None = None, *, closed: bool = False) -> "Path":
-        """Return a path of lines through `points` (n, 2), or arcs for nonzero bulges, tan(turn / 4) as in DXF.
+        """Return a path of lines through `points` (n, 2), or of arcs for nonzero bulges, as in DXF files.
 
-        Repeated points are skipped; a closed path may or may not repeat its first point at the end.
+        A bulge is tan(turn / 4) for the angle `turn` of the arc. Repeated points are omitted. A closed path may
+        repeat its first point at the end.
         """
         p = numbers(points, "the points of a polyline")
         if p.ndim != 2 or p.shape[1:] != (2,) or not np.all(np.isfinite(p)):
@@ -229,7 +242,7 @@ class Path:
 
     @classmethod
     def circle(cls, center: ArrayLike, radius: float) -> "Path":
-        """Return a circle as one anticlockwise arc."""
+        """Return a circle as a single anticlockwise arc."""
         return cls((Arc(center, radius, 0.0, 2 * np.pi),), closed=True)
 
     @property
@@ -256,7 +269,7 @@ class Path:
 
     @cached_property
     def area(self) -> float:
-        """Area inside a closed path, mm2: positive if it runs anticlockwise, negative if clockwise.
+        """Area inside a closed path, mm2: positive if the path is anticlockwise, negative if clockwise.
 
         Raises
         ------
@@ -269,15 +282,15 @@ class Path:
 
     @cached_property
     def bounds(self) -> FloatArray:
-        """[[x_min, y_min], [x_max, y_max]], mm, exact."""
+        """Exact bounding box [[x_min, y_min], [x_max, y_max]], mm."""
         return box_around(np.array([segment.bounds for segment in self.segments]))
 
     def reversed(self) -> "Path":
-        """Return the reversed path."""
+        """Return the path with its direction reversed."""
         return Path([segment.reversed() for segment in reversed(self.segments)], self.closed)
 
     def transformed(self, matrix: ArrayLike) -> "Path":
-        """Return the path moved by a 3x3 affine matrix; arcs become splines unless it is a similarity."""
+        """Return the image of the path under a 3x3 affine matrix; arcs become splines unless it is a similarity."""
         m = require_affine(matrix)
         even = is_similarity(m)
         plain = [s.as_spline() if isinstance(s, Arc) and not even else s for s in self.segments]
@@ -288,7 +301,7 @@ class Path:
         return self.transformed([[1.0, 0.0, x], [0.0, 1.0, y], [0.0, 0.0, 1.0]])
 
     def points(self, tolerance: float) -> FloatArray:
-        """Return points (n, 2) on the path whose polyline stays within `tolerance` mm of it.
+        """Return points (n, 2) on the path; the polyline through them is within `tolerance` mm of the path.
 
         The first point of a closed path is not repeated at the end.
         """
@@ -300,7 +313,7 @@ class Path:
         return points
 
     def closed_points(self, tolerance: float) -> FloatArray:
-        """Return `points`; a closed path ends at its start."""
+        """Return `points`; for a closed path, the first point is repeated at the end."""
         points = self.points(tolerance)
         return np.concatenate([points, points[:1]]) if self.closed else points
 

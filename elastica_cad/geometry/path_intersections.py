@@ -19,14 +19,14 @@ from elastica_cad.refusals import Length
 IndexArray: TypeAlias = NDArray[np.intp]
 
 _CHORD_TOLERANCE_MM = 1e-3
-"""Largest distance of chords from a segment, mm, for starting points of Newton's method."""
+"""Largest distance, mm, between a segment and the chords from which Newton's method starts."""
 
 
 @dataclass(frozen=True, eq=False)
 class Chords:
-    """Points (n, 2) at u (n,) of a segment, close enough to start Newton's method.
+    """Points (n, 2) at parameters u (n,) of a segment; Newton's method starts from the chords between them.
 
-    They are computed once for a segment that is crossed many times.
+    The points are computed once for a segment that is crossed many times.
     """
 
     segment: Segment
@@ -40,7 +40,7 @@ class Chords:
 
 
 def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]:
-    """Return parameters (u, v) in [0, 1] where a(u) = b(v), to rounding error.
+    """Return the parameters (u, v) in [0, 1] at which a(u) = b(v), except for rounding errors.
 
     The end of `a` and the start of `b` are tried first, so that a crossing close to a shared corner is found.
     """
@@ -50,14 +50,15 @@ def segment_crossings(a: Segment, b: Segment) -> tuple[tuple[float, float], ...]
 def chord_crossings(
     first: Chords, second: Chords, *, corner: bool = False
 ) -> tuple[tuple[float, float], ...]:
-    """Return parameters (u, v) in [0, 1] where two segments cross, a(u) = b(v), to rounding error.
+    """Return the parameters (u, v) in [0, 1] at which two segments cross, except for rounding errors.
 
     Parameters
     ----------
     first, second : Chords
-        The segments with chords along them, where Newton's method starts.
+        Segments a and b with their chords; crossings of chords are starting points of Newton's method.
     corner : bool
-        Try the end of the first segment and the start of the second, too: for neighbours that share a corner.
+        True for neighbours that share a corner: the end of the first and the start of the second segment are
+        another starting point.
 
     Examples
     --------
@@ -79,7 +80,7 @@ def chord_crossings(
 
 
 def polylines_cross(p: FloatArray, q: FloatArray) -> FloatArray | None:
-    """Return a point (2,) where the polylines through p (n, 2) and q (m, 2) cross or touch, or None."""
+    """Return a point (2,) at which the polylines through p (n, 2) and q (m, 2) cross or touch, or None."""
     return _first_crossing(p, q, *_candidate_pairs(p, q))
 
 
@@ -97,9 +98,10 @@ def anticlockwise(loop: FloatArray) -> FloatArray:
 
 
 def self_crossing(p: FloatArray, *, closed: bool) -> FloatArray | None:
-    """Return a point (2,) where the polyline through p (n, 2) meets itself, or None.
+    """Return a point (2,) at which the polyline through p (n, 2) meets itself, or None.
 
-    Neighbouring chords do not count. A closed polyline does not repeat its first point.
+    The common ends of neighbouring chords do not count. The points of a closed polyline do not repeat its first
+    point.
     """
     q = np.concatenate([p, p[:1]]) if closed else p
     q = q[np.append(True, np.hypot(*np.diff(q, axis=0).T) > 0)]
@@ -119,9 +121,10 @@ def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) 
 
 
 def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
-    """Return index pairs (i, j) of chords of p and q whose bounding boxes overlap, in order.
+    """Return index pairs (i, j) of chords of the polylines p and q whose bounding boxes overlap, in order.
 
-    Boxes of neighbouring chords are joined into a tree; only boxes that overlap are opened again.
+    The search uses a tree of boxes around groups of neighbouring chords. Only groups whose boxes overlap are
+    examined.
     """
     first, second = _box_tree(p), _box_tree(q)
     i = j = np.zeros(min(len(p) - 1, len(q) - 1, 1), dtype=np.intp)
@@ -144,7 +147,10 @@ def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArr
 
 
 _FAN = 8
-"""Number of boxes in a group: a compromise between the number of levels and the number of useless pairs."""
+"""Number of boxes in a group.
+
+It is a compromise between the number of levels and the number of useless pairs.
+"""
 
 
 def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:
@@ -165,7 +171,10 @@ def _side(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
 def _line_parameters(
     a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return intersections of the lines a b and c d (n, 2 each), as fractions of a b and c d; nan if parallel."""
+    """Return the intersections of the lines a b and c d, with points (n, 2) each.
+
+    They are given as fractions of a b and of c d; nan if the lines are parallel.
+    """
     p, q, gap = b - a, d - c, c - a
     det = cross(p, q)
     det = np.where(np.abs(det) > 1e-14 * np.hypot(*p.T) * np.hypot(*q.T), det, np.nan)
@@ -173,7 +182,7 @@ def _line_parameters(
 
 
 def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
-    """Return crossings of chords of the two segments, including those slightly beyond their ends."""
+    """Return the parameters of crossings of chords of two segments, also slightly beyond their ends."""
     u, v, p, q = a.u, b.u, a.points, b.points
     i, j = _candidate_pairs(p, q)
     f, g = _line_parameters(p[i], p[i + 1], q[j], q[j + 1])
@@ -183,7 +192,7 @@ def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
 
 
 def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] | None:
-    """Return the crossing found by Newton's method from (u, v), or None if it is not on the segments."""
+    """Return the crossing that Newton's method finds from (u, v), or None if it is not on the segments."""
     for _ in range(30):
         inside_u, inside_v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
         (ax, ay, adx, ady), (bx, by, bdx, bdy) = _motion(a, inside_u), _motion(b, inside_v)
@@ -206,22 +215,22 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
 
 
 def _motion(segment: Segment, u: float) -> tuple[float, float, float, float]:
-    """x and y of the point at u, and their derivatives by u."""
+    """Return x and y of the point at parameter u, and their derivatives by u."""
     (x, y), (dx, dy) = segment.at(u), segment.velocity_at(u)
     return float(x), float(y), float(dx), float(dy)
 
 
 FLAT_MM = 0.002
-"""Flatness of loops, mm, in tests of points inside them."""
+"""Largest distance, mm, between a loop and the polygon that replaces it in tests of points inside the loop."""
 
 
 def clip_across(path: Path, low: float, high: float) -> Path:
-    """Return the part of a closed path with low <= x <= high, closed by straight lines; curves stay exact.
+    """Return the part of a closed path with low <= x <= high, closed by straight lines; its curves are exact.
 
     Raises
     ------
     InputError
-        The path is outside of that range, or the part is not in one piece.
+        The path is outside of this range, or the part consists of several pieces.
 
     Examples
     --------
@@ -284,14 +293,14 @@ def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
 
 
 def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
-    """Return chains of a path's segments between two vertical lines, in order."""
+    """Return the parts of a path between two vertical lines as lists of segments, in order."""
     (left, bottom), (right, top) = path.bounds
     walls = [Line((x, bottom - 1), (x, top + 1)) for x in (low, high) if left + JOIN < x < right - JOIN]
     return _runs(path, walls, lambda place: low <= float(place[0]) <= high)
 
 
 def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bool]) -> list[list[Segment]]:
-    """Return ordered chains of the pieces between `walls` whose midpoints satisfy `keeps`."""
+    """Return the parts of a path between `walls` whose midpoints satisfy `keeps`, as lists of segments."""
     runs: list[list[Segment]] = [[]]
     for segment in path.segments:
         cuts = {u for wall in walls for u, _ in segment_crossings(segment, wall)}
@@ -305,6 +314,6 @@ def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bo
 
 
 def _is_within(segment: Segment, u: float) -> bool:
-    """Return True if a point on a segment is not one of its ends, within rounding."""
+    """Return True if a point on a segment is not one of its ends, within `JOIN`."""
     gaps = np.array([segment.start, segment.end]) - segment.at(u)
     return 0 < u < 1 and bool(np.hypot(*gaps.T).min() > JOIN)

@@ -1,4 +1,4 @@
-"""The curve of a strip: arc length, tangent, curvature, inflections, corners, crossings."""
+"""Curve of a strip: arc length, tangent, curvature, inflections, corners, crossings."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -42,20 +42,20 @@ from elastica_cad.refusals import Length
 
 @dataclass(frozen=True, eq=False)
 class CurveSamples:
-    """Points of a curve, all arrays over the same n places.
+    """Samples of a curve at n points.
 
     Attributes
     ----------
     s : (n,) array
-        Arc length from the start, mm.
+        Arc lengths from the start, mm.
     position : (n, 2) array
-        Points, mm.
+        Positions of the points, mm.
     angle : (n,) array
-        Turning angle, rad, continuous along the curve.
+        Angles of the tangent, rad, continuous along the curve.
     curvature : (n,) array
-        Signed curvature, 1/mm, positive to the left.
+        Signed curvatures, 1/mm, positive to the left.
     t : (n,) array
-        Parameter of the curve.
+        Parameters of the points.
     """
 
     s: FloatArray
@@ -67,19 +67,19 @@ class CurveSamples:
 
 @dataclass(frozen=True)
 class CurvatureZero:
-    """A point (or, if flat, a stretch) where the curvature vanishes or jumps to the other sign.
+    """Point at which the curvature is zero or jumps to the other sign, or a straight piece.
 
     Attributes
     ----------
     s, s_end : float
-        Arc length, mm; s_end differs from s for a straight piece only.
+        Arc length of the point, mm; for a straight piece, of its start and end.
     t, t_end : float
-        The same points in the curve's parameter.
+        Parameters of the same points.
     kind : str
-        "crossing" (sign change), "touch" (none), "end" (at an end of the curve), "jump" (the sign changes by
-        a jump at a knot), "flat" (a straight piece s..s_end).
+        "crossing" (the sign changes), "touch" (the sign does not change), "end" (at an end of the curve), "jump"
+        (the sign changes by a jump at a knot), or "flat" (a straight piece from s to s_end).
     before, after : int
-        Sign of the curvature on either side; 0 beyond the ends of the curve.
+        Signs of the curvature before and after the point; 0 beyond the ends of the curve.
     """
 
     s: float
@@ -98,15 +98,15 @@ class CurvatureZero:
 
 @dataclass(frozen=True)
 class Break:
-    """An interior knot.
+    """Interior knot of a curve.
 
     Attributes
     ----------
     s, t : float
-        Arc length (mm) and parameter.
+        Arc length (mm) and parameter of the knot.
     continuity : int
-        Number of continuous derivatives with respect to arc length: 0 tangent break, 1 curvature jump,
-        2 kink of the curvature, ... (at least; orders above 3 follow from the knot's multiplicity).
+        Least number of continuous derivatives by arc length: 0 at a corner, 1 at a jump of the curvature, 2 at a
+        kink of the curvature. Numbers above 3 are computed from the multiplicity of the knot.
     """
 
     s: float
@@ -116,19 +116,19 @@ class Break:
 
 @dataclass(frozen=True)
 class TangentBreak:
-    """A corner: arc length (mm), parameter, and the exterior angle (rad)."""
+    """Corner of a curve: arc length (mm), parameter, and exterior angle (rad)."""
 
     s: float
     t: float
     angle: float
 
 
-SURVEY_POINTS = 601  # number of points of the sample that all functions share
+SURVEY_POINTS = 601  # number of samples in `PlaneCurve.survey`, which many functions use
 
-DRAWN_POINTS = 301  # number of points of a curve in a notebook, a few pixels apart
+DRAWN_POINTS = 301  # number of points of a curve in a notebook, at distances of a few pixels
 
 CORNER_RAD = 1e-5
-"""Smallest jump of the direction, rad, that counts as a corner."""
+"""Smallest jump of the tangent direction, rad, that counts as a corner."""
 
 ROUNDED_ZERO_SHARE = 1e-6
 """Largest rounding error of a zero of the curvature, as a fraction of the length of a piece."""
@@ -138,13 +138,13 @@ _ROUNDING = 1e-10  # rounding error of an angle, as a fraction of the angle
 
 @dataclass(frozen=True, eq=False)
 class PlaneCurve(NurbsCurve):
-    """A plane NURBS curve of degree 2 or more, with any knots.
+    """Plane NURBS curve of degree 2 or more.
 
     Parameters
     ----------
     knots : (m + degree + 1,) array_like
-        Full knot vector, not decreasing, clamped or not; the curve runs over
-        knots[degree] .. knots[-degree - 1].
+        Full knot vector, clamped or not, without a decrease. The domain of the curve is from knots[degree] to
+        knots[-degree - 1].
     control_points : (m, 2) array_like
         Control points, mm.
     degree : int
@@ -157,8 +157,8 @@ class PlaneCurve(NurbsCurve):
     Raises
     ------
     InputError
-        The numbers do not define a curve with a tangent everywhere: too few or non-finite control points, knots
-        that decrease or break the curve apart, weights not positive, zero length, a cusp.
+        The numbers do not define a curve with a tangent everywhere. Examples are too few control points, knots that
+        decrease or break the curve apart, weights that are not positive, zero length, and a cusp.
 
     Examples
     --------
@@ -180,7 +180,7 @@ class PlaneCurve(NurbsCurve):
         )
 
     def angle_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Return the turning angle, rad, at parameters t: continuous along the curve, in [-pi, pi] at its start."""
+        """Return the angle of the tangent, rad, at parameters t: continuous, and in [-pi, pi] at the start."""
         t = numbers(t, "parameters")
         _, d1 = self._pieces.at(t.ravel(), 1, left=require_flag(left, "left"))
         return self._turning.at(t.ravel(), d1, left=left).reshape(t.shape)
@@ -197,16 +197,16 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def length(self) -> float:
-        """Arc length, mm."""
+        """Length of the curve, mm."""
         return float(self._pieces.arc_length.s[-1])
 
     def arc_length(self, t: ArrayLike) -> FloatArray:
-        """Return the arc length from the start, mm, at parameters t."""
+        """Return the arc lengths from the start, mm, at parameters t."""
         t = numbers(t, "parameters")
         return self._pieces.arc_length.length_at(self._pieces.inside(t.ravel())).reshape(t.shape)
 
     def parameter(self, s: ArrayLike) -> FloatArray:
-        """Return parameters at arc lengths s (mm)."""
+        """Return the parameters at arc lengths s, mm."""
         s = numbers(s, "arc lengths")
         slack = 1e-9 * self.length
         if s.size and not (s.min() >= -slack and s.max() <= self.length + slack):
@@ -216,11 +216,11 @@ class PlaneCurve(NurbsCurve):
 
     @property
     def smooth_panels(self) -> FloatArray:
-        """Parameters, including both ends, between which a Gauss rule of 16 points is exact to rounding."""
+        """Parameters, including both ends, between which a Gauss rule of 16 points is exact except for rounding."""
         return self._pieces.arc_length.t
 
     def at(self, s: ArrayLike) -> CurveSamples:
-        """Return the position, angle and curvature at arc lengths s (n,)."""
+        """Return positions, angles and curvatures at arc lengths s (n,), mm."""
         s = np.atleast_1d(numbers(s, "arc lengths"))
         if s.ndim > 1:
             raise InputError(f"arc lengths are an array of {s.ndim} dimensions: give one row")
@@ -229,14 +229,14 @@ class PlaneCurve(NurbsCurve):
         return CurveSamples(s, position, self._turning.at(t, d1), curvature(d1, d2), t)
 
     def sample(self, count: int) -> CurveSamples:
-        """`count` points at equal distances along the curve, both ends included."""
+        """Return samples at `count` points at equal distances along the curve, including both ends."""
         if not (is_number(count) and count >= 2):
             raise InputError(f"a curve must be sampled at 2 or more points, not {count!r}")
         return self.at(np.linspace(0.0, self.length, int(count)))
 
     @cached_property
     def survey(self) -> CurveSamples:
-        """The curve at `SURVEY_POINTS` equal distances, evaluated once; its arrays are read-only."""
+        """Samples at `SURVEY_POINTS` equal distances, computed once; their arrays are read-only."""
         nodes = self.sample(SURVEY_POINTS)
         for values in (nodes.s, nodes.position, nodes.angle, nodes.curvature, nodes.t):
             values.setflags(write=False)
@@ -244,14 +244,14 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def curvature_zeros(self) -> tuple[CurvatureZero, ...]:
-        """All zeros and sign changes of the curvature, in order."""
+        """All zeros and sign changes of the curvature, in the order of the curve."""
         places = zeros.curvature_zero_places(
             self._pieces.bezier, self._pieces.edges, self._curvature_continuous
         )
         return self._measured(self._polished(places))
 
     def curvature_equals(self, level: float) -> tuple[CurvatureZero, ...]:
-        """Return all points where the curvature is `level` (1/mm), with the signs of curvature - level."""
+        """Return all points at which the curvature is `level` (1/mm), with the signs of curvature - level."""
         level = require_number(level, "the curvature to look for", "1/mm")
         if level == 0:
             return self.curvature_zeros
@@ -263,16 +263,17 @@ class PlaneCurve(NurbsCurve):
         size: float,
         breaks: Sequence[tuple[float, bool]] = (),
     ) -> tuple[CurvatureZero, ...]:
-        """Return all zeros and sign changes of a function along the curve, in order.
+        """Return all zeros and sign changes of a function along the curve, in the order of the curve.
 
         Parameters
         ----------
         function : callable
-            Maps parameters (k,) to values (k,); as smooth as the curvature, except at `breaks`.
+            Function of parameters (k,) that returns values (k,). It is as smooth as the curvature, except at
+            `breaks`.
         size : float
-            Typical size of the function, to which tolerances are relative.
+            Typical size of the values, to which tolerances are relative.
         breaks : sequence of (parameter, bool)
-            Parameters of its kinks, and True where it is continuous.
+            Parameters at which the function is not smooth, each with a flag that is True if it is continuous.
         """
         if not callable(function) or not (is_number(size) and size > 0):
             raise InputError(f"zeros of {quoted(function)}, whose size is {quoted(size)}, cannot be found: give a "
@@ -292,8 +293,10 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def inflections(self) -> FloatArray:
-        """Arc lengths (k,), mm, where the curvature changes sign; if it does so along a straight piece, the
-        middle."""
+        """Arc lengths (k,), mm, at which the curvature changes its sign.
+
+        If its sign changes along a straight piece, the inflection is the middle of the piece.
+        """
         return np.array([(z.s + z.s_end) / 2 for z in self.curvature_zeros if z.changes_sign])
 
     @cached_property
@@ -324,29 +327,29 @@ class PlaneCurve(NurbsCurve):
 
     @property
     def seam_turn(self) -> float:
-        """Jump of the direction, rad, at the seam of a closed curve; 0 for an open curve."""
+        """Jump of the tangent direction, rad, where a closed curve starts and ends; 0 for an open curve."""
         return float(self._seam_sides.corners[0]) if self.is_closed else 0.0
 
     @cached_property
     def has_corners(self) -> bool:
-        """True if the direction jumps by more than 1e-5 rad anywhere, including the seam of a closed curve."""
+        """True if the tangent jumps by more than 1e-5 rad anywhere, also where a closed curve starts and ends."""
         return bool(self.tangent_breaks) or abs(self.seam_turn) > CORNER_RAD
 
     @cached_property
     def is_straight(self) -> bool:
         """True if the whole curve is a straight segment."""
         flats = [(z.kind, z.before, z.after) for z in self.curvature_zeros]
-        return flats == [("flat", 0, 0)] and not self.tangent_breaks  # straight everywhere
+        return flats == [("flat", 0, 0)] and not self.tangent_breaks
 
     @cached_property
     def is_closed(self) -> bool:
-        """True if the ends meet within 1e-9 of the length."""
+        """True if both ends are the same point within 1e-9 of the length."""
         (x0, y0, w0), (x1, y1, w1) = self._pieces.ends
         gap = hypot(x1 / w1 - x0 / w0, y1 / w1 - y0 / w0)
         return gap <= 1e-9 * self.length
 
     def self_intersections(self) -> FloatArray:
-        """Return pairs of arc lengths (k, 2), mm, where the curve crosses or touches itself, in order."""
+        """Return pairs of arc lengths (k, 2), mm, at which the curve crosses or touches itself, in order."""
         if self._turning.spread <= np.pi * (1 + _ROUNDING):
             return np.zeros((0, 2))  # a curve that meets itself turns by more than 180 degrees
         bezier, edges = self._pieces.bezier, self._pieces.edges
@@ -367,7 +370,7 @@ class PlaneCurve(NurbsCurve):
         return knot_orders(self._pieces, self.knots)
 
     def _is_smooth(self, order: int) -> bool:
-        """Return True if the knot multiplicities alone show that the curve is smooth to this order."""
+        """Return True if the multiplicities of the knots alone show that the curve is smooth to this order."""
         spans = self._pieces.spans
         apart = spans.widths.min() > SHORT_SPAN_SHARE * (spans.edges[-1] - spans.edges[0])
         return bool(apart and self._knot_orders.min(initial=order) >= order)
@@ -416,9 +419,9 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[Curvature
     Parameters
     ----------
     a : float
-        Constant of the line.
+        Constant a of the line.
     b : (2,) array_like
-        Its normal (any length but 0).
+        Normal of the line, of any length except 0.
 
     Examples
     --------
@@ -438,7 +441,7 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[Curvature
 
 
 def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with repeated end knots, so that it starts and ends on control points."""
+    """Return the curve with repeated end knots, so that its ends are control points."""
     p, knots = curve.degree, curve.knots
     if knots[0] == knots[p] and knots[-1] == knots[-p - 1]:
         return curve
@@ -446,7 +449,7 @@ def clamp_ends(curve: PlaneCurve) -> PlaneCurve:
 
 
 def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
-    """Return the smooth pieces of a curve, in order, or the curve itself if it has no corner.
+    """Return the pieces of a curve between its corners, in order.
 
     Examples
     --------
@@ -462,7 +465,7 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
     return tuple(curve.trimmed(*ends).drawn_as(drawn) for ends in pairwise(places))
 
 
-DEGREE = 5  # two continuous derivatives of the curvature, which checks of equilibrium use
+DEGREE = 5  # so that the curvature has two continuous derivatives, which checks of equilibrium use
 
 
 def integrate_tangents(
@@ -473,16 +476,16 @@ def integrate_tangents(
     tolerance: float,
     breaks: Sequence[tuple[float, int]] = (),
 ) -> PlaneCurve:
-    """Return the spline of degree 5 from `start` (2,), mm, with arc length as its parameter, to the tolerance.
+    """Return the spline of degree 5 from `start` (2,), mm, whose parameter is arc length.
 
     Parameters
     ----------
     tangent : callable
-        Maps arc lengths (k,), mm, to unit vectors (k, 2).
+        Function of arc lengths (k,), mm, that returns unit vectors (k, 2).
     tolerance : float
-        Largest error of a tangent.
+        Largest error of a unit tangent.
     breaks : sequence of (s, continuity)
-        Places where the tangent is only `continuity` times differentiable.
+        Arc lengths at which the tangent is only `continuity` times differentiable.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Arrays of vectors and points in the plane: products, matrices, boxes, running sums."""
+"""Arrays of vectors and points in the plane: products, matrices, boxes, cumulative sums."""
 
 from math import atan2, hypot, inf, isfinite
 
@@ -10,17 +10,17 @@ from elastica_cad.errors import InputError
 
 
 def norm(v: FloatArray) -> FloatArray:
-    """Return lengths (...,) of vectors (..., 2)."""
+    """Return the lengths (...,) of vectors (..., 2)."""
     return np.asarray(np.hypot(v[..., 0], v[..., 1]))
 
 
 def dot(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return products (...,) of pairs of vectors (..., 2)."""
+    """Return the scalar products (...,) of pairs of vectors (..., 2)."""
     return np.asarray(u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1])
 
 
 def cross(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return determinants (...,) of pairs of vectors (..., 2)."""
+    """Return the determinants (...,) of pairs of vectors (..., 2)."""
     return np.asarray(u[..., 0] * v[..., 1] - u[..., 1] * v[..., 0])
 
 
@@ -37,18 +37,18 @@ def left_of(vectors: ArrayLike) -> FloatArray:
 
 
 def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:
-    """Return angles (...,) from directions u to directions v (..., 2), rad in (-pi, pi], positive to the left."""
+    """Return the angles (...,), rad, from directions u to v (..., 2), in (-pi, pi], positive to the left."""
     return np.asarray(np.arctan2(cross(u, v), dot(u, v)))
 
 
 def place(p: ArrayLike) -> str:
-    """Return a point (2,) formatted for messages."""
-    x, y = np.asarray(p, dtype=float).round(9) + 0.0  # no -0
+    """Return the coordinates of a point (2,), mm, as text for messages."""
+    x, y = np.asarray(p, dtype=float).round(9) + 0.0  # removes negative zeros
     return f"({x:.6g}, {y:.6g}) mm"
 
 
 def transform_points(m: FloatArray, points: ArrayLike) -> FloatArray:
-    """Return points (..., 2) moved by a 3x3 affine matrix."""
+    """Return the images of points (..., 2) under a 3x3 affine matrix."""
     moved = (np.asarray(points, dtype=float) @ m[:2, :2].T + m[:2, 2]) / m[2, 2]
     return np.asarray(moved, dtype=float)
 
@@ -76,7 +76,7 @@ def is_similarity(matrix: FloatArray) -> bool:
 
 
 def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
-    """Return the scale, angle (rad) and orientation of a similarity, a 3x3 matrix that maps circles to circles.
+    """Return the scale, angle (rad) and orientation of a similarity: a 3x3 matrix that maps circles to circles.
 
     The orientation is 1.0, or -1.0 if the map mirrors in the x axis before it rotates. The caller must check with
     `is_similarity` that the matrix is a similarity.
@@ -92,7 +92,7 @@ def similarity_of(matrix: FloatArray) -> tuple[float, float, float]:
 
 
 def box_about(points: FloatArray) -> FloatArray:
-    """Return least and largest coordinates (2, d) of points (n, d).
+    """Return the least and largest coordinates (2, d) of points (n, d).
 
     Examples
     --------
@@ -103,7 +103,7 @@ def box_about(points: FloatArray) -> FloatArray:
 
 
 def boxes_about(points: FloatArray) -> FloatArray:
-    """Return least and largest coordinates (k, 2, d) of each of many sets of points (k, n, d).
+    """Return the least and largest coordinates (k, 2, d) of each of k sets of points (k, n, d).
 
     Examples
     --------
@@ -114,7 +114,7 @@ def boxes_about(points: FloatArray) -> FloatArray:
 
 
 def box_around(boxes: FloatArray) -> FloatArray:
-    """Return the box (2, d) about boxes (n, 2, d).
+    """Return the box (2, d) that encloses boxes (n, 2, d).
 
     Examples
     --------
@@ -125,7 +125,7 @@ def box_around(boxes: FloatArray) -> FloatArray:
 
 
 def boxes_meet(a: FloatArray, b: FloatArray) -> BoolArray:
-    """Return True where boxes (..., 2, d) overlap or touch.
+    """Return flags (...,) that are True for pairs of boxes (..., 2, d) that overlap or touch.
 
     Examples
     --------
@@ -136,7 +136,7 @@ def boxes_meet(a: FloatArray, b: FloatArray) -> BoolArray:
 
 
 def lengths_along(points: FloatArray) -> FloatArray:
-    """Return the length (n,) of the polyline through points (n, d) up to each point.
+    """Return the lengths (n,) of the polyline through points (n, d) from its first point to each point.
 
     Examples
     --------
@@ -158,7 +158,7 @@ def turns_along(angles: FloatArray) -> FloatArray:
 
 
 def numbers_in_groups(counts: IntArray) -> IntArray:
-    """Return 0, 1, ... for each group of `counts` (k,), all groups concatenated.
+    """Return the numbers 0, 1, ... count - 1 for each of `counts` (k,), concatenated.
 
     Examples
     --------
@@ -175,11 +175,11 @@ _ROW, _FINEST_CELL = 2**31, 2.0**-30
 def near_pairs(
     points: FloatArray, others: FloatArray, reach: float, *, most: int | None = None
 ) -> tuple[IntArray, IntArray]:
-    """Return the index pairs (k,) of points (n, d) and other points (m, d) at most `reach` apart.
+    """Return index pairs (k,) of points (n, d) and other points (m, d) whose distance is at most `reach`.
 
     Pairs are in the order of the points. The plane of the first two coordinates is divided into cells at least
-    as wide as `reach`. Each point is compared with the points of nine cells; a point with more than `most` of them
-    has no pairs.
+    as wide as `reach`. Each point is compared with the points of nine cells; a point
+    with more than `most` of these neighbours gets no pairs.
 
     Examples
     --------
@@ -201,12 +201,12 @@ def near_pairs(
     i = (np.arange(near.size) // 3).repeat(counts)
     j = order[first.repeat(counts) + numbers_in_groups(counts)]
     gap = points[i] - others[j]
-    kept = np.einsum("ij,ij->i", gap, gap) <= reach**2  # a sum over a short axis is slow
+    kept = np.einsum("ij,ij->i", gap, gap) <= reach**2  # a sum over a short axis would be slow
     return i[kept], j[kept]
 
 
 def distinct(values: FloatArray) -> FloatArray:
-    """Return the sorted distinct values (n,). (numpy's `unique` imports masked arrays.)
+    """Return the sorted distinct values (n,); unlike `numpy.unique`, without importing masked arrays.
 
     Examples
     --------
@@ -218,7 +218,7 @@ def distinct(values: FloatArray) -> FloatArray:
 
 
 def clipped(point: FloatArray, direction: FloatArray, low: FloatArray, high: FloatArray) -> FloatArray | None:
-    """Return the part of a line inside a box, as end points (2, 2), or None if the line misses the box."""
+    """Return the part of a line inside a box as end points (2, 2), or None if the line misses the box."""
     with np.errstate(divide="ignore", invalid="ignore"):
         t = np.sort(np.array([low - point, high - point]) / direction, axis=0)
     inside = np.all((direction != 0) | ((low <= point) & (point <= high)))

@@ -11,18 +11,19 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 
 @lru_cache(maxsize=64)
 def binomials(degree: int) -> FloatArray:
-    """Return binomial coefficients (degree + 1,), the factors from `scaled_bernstein` to Bernstein polynomials."""
+    """Return binomial coefficients (degree + 1,): the factors from `scaled_bernstein` to Bernstein polynomials."""
     return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
 _SPLIT = 0.46875
-"""Fraction at which an interval is divided. It is exact in binary. It is not 0.5, because symmetric curves have
-zeros
-at 0.5."""
+"""Fraction at which an interval is divided.
+
+It is exact in binary. It is not 0.5, because symmetric curves have zeros at 0.5.
+"""
 
 
 def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
-    """Return values (n, degree + 1) of u^i (1 - u)^(degree - i), Bernstein polynomials without binomials."""
+    """Return values (n, degree + 1) of u^i (1 - u)^(degree - i): Bernstein polynomials without binomials."""
     powers = np.empty((degree + 1, 2, u.size))
     powers[0] = 1.0
     if degree:
@@ -49,7 +50,10 @@ def bernstein_values(degree: int, u: FloatArray, derivative: int) -> FloatArray:
 
 
 def sums_in_pieces(basis: FloatArray, series: FloatArray, piece: IntArray) -> FloatArray:
-    """Return values (n, c) of polynomials (p, degree + 1, c) of pieces (n,), from their `scaled_bernstein`."""
+    """Return values (n, c) of piecewise polynomials (p, degree + 1, c) in pieces (n,).
+
+    `basis` contains the values of `scaled_bernstein` at the local coordinates.
+    """
     return np.asarray(np.einsum("nj,njc->nc", basis, series.take(piece, axis=0)))
 
 
@@ -62,7 +66,10 @@ def product(a: FloatArray, b: FloatArray) -> FloatArray:
 
 @lru_cache(maxsize=256)
 def _gathered(m: int, n: int) -> FloatArray:
-    """Return the matrix that sums the terms i, j ((m + 1) (n + 1),) of a product over i + j = k, (m + n + 1,)."""
+    """Return the matrix that sums the terms with indices i and j of a product of polynomials.
+
+    The terms ((m + 1) (n + 1),) are summed over i + j = k, for every k (m + n + 1,).
+    """
     i, j = np.indices((m + 1, n + 1)).reshape(2, -1)
     matrix = np.zeros((i.size, m + n + 1))
     matrix[np.arange(i.size), i + j] = 1.0
@@ -70,7 +77,7 @@ def _gathered(m: int, n: int) -> FloatArray:
 
 
 def raise_degree(c: FloatArray) -> FloatArray:
-    """Write polynomials (..., n+1) of degree n with degree n + 1."""
+    """Return the coefficients (..., n+2) of polynomials (..., n+1) of degree n as polynomials of degree n + 1."""
     n = c.shape[-1]
     weight = np.arange(n + 1) / n
     padded = np.concatenate([c[..., :1], c, c[..., -1:]], axis=-1)
@@ -78,22 +85,22 @@ def raise_degree(c: FloatArray) -> FloatArray:
 
 
 def subdivide(c: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
-    """Return coefficients (..., n+1) of the parts on [0, u] and [u, 1]."""
+    """Return the coefficients (..., n+1) of polynomials on the parts [0, u] and [u, 1] of their interval."""
     left, right = np.empty(c.shape), np.empty(c.shape)
-    for k in range(c.shape[-1]):  # de Casteljau
+    for k in range(c.shape[-1]):  # de Casteljau's algorithm
         left[..., k], right[..., -1 - k] = c[..., 0], c[..., -1]
         c = c[..., :-1] * (1 - u) + c[..., 1:] * u
     return left, right
 
 
 def subdivide_pieces(bezier: FloatArray, u: float = 0.5) -> tuple[FloatArray, FloatArray]:
-    """Return control points (..., n+1, d) of the parts on [0, u] and [u, 1] of Bezier pieces (..., n+1, d)."""
+    """Return the control points (..., n+1, d) of the parts on [0, u] and [u, 1] of Bezier pieces."""
     left, right = subdivide(np.swapaxes(bezier, -1, -2), u)
     return np.swapaxes(left, -1, -2), np.swapaxes(right, -1, -2)
 
 
 def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return values and derivatives (k,) of polynomials (k, n+1) at u (k,)."""
+    """Return the values and derivatives (k,) of polynomials (k, n+1) at u (k,)."""
     degree = c.shape[-1] - 1
     if degree == 0:
         return c[:, 0].copy(), np.zeros(c.shape[0])
@@ -105,9 +112,9 @@ def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArra
 
 
 def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tuple[FloatArray, BoolArray]:
-    """Divide polynomials (k, n+1) by their zeros at the ends; return which ends had zeros (k, 2).
+    """Return polynomials (k, n+1) divided by their zeros at 0 and 1, and flags (k, 2) for ends with zeros.
 
-    Values below `noise` (k,) count as zero. Only the polynomials where `which` (k,) is True are changed.
+    Values below `noise` (k,) count as zero. Only polynomials whose flag in `which` (k,) is True are changed.
     """
     c, zero = c.copy(), np.zeros((len(c), 2), dtype=bool)
     ends = np.abs(c[:, [0, -1]]) <= noise[:, None]
@@ -122,13 +129,16 @@ def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tup
 
 
 def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
-    """Divide polynomials (..., n+1) by 1 - u (or by u) at the same degree; signs inside (0, 1) stay."""
+    """Divide polynomials (..., n+1) by 1 - u, or by u, without a change of degree.
+
+    Signs inside (0, 1) do not change.
+    """
     return c @ _division(c.shape[-1] - 1, at_end) if c.shape[-1] > 1 else c
 
 
 @lru_cache(maxsize=64)
 def _division(n: int, at_end: bool) -> FloatArray:
-    """Return the matrix (n+1, n+1) that divides coefficients (n+1,) by 1 - u (or by u) at the same degree."""
+    """Return the matrix (n+1, n+1) that divides coefficients (n+1,) by 1 - u, or by u, at the same degree."""
     index = np.arange(n)
     unit = np.eye(n + 1)
     return raise_degree(unit[:, :-1] * n / (n - index) if at_end else unit[:, 1:] * n / (index + 1))
@@ -136,14 +146,14 @@ def _division(n: int, at_end: bool) -> FloatArray:
 
 @dataclass(frozen=True)
 class Root:
-    """A zero of a polynomial strictly inside the interval (0, 1).
+    """Zero of a polynomial strictly inside the interval (0, 1).
 
     Attributes
     ----------
     piece : int
-        Index of the polynomial.
+        Index of the polynomial in an array of polynomials.
     u : float
-        Position in (0, 1).
+        Coordinate of the zero in (0, 1).
     crossing : bool
         True if the sign changes, False if the polynomial only touches zero.
     """
@@ -154,12 +164,18 @@ class Root:
 
 
 _MOST_HALVINGS = 48
-"""Largest number of halvings; the remaining piece is as short as rounding errors and contains one multiple zero."""
+"""Largest number of halvings of an interval.
+
+The remaining interval is as short as rounding errors and contains a single multiple zero.
+"""
 
 _GENTLE, _BLUR = 10.0, 4.0
-"""Factors of e, the third root of the noise. A sign change whose slope is below 10 e^2 times the largest
-coefficient is a multiple zero. Rounding moves it by less than 4 e, and it is found as the zero of a
-derivative."""
+"""Factors of e, the third root of the relative rounding errors.
+
+A sign change whose slope is below 10 e^2 times the largest coefficient is a multiple zero. Rounding moves it by
+less
+than 4 e, and it is computed as the zero of a derivative.
+"""
 
 _EPS = float(np.finfo(float).eps)
 
@@ -167,16 +183,20 @@ _EPS = float(np.finfo(float).eps)
 def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
     """Return all zeros in the open interval (0, 1) of polynomials (k, n+1), in order.
 
-    Sign variations of Bernstein coefficients bound the number of zeros (Descartes). Pieces are halved until
-    each has at most one zero, or no coefficient above `noise` (k,), the rounding level of the coefficients.
-    Zeros that rounding cannot separate count as one: a crossing if the sign differs on its two sides, else a
-    touch. The coefficients at both ends must exceed the noise (see `divide_out_end_root`).
+    The number of sign changes of the Bernstein coefficients is an upper bound of the number of zeros (Descartes).
+    The interval is divided until each part has at most one zero, or no coefficient above the rounding errors
+    `noise` (k,). Zeros that rounding errors cannot separate count as one zero. It is a crossing if the sign
+    differs on its two sides, else a touch. The coefficients at both ends must exceed the rounding errors (see
+    `divide_out_end_root`).
     """
     return _classified(c, _merged(sorted(_events(c, noise))))
 
 
 def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]]:
-    """Return sign changes and stretches of noise: polynomial, start, end, True for an exact sign change."""
+    """Return intervals with sign changes, and intervals in which all values are rounding errors.
+
+    Each result has the index of a polynomial, the start and end of the interval, and True for an exact sign change.
+    """
     piece = np.arange(c.shape[0])
     part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
     events: list[tuple[int, float, float, bool]] = []
@@ -211,7 +231,7 @@ def interior_roots(c: FloatArray) -> list[Root]:
 
 
 def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
-    """Return the number of sign changes (k,) of rows without zeros, and True (k,) for rows with zeros."""
+    """Return the numbers of sign changes (k,) in rows, where 0 has no sign, and True (k,) for rows with a 0."""
     blurred = (sign == 0).any(axis=1)
     if blurred.any():
         sign = sign.copy()
@@ -223,7 +243,7 @@ def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
 def _halved(
     piece: IntArray, part: FloatArray, low: FloatArray, width: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
-    """Divide every interval in two parts."""
+    """Return the intervals, each divided into two parts."""
     return (
         np.concatenate([piece, piece]),
         np.concatenate(subdivide(part, _SPLIT)),
@@ -233,7 +253,7 @@ def _halved(
 
 
 def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float]]:
-    """Return the interval around the only sign change of each polynomial (k, n+1), wider for multiple zeros."""
+    """Return an interval around the only sign change of each polynomial (k, n+1), wider for multiple zeros."""
     largest = np.abs(c).max(axis=1, initial=0.0)
     u, slope = _crossings(c, largest)
     blur = np.cbrt(noise / largest)
@@ -242,7 +262,7 @@ def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float
 
 
 def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the only sign change (k,) of each polynomial, exact to rounding, and the slope there."""
+    """Return the only sign change (k,) of each polynomial, except for rounding errors, and the slope there."""
     low, high = np.zeros(len(c)), np.ones(len(c))
     u, slope = c[:, 0] / (c[:, 0] - c[:, -1]), np.zeros(len(c))
     rising = c[:, -1] > 0
@@ -261,7 +281,7 @@ def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArr
 
 
 def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:
-    """Join neighbouring noisy stretches, and the roots in or next to them, to one event."""
+    """Return the intervals, with neighbouring intervals of rounding errors and adjacent zeros joined."""
     merged: list[tuple[int, float, float, bool]] = []
     for piece, a, b, sharp in events:
         if merged and merged[-1][0] == piece and not (sharp and merged[-1][3]):
@@ -289,7 +309,7 @@ def _classified(c: FloatArray, events: list[tuple[int, float, float, bool]]) -> 
 
 
 def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> float:
-    """Return a multiple zero in [a, b], where the first (for crossings, the second) derivative vanishes."""
+    """Return a multiple zero in [a, b]: the zero of the first or, for crossings, of the second derivative."""
     derivative = np.diff(c)
     if crossing and derivative.size > 1:
         derivative = np.diff(derivative)
@@ -303,18 +323,20 @@ def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> floa
     return u
 
 
-ORDER = 12  # Gauss nodes of a panel
+ORDER = 12  # number of Gauss nodes of a panel
 
 DENSE_PARTS = 24
-"""Number of parts of each panel at whose ends bounds are checked first."""
+"""Number of equal parts of a panel; bounds are checked first at the ends of these parts."""
 
 EXTREME_STEPS = 2
-"""Number of steps of Halley's method from the nearest sample to an extreme; two steps raise the error to the ninth
-power."""
+"""Number of steps of Halley's method from the nearest sample to an extreme.
+
+Two steps raise the error to the ninth power.
+"""
 
 _REACH = 0.15  # largest distance from a sample to the extreme next to it
 _NEAR_SHARE = (
-    0.05  # fraction of a function's range: extremes this close to its largest or smallest value are searched
+    0.05  # fraction of a function's range: extremes within it of the largest or smallest value are computed
 )
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
@@ -337,11 +359,11 @@ def _antiderivatives() -> tuple[FloatArray, FloatArray]:
 LEFT, RIGHT = _antiderivatives()
 SLOPES: FloatArray = np.zeros((ORDER, ORDER))
 SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
-"""Matrix from the Legendre coefficients of a function to those of its derivative."""
+"""Matrix that converts Legendre coefficients of a function to those of its derivative."""
 
 
 def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
-    """Return the panel (n,) between edges (N + 1,) of each position (n,), and the position in it, from -1 to 1."""
+    """Return the panels (n,) of positions (n,) between edges (N + 1,), and coordinates (n,) from -1 to 1."""
     panel = np.searchsorted(edges[1:-1], places, side="right")
     start, end = edges[panel], edges[panel + 1]
     return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
@@ -349,7 +371,7 @@ def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, F
 
 @dataclass(frozen=True, eq=False)
 class PanelFunction:
-    """A piecewise polynomial: Legendre coefficients (N, p, ...) over the panels."""
+    """Piecewise polynomial: Legendre coefficients (N, p, ...) on panels."""
 
     coefficients: FloatArray
 
@@ -359,21 +381,21 @@ class PanelFunction:
         return cls(in_panels(TO_COEFFICIENTS, values))
 
     def at(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Return values (n, ...) at places x (n,) of panels (n,)."""
+        """Return values (n, ...) at coordinates x (n,) of panels (n,)."""
         coefficients = self.coefficients[panel].swapaxes(0, 1)
         places = x.reshape(x.size, *[1] * (coefficients.ndim - 2))
         return np.asarray(np.polynomial.legendre.legval(places, coefficients, tensor=False))
 
     def in_every_panel(self, basis: FloatArray) -> FloatArray:
-        """Return values (N, k, ...) at the same places of every panel, from their `legendre_basis` (k, p)."""
+        """Return values (N, k, ...) at the same coordinates of every panel, from their `legendre_basis` (k, p)."""
         return in_panels(basis, self.coefficients)
 
     def slope_at(self, panel: IntArray, x: FloatArray) -> FloatArray:
-        """Return derivatives by x (n, ...)."""
+        """Return derivatives (n, ...) by the panel coordinate at coordinates x (n,) of panels (n,)."""
         return PanelFunction(in_panels(SLOPES, self.coefficients)).at(panel, x)
 
     def unresolved(self, tolerance: float) -> BoolArray:
-        """Return True (N,) for panels whose last coefficients exceed `tolerance` times the largest."""
+        """Return flags (N,) for panels whose last coefficients exceed `tolerance` times the largest."""
         size = np.abs(self.coefficients)
         return np.asarray(size[:, -2:].max(axis=1) > tolerance * size.max(axis=1))
 
@@ -384,30 +406,30 @@ class PanelFunction:
 
     @property
     def where_panels_meet(self) -> tuple[FloatArray, FloatArray]:
-        """Values (N - 1, ...) before and after the edges between panels."""
+        """Values (N - 1, ...) just before and just after the edges between panels."""
         at_ends = self.in_every_panel(_ENDS_BASIS)
         return at_ends[:-1, 1], at_ends[1:, 0]
 
     @property
     def dense(self) -> FloatArray:
-        """Values (n, ...) at `Panels.dense_places`."""
+        """Values (n, ...) at the sample points `Panels.dense_places`."""
         values = self.in_every_panel(_DENSE_BASIS)
         return values.reshape(values.shape[0] * values.shape[1], *values.shape[2:])
 
     @property
     def extremes(self) -> FloatArray:
-        """Values at the local extremes near the global extremes, and at the samples next to them."""
+        """Values at the local extremes that are near the global extremes, and at the samples next to them."""
         return self.at(*self.extreme_places)
 
     @property
     def extreme_places(self) -> tuple[IntArray, FloatArray]:
-        """Panels and positions x at which `extremes` returns values: samples and local extremes."""
+        """Panels and coordinates x at which `extremes` returns values: samples and local extremes."""
         panel, sample, x = self.found_extremes
         return np.concatenate([panel, panel]), np.concatenate([_DENSE[sample], x])
 
     @property
     def found_extremes(self) -> tuple[IntArray, IntArray, FloatArray]:
-        """Local extremes near the global extremes: panels (n,), starting samples (n,) and positions x (n,)."""
+        """Local extremes near the global extremes: panels (n,), starting samples (n,) and coordinates x (n,)."""
         table = self.in_every_panel(_DENSE_BASIS)
         extreme = np.zeros_like(table, dtype=bool)
         middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
@@ -425,14 +447,14 @@ class PanelFunction:
             if step:
                 slopes = (legendre_basis(x) @ _ALL_SLOPES).reshape(-1, 3, ORDER)
             first, second, third = (slopes @ coefficients[:, :, None])[:, :, 0].T
-            # Halley's method: Newton's method with the third derivative
+            # Halley's method is Newton's method with the third derivative
             bend = 2 * second * second - first * third
             step_by = np.divide(-2 * first * second, bend, out=np.zeros_like(x), where=bend != 0)
             x = np.minimum(np.maximum(x + step_by, lower), upper)
         return panel, sample, x
 
     def combined(self, numbers: FloatArray) -> "PanelFunction":
-        """Contract the last axis with `numbers`."""
+        """Return the function whose last axis is multiplied by `numbers` and summed."""
         return PanelFunction(self.coefficients @ numbers)
 
 
@@ -442,7 +464,7 @@ def legendre_basis(x: FloatArray) -> FloatArray:
 
 
 def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
-    """Apply a matrix (k, p) to the p nodal values or coefficients (N, p, ...) of every panel: (N, k, ...)."""
+    """Return the products (N, k, ...) of a matrix (k, p) with values or coefficients (N, p, ...) of panels."""
     if values.ndim == 2:
         return np.asarray(values @ matrix.T)
     flat = matrix @ values.reshape(*values.shape[:2], -1)
@@ -450,7 +472,7 @@ def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
 
 
 def lobatto_places(parts: int) -> FloatArray:
-    """Return positions (parts + 1,) from -1 to 1, closer towards the ends."""
+    """Return coordinates (parts + 1,) from -1 to 1 that are closer to each other towards the ends."""
     inner = np.cos(np.pi * (np.arange(1, parts)[::-1] / parts))
     return np.concatenate([[-1.0], inner, [1.0]])
 
@@ -460,12 +482,12 @@ _DENSE_BASIS = legendre_basis(_DENSE)
 _ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
 _ALL_SLOPES = np.concatenate([np.linalg.matrix_power(SLOPES, k) for k in (1, 2, 3)], axis=1)
 _DENSE_SLOPES = (_DENSE_BASIS @ _ALL_SLOPES).reshape(-1, 3, ORDER)
-"""First, second and third derivatives by x, of every Legendre polynomial."""
+"""First, second and third derivatives of every Legendre polynomial by x."""
 
 
 @lru_cache(maxsize=64)
 def gauss_rule(count: int) -> tuple[FloatArray, FloatArray]:
-    """Return nodes and weights (count,) of the Gauss rule over [-1, 1], read-only."""
+    """Return the nodes and weights (count,) of the Gauss rule over [-1, 1] as read-only arrays."""
     places, weights = np.polynomial.legendre.leggauss(count)
     places.setflags(write=False)
     weights.setflags(write=False)

@@ -1,4 +1,4 @@
-"""A quantity along the strip (stiffness, width) as a B-spline function of arc length."""
+"""Quantity along a strip, such as stiffness or width, as a B-spline function of arc length."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -20,19 +20,22 @@ from elastica_cad.geometry.splines import (
 )
 
 STEP_SHARE = 2e-5
-"""Width of a step, as a fraction of the length. A step is drawn as a ramp, so that an outline stays one edge."""
+"""Length of a step, as a fraction of the length of the strip.
+
+A step is replaced by a ramp, so that an outline remains a continuous edge.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class Profile:
-    """A B-spline function of arc length; its graph is exactly a B-spline curve.
+    """B-spline function of arc length; its graph is exactly a B-spline curve.
 
     Parameters
     ----------
     knots : (m + degree + 1,) array_like
         Full knot vector over arc length, mm, clamped at both ends.
     coefficients : (m,) array_like
-        B-spline coefficients, in the unit of the value.
+        B-spline coefficients, in the unit of the values.
     degree : int
         Polynomial degree, 3 by default.
 
@@ -84,22 +87,22 @@ class Profile:
         tolerance: float = 1e-7,
         degree: int = 3,
     ) -> "Profile":
-        """Approximate `function` on [0, length] to `tolerance` (absolute, checked between the samples).
+        """Return the profile that approximates `function` on [0, length] within the absolute error `tolerance`.
 
         Parameters
         ----------
         function : callable
-            Maps arc lengths (k,) to values (k,); never evaluated at a break or an end.
+            Function of arc lengths (k,) that returns values (k,); it is not evaluated at breaks and ends.
         breaks : sequence of (s, continuity)
-            Arc lengths where the function is only `continuity` times differentiable; -1 is a jump.
-            They become knots of the matching multiplicity, so that a kink stays a kink.
+            Arc lengths at which the function is only `continuity` times differentiable; -1 means a jump. They
+            become knots of such a multiplicity that the profile has the same continuity.
         knots : (k,) array_like
-            Initial knots; more are inserted where the tolerance needs them.
+            Initial knots; further knots are inserted where the error exceeds the tolerance.
 
         Raises
         ------
         NotConvergedError
-            The function has an undeclared break, or noise above the tolerance.
+            The function has a break that is not in `breaks`, or noise above the tolerance.
         """
         if not (is_number(length) and length > 0):
             raise InputError(f"a profile needs a positive length, not {length!r} mm")
@@ -128,19 +131,19 @@ class Profile:
         return cls(knots, coefficients)
 
     def __call__(self, s: ArrayLike, derivative: int = 0) -> FloatArray:
-        """Return values (or derivatives per mm) at arc lengths `s`, extrapolated beyond the ends."""
+        """Return values, or derivatives per mm, at arc lengths `s`, also extrapolated beyond the ends."""
         if not (is_whole(derivative) and derivative >= 0):
             raise InputError(f"the order of a derivative must be 0, 1, 2 ..., not {derivative!r}")
         return self._function(numbers(s, "arc lengths of a profile"), derivative)
 
     @property
     def length(self) -> float:
-        """End of the domain, mm."""
+        """Largest arc length of the domain, mm."""
         return float(self.knots[-1])
 
     @property
     def extremes(self) -> tuple[float, float]:
-        """Smallest and largest value over the domain, including both sides of a jump, to rounding error."""
+        """Smallest and largest value, including both sides of a jump, except for rounding errors."""
         (_, low), (_, high) = self._extreme_points
         return low, high
 
@@ -173,7 +176,7 @@ class Profile:
 
     @property
     def breaks(self) -> tuple[tuple[float, int], ...]:
-        """Interior knots (s, continuity), with the number of continuous derivatives; -1 at a jump."""
+        """Interior knots s with the number of continuous derivatives; -1 at a jump."""
         knots, counts = knot_runs(self.knots[self.degree + 1 : -self.degree - 1])
         return tuple((float(s), self.degree - int(n)) for s, n in zip(knots, counts, strict=True))
 
@@ -187,7 +190,7 @@ class Profile:
 
     @property
     def greville(self) -> FloatArray:
-        """Greville abscissae (m,): used as x coordinates, the control polygon gives the graph of the spline."""
+        """Greville abscissae (m,): the x coordinates of the control points of the graph of the profile."""
         return greville(self.knots, self.degree)
 
     def scaled(self, factor: float) -> "Profile":
@@ -210,8 +213,10 @@ class Profile:
         return self._changed(least, (high - low) / (most - least), low)
 
     def _changed(self, least: float, factor: float, low: float) -> "Profile":
-        """Return the profile with the values low + (value - least) factor; a positive factor keeps the extreme
-        places."""
+        """Return the profile with the values low + (value - least) factor.
+
+        If the factor is positive, the extremes keep their arc lengths.
+        """
         changed = Profile(self.knots, low + (self.coefficients - least) * factor, self.degree)
         if factor > 0 and "_extreme_points" in vars(self):
             points = [(place, low + (value - least) * factor) for place, value in self._extreme_points]

@@ -1,4 +1,4 @@
-"""Projective maps of the plane: definition by four handles, and images of rational splines."""
+"""Projective maps of the plane: definition by four points (handles), and images of rational splines."""
 
 from collections.abc import Callable
 from itertools import combinations
@@ -12,17 +12,17 @@ from elastica_cad.geometry.polynomials import subdivide_pieces
 from elastica_cad.geometry.splines import finite
 from elastica_cad.refusals import Length
 
-_MOST_HALVINGS = 30  # halvings of a piece until its weights are positive
+_MOST_HALVINGS = 30  # largest number of halvings of a piece until its weights are positive
 
 IN_LINE_SHARE = 1e-9
 """Height of a triangle, as a fraction of the size of all four points, below which its corners are collinear."""
 
 
 def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
-    """Return the projective map that takes four handles to four other points, for `PlaneCurve.transformed`.
+    """Return the projective map that moves four handles (points) to new positions, for `PlaneCurve.transformed`.
 
-    Lines stay lines, so collinear inflections stay collinear. A curve that can be bent from a strip can be bent
-    after such an edit too (paper, section 4.3).
+    The image of a line is a line, so collinear inflections remain collinear. The image of a curve that a strip
+    can have is therefore a curve that a strip can have (paper, section 4.3).
 
     Parameters
     ----------
@@ -32,13 +32,14 @@ def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
     Returns
     -------
     (3, 3) array
-        matrix @ (x, y, 1) divided by its third component is the image; this component is 1 at the first handle.
+        Matrix of the map. The image of (x, y) is matrix @ (x, y, 1) divided by its third component; this
+        component is 1 at the first handle.
 
     Raises
     ------
     InputError
-        There are not four points each, two handles coincide, or three are collinear. Handles that swap sides can
-        send a curve through infinity; `transformed` refuses such a map.
+        There are not four points each, two handles coincide, or three are collinear. If handles are
+        exchanged, points of a curve may be mapped to infinity; `transformed` refuses such a map.
 
     Examples
     --------
@@ -53,7 +54,8 @@ def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
     x, y = np.asarray(before, dtype=float)[0]
     matrix = matrix / (matrix[2] @ (x, y, 1.0))
     size = float(np.abs(np.asarray(before, dtype=float)).max())
-    if np.abs(matrix[2, :2]).max() * size < 1e-13:  # rounding; affine maps keep curves polynomial
+    # rounding errors are removed, because affine maps keep curves polynomial
+    if np.abs(matrix[2, :2]).max() * size < 1e-13:
         matrix[2] = 0.0, 0.0, 1.0
     return np.asarray(matrix)
 
@@ -99,7 +101,7 @@ def _basis(name: str, points: ArrayLike) -> FloatArray:
 
 
 def _vanishing(piece: FloatArray) -> FloatArray:
-    """Return the homogeneous point of a Bezier piece where the weight, positive at the start, reaches 0."""
+    """Return the homogeneous point of a Bezier piece at which the weight, positive at the start, becomes 0."""
     for _ in range(_MOST_HALVINGS):
         left, right = subdivide_pieces(piece)
         piece = left if left[-1, 2] <= 0 else right
@@ -117,9 +119,9 @@ def map_spline(
 ) -> tuple[FloatArray, FloatArray, FloatArray | None]:
     """Return knots, control points and weights of the image of a spline under a 3 x 3 matrix.
 
-    The map acts linearly on homogeneous control points. If the weight of a control point (not of the curve)
-    would not stay positive, the image consists of Bezier pieces, halved until all weights are positive.
-    `pieces` returns the homogeneous Bezier pieces of the spline and their edges.
+    The map is linear in homogeneous control points. If the weight of a control point would not be positive, the
+    image is divided into Bezier pieces until all weights are positive. `pieces` returns the homogeneous Bezier
+    pieces of the spline and their edges.
     """
     m = finite("matrix", matrix)
     if m.shape != (3, 3):

@@ -1,4 +1,4 @@
-"""Stiffness laws of sections: tapered strips and glued plies."""
+"""Stiffness laws of cross-sections: tapered strips, rods, tubes and glued plies."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,38 +16,40 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Length
 
 MOST_LEAVES = 50
-"""Largest number of leaves; more would be as good as a taper."""
+"""Largest number of plies; with more plies a stack would be as smooth as a taper."""
 
 
 class FixedLaw:
-    """Base of laws whose stiffness does not depend on the bend."""
+    """Base class of laws whose stiffness does not depend on the curvature."""
 
     @property
     def follows_bend(self) -> bool:
-        """False: bending does not change the section."""
+        """False, because bending does not change the section."""
         return False
 
     @property
     def stack(self) -> "LaidLeaves | None":
-        """Always None: the section is a single piece, or its plies have no places yet."""
+        """Stack of glued plies; None for a single piece, or if the positions of the plies are unknown."""
         return None
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> Self:  # noqa: ARG002 - see `follows_bend`
-        """Return the law itself."""
+        """Return the law itself, because bending does not change the section."""
         return self
 
     def curl(self, parameter: FloatArray) -> None:
-        """Return None: bending does not change the section."""
+        """Return None, because bending does not change the section."""
 
 
 @dataclass(frozen=True)
 class _PowerLaw(FixedLaw):
-    """Sections of a parameter p, mm: E I = E `inertia` p^`power` and area = `area` p^(`power` - 2).
+    """Law of sections whose bending stiffness is a power of a parameter.
+
+    For the parameter p, mm, it is E I = E `inertia` p^`power`, and the area is `area` p^(`power` - 2).
 
     Attributes
     ----------
     sheet : Sheet
-        Modulus, density and largest strain; its thickness does not count.
+        Sheet with the modulus, density and largest strain of the material; its thickness is ignored.
     least, largest : float
         Limits of the parameter, mm.
     """
@@ -75,27 +77,27 @@ class _PowerLaw(FixedLaw):
 
     @property
     def _shape(self) -> tuple[int, float, float]:
-        """Power of the parameter in E I, second moment and area for p = 1."""
+        """Power of the parameter in E I; second moment of area and area for the parameter 1."""
         raise NotImplementedError
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Least and largest parameter, mm."""
+        """Least and largest value of the parameter, mm."""
         return self.least, self.largest
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
-        """Return E I (n,), N mm2, of parameters (n,), mm."""
+        """Return E I (n,), N mm2, for parameters (n,), mm."""
         power, inertia, _ = self._shape
         return np.asarray(self.sheet.youngs_modulus * inertia * positive(parameter, self.quantity) ** power)
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return parameters (n,), mm, for E I (n,), N mm2."""
+        """Return the parameters (n,), mm, for E I (n,), N mm2."""
         power, inertia, _ = self._shape
         EI = positive(bending_stiffness, "bending stiffness")
         return np.asarray((EI / (self.sheet.youngs_modulus * inertia)) ** (1 / power))
 
     def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
-        """Return the weights, N/mm (n,), of parameters (n,), mm."""
+        """Return the weights per length (n,), N/mm, for parameters (n,), mm."""
         power, _, area = self._shape
         specific = self.sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2
         return np.asarray(specific * area * positive(parameter, self.quantity) ** (power - 2))
@@ -103,7 +105,7 @@ class _PowerLaw(FixedLaw):
     def strains(
         self, curvature: ArrayLike, parameter: ArrayLike, *, natural_curvature: float = 0.0
     ) -> tuple[LayerStrain, ...]:
-        """Return the strain p/2 |kappa - kappa_0| of the outermost fibre."""
+        """Return the strain of the outermost fibre: half the parameter times the change of curvature."""
         bend = np.abs(numbers(curvature, "curvature") - natural_curvature)
         strain = bend * positive(parameter, self.quantity) / 2
         return (LayerStrain(self.sheet, np.atleast_1d(strain)),)
@@ -111,16 +113,16 @@ class _PowerLaw(FixedLaw):
 
 @dataclass(frozen=True)
 class ThicknessLaw(_PowerLaw):
-    """Strip of constant width, tapered in thickness t: E I = E w t^3 / 12, weight ~ t.
+    """Law of a strip of constant width w with variable thickness t: E I = E w t^3 / 12, weight proportional to t.
 
     Parameters
     ----------
     sheet : Sheet
-        Modulus, density and largest strain; its thickness does not count.
+        Sheet with the modulus, density and largest strain of the material; its thickness is ignored.
     least, largest : float
         Limits of the thickness, mm.
     width : float
-        mm.
+        Width of the strip, mm.
 
     Examples
     --------
@@ -138,7 +140,7 @@ class ThicknessLaw(_PowerLaw):
 
     @property
     def quantity(self) -> str:
-        """Thickness."""
+        """Name of the parameter: thickness."""
         return "thickness"
 
     @property
@@ -148,16 +150,16 @@ class ThicknessLaw(_PowerLaw):
 
 @dataclass(frozen=True)
 class RoundLaw(_PowerLaw):
-    """Round rod of diameter d, or tube whose bore is a fraction of d: E I ~ d^4, weight ~ d^2.
+    """Law of a round rod or tube with variable outer diameter d: E I proportional to d^4, weight to d^2.
 
     Parameters
     ----------
     sheet : Sheet
-        Modulus, density and largest strain; its thickness does not count.
+        Sheet with the modulus, density and largest strain of the material; its thickness is ignored.
     least, largest : float
         Limits of the outer diameter, mm.
     bore : float
-        Inner over outer diameter, from 0 (a rod) to below 1.
+        Ratio of inner to outer diameter, from 0 (a rod) to below 1.
 
     Examples
     --------
@@ -177,7 +179,7 @@ class RoundLaw(_PowerLaw):
 
     @property
     def quantity(self) -> str:
-        """Diameter."""
+        """Name of the parameter: diameter."""
         return "diameter"
 
     @property
@@ -187,21 +189,21 @@ class RoundLaw(_PowerLaw):
 
 @dataclass(frozen=True)
 class LeavesLaw(FixedLaw):
-    """Stack of `fewest` to `leaves` glued plies of a sheet: E I = E w (k h)^3 / 12 for k plies.
+    """Law of a stack of glued plies of a sheet: E I = E w (k h)^3 / 12 for k plies.
 
-    The stiffness has steps, so a stack only approximates a curve. Use the law with `nearest_rod`, not
-    `optimal_rod`.
+    The stiffness jumps at the end of each ply, so a stack only approximates a curve. Use the law with
+    `nearest_rod`, not `optimal_rod`.
 
     Parameters
     ----------
     sheet : Sheet
-        Sheet of a ply, with its thickness h; the thickness of the glue is neglected.
+        Sheet of a ply, of thickness h; the thickness of the glue is neglected.
     leaves : int
         Largest number of plies in the stack.
     width : float
-        mm.
+        Width w of the stack, mm.
     fewest : int
-        Number of plies over the full length.
+        Number of plies over the full length, which is the least number at any station.
 
     Examples
     --------
@@ -226,7 +228,7 @@ class LeavesLaw(FixedLaw):
 
     @property
     def quantity(self) -> str:
-        """Number of leaves."""
+        """Name of the parameter: number of plies."""
         return "leaves"
 
     @property
@@ -241,15 +243,15 @@ class LeavesLaw(FixedLaw):
         return ThicknessLaw(self.sheet, self.fewest * h, self.leaves * h, width=self.width)
 
     def bending_stiffness(self, count: ArrayLike) -> FloatArray:
-        """Return E I (n,), N mm2, of `count` (n,) plies."""
+        """Return E I (n,), N mm2, for numbers of plies `count` (n,)."""
         return self.relaxed.bending_stiffness(self.thickness(count))
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the number of plies (n,), not rounded, for E I (n,), N mm2."""
+        """Return the numbers of plies (n,), not rounded, for E I (n,), N mm2."""
         return self.relaxed.parameter(bending_stiffness) / self.sheet.thickness
 
     def weight_per_length(self, count: ArrayLike) -> FloatArray:
-        """Return the weights, N/mm (n,), of `count` (n,) plies."""
+        """Return the weights per length (n,), N/mm, for numbers of plies `count` (n,)."""
         return self.relaxed.weight_per_length(self.thickness(count))
 
     def strains(
@@ -263,14 +265,14 @@ class LeavesLaw(FixedLaw):
         return np.asarray(self.sheet.thickness * numbers(count, "the count of leaves"))
 
     def laid(self, leaves: Sequence["Leaf"]) -> "LaidLeaves":
-        """Return the section of plies at fixed places."""
+        """Return the law of a stack whose plies have fixed positions."""
         thick = self.relaxed
         return LaidLeaves(self.sheet, thick.least, thick.largest, width=self.width, leaves=tuple(leaves))
 
 
 @dataclass(frozen=True)
 class Leaf:
-    """Ply or piece of a ply, from `start` to `end`, mm; `number` counts from the full-length ply (1)."""
+    """Ply, or piece of a ply, from `start` to `end`, mm; `number` 1 is the first ply of full length."""
 
     number: int
     start: float
@@ -284,7 +286,7 @@ class Leaf:
 
 @dataclass(frozen=True)
 class LaidLeaves(ThicknessLaw):
-    """Stack of glued plies at fixed places; its thickness has steps.
+    """Law of a stack of glued plies with fixed positions; its thickness has steps.
 
     Parameters
     ----------
@@ -303,7 +305,7 @@ class LaidLeaves(ThicknessLaw):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the plies: number, and a letter if the ply is in pieces."""
+        """Names of the plies: a number, and a letter if the ply consists of several pieces."""
         numbers = [leaf.number for leaf in self.leaves]
         seen: dict[int, int] = {}
         labels = []
@@ -314,7 +316,7 @@ class LaidLeaves(ThicknessLaw):
 
     @property
     def steps(self) -> FloatArray:
-        """Arc lengths (m,), mm, at which plies begin or end."""
+        """Arc lengths (m,), mm, at which plies begin or end inside the stack."""
         length = max(leaf.end for leaf in self.leaves)
         places = {s for leaf in self.leaves for s in (leaf.start, leaf.end) if 0 < s < length}
         return np.array(sorted(places))
@@ -331,33 +333,33 @@ SAME_SCALE = 1e-4
 """Relative difference of bending stiffnesses that is within the accuracy of an optimal rod."""
 
 BETWEEN_NODES = 1e-3
-"""Largest relative excess of the stiffness over a limit between the nodes at which the limit is imposed."""
+"""Largest relative excess of the stiffness over a limit between nodes, if the limit is imposed at the nodes."""
 
 
 class StiffnessLaw(Protocol):
     """Cross-section with a parameter, mm, that varies along the strip and determines its bending stiffness.
 
-    The parameter is a width at fixed thickness, a thickness at fixed width or a diameter. Other properties along
-    the strip, such as the base of a laminate, belong to the law, station by station.
+    The parameter is a width at fixed thickness, a thickness at fixed width, or a diameter. The law contains the
+    values of other properties, such as the width of the base of a laminate, for every station.
     """
 
     def bending_stiffness(self, parameter: ArrayLike, /) -> FloatArray:
-        """Return E I (n,), N mm2, of parameters (n,), mm."""
+        """Return E I (n,), N mm2, for parameters (n,), mm."""
 
     def parameter(self, bending_stiffness: ArrayLike, /) -> FloatArray:
-        """Return parameters (n,), mm, for E I (n,), N mm2."""
+        """Return the parameters (n,), mm, for E I (n,), N mm2."""
 
     def weight_per_length(self, parameter: ArrayLike, /) -> FloatArray:
-        """Return the weights, N/mm (n,), of parameters (n,), mm."""
+        """Return the weights per length (n,), N/mm, for parameters (n,), mm."""
 
     def strains(
         self, curvature: ArrayLike, parameter: ArrayLike, /, *, natural_curvature: float = 0.0
     ) -> tuple[LayerStrain, ...]:
-        """Return the strain of each layer's outermost fibre, by curvatures (n,), 1/mm, and parameters (n,), mm."""
+        """Return the strain of each layer's outermost fibre for curvatures (n,), 1/mm, and parameters (n,), mm."""
 
 
 class BoundedLaw(StiffnessLaw, Protocol):
-    """Law whose parameter has limits, as `section` of `optimal_rod` and `nearest_rod`."""
+    """Law whose parameter has limits, for the argument `section` of `optimal_rod` and `nearest_rod`."""
 
     @property
     def quantity(self) -> str:
@@ -365,38 +367,38 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Least and largest thickness or diameter, mm; a least value of 0 means no lower limit."""
+        """Least and largest value of the parameter, mm; a least value of 0 means no lower limit."""
 
     @property
     def follows_bend(self) -> bool:
-        """True if the stiffness depends on the curvature; its scale is then known only with the bend."""
+        """True if the stiffness depends on the curvature; the stiffness is then known only for a given bend."""
 
     @property
     def stack(self) -> LaidLeaves | None:
-        """Stack of glued plies with their places, or None for a single piece."""
+        """Stack of glued plies with their positions, or None for a single piece."""
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0, /) -> "BoundedLaw":
-        """Return the law at stations bent by kappa - kappa_0 (n,) from `rest`, kappa_0, 1/mm.
+        """Return the law at stations that are bent by `curvature` (n,), 1/mm, from the natural curvature `rest`.
 
         The result is the law itself if bending does not change it.
         """
 
     def curl(self, parameter: FloatArray, /) -> "BendFactor | None":
-        """Return the effect of bending on the stiffness of parameters (n,), mm, or None without an effect."""
+        """Return the effect of bending on the stiffness for parameters (n,), mm, or None without an effect."""
 
 
 class BendFactor(Protocol):
-    """Factors (n,) on the stiffness of the stations of a strip as a function of their curvature."""
+    """Function that returns factors (n,) on the stiffness of the stations of a strip for their curvatures."""
 
     def __call__(self, curvature: FloatArray, /) -> FloatArray:
-        """Return the factors of the stations (..., n) at their curvatures (..., n), 1/mm."""
+        """Return the factors of the stations (..., n) for their curvatures (..., n), 1/mm."""
 
     def resampled(self, s: FloatArray, at: FloatArray, /) -> Self:
-        """Return the factors at stations (m,), mm, from those at `s` (n,)."""
+        """Return the function for stations `at` (m,), mm, by interpolation between stations `s` (n,), mm."""
 
 
 def at_stations(values: float | FloatArray, s: FloatArray, at: FloatArray) -> float | FloatArray:
-    """Interpolate values (..., n) from arc lengths `s` (n,), mm, to `at` (m,); a number is constant.
+    """Return values (..., n) at arc lengths `s` (n,), mm, interpolated at `at` (m,), mm; a number is constant.
 
     Examples
     --------
@@ -412,15 +414,18 @@ def at_stations(values: float | FloatArray, s: FloatArray, at: FloatArray) -> fl
 def scale_within(
     law: BoundedLaw, stiffness: FloatArray, *, solved: float | None = None, heavy: bool = False
 ) -> float:
-    """Return the B, N mm2, for which the largest (or else the least) section of a rod of nodal K (n,) is the limit.
+    """Return the bending stiffness B, N mm2, with which a rod reaches the limits of its section.
+
+    At the station where B times the relative `stiffness` (n,) needs the largest section, this section is the
+    upper limit. Without an upper limit, the least section is the lower limit.
 
     Parameters
     ----------
     law : BoundedLaw
-        Law at the stations, in their bent state.
+        Law for the stations in their bent state.
     solved : float, optional
-        B of the balance of the rod. A rod with weight is in balance under the weight of its sizes, so its B is
-        kept. The sizes of a weightless rod may reach their limits, which include the limit of strain.
+        B of a rod that is in equilibrium already. A rod with weight is in equilibrium only with the weight of its
+        sections, so its B is returned. The sections of a weightless rod may be increased to their limits.
     """
     least, largest = law.limits
     limited = bool(np.isfinite(largest))
@@ -429,7 +434,7 @@ def scale_within(
     if solved is None:
         return B
     bounded = solved < B
-    # a search limits the size at nodes; it may be slightly larger between nodes
+    # a search limits the section at nodes; it may be slightly larger between nodes
     over = limited and B < solved < B * (1 + BETWEEN_NODES)
     kept = (heavy and not over) or bounded or abs(B / solved - 1) < SAME_SCALE
     return solved if kept else B

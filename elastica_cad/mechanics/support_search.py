@@ -15,44 +15,44 @@ from elastica_cad.mechanics.optimal_balance import balance_of
 from elastica_cad.mechanics.stability import stability
 
 PLACES = 11
-"""Number of places along the curve, evenly spaced between its ends."""
+"""Number of points along the curve, evenly spaced between its ends, at which elements are tried."""
 
 PLACE_DIGITS = 3
-"""Significant digits of a place."""
+"""Number of significant digits of an arc length."""
 
 CLEARLY_BETTER = 2.0
-"""Quotient of the least ratios above which a pin is preferred to a rail, or a tie to both."""
+"""Ratio of the least stiffness ratios above which a pin is preferred to a rail, or a tie to both."""
 
 MOST_RATIO = 8.0
-"""Largest ratio of a useful strip."""
+"""Largest stiffness ratio of a useful strip."""
 
 MOST_STABLE_TRIED = 3
-"""Largest number of elements of a kind whose stability is computed."""
+"""Largest number of elements of one kind whose stability is computed."""
 
 
 def suggest_support(
     curve: PlaneCurve, supports: Supports | None = None, natural_curvature: NaturalCurvature = 0.0
 ) -> Element | None:
-    """Return the one rail, pin or tie that makes a curve possible for a stable rod without weight.
+    """Return the rail, pin or tie with which a stable rod without weight can have the shape of a curve.
 
-    Rails and pins are tried at 11 places, ties between these places, so at most 77 linear programs are solved. The
-    result is the element with the least stiffness ratio. Rails are preferred: a pin or a tie is returned only if
-    its ratio is less than half as large, or if no rail is suitable.
+    Rails and pins are tried at 11 points, and ties between these points, so at most 77 linear programs are
+    solved. The result is the element with the least stiffness ratio. A pin or a tie is returned only if its ratio
+    is less than half of the ratio of a rail, or if no rail is suitable.
 
     Parameters
     ----------
     curve : PlaneCurve
-        mm.
+        Drawn curve, mm.
     supports : Supports, optional
         By default both ends are clamped.
     natural_curvature : float or RestCurvature
-        1/mm.
+        Curvature of the unloaded strip, 1/mm.
 
     Returns
     -------
     Rail, Pin, Tie or None
-        Its places are arc lengths with 3 significant digits, mm. None if no element gives a stable rod with a ratio
-        up to 8.
+        Element whose positions are arc lengths, mm, with 3 significant digits. None if no element gives a stable
+        rod with a ratio up to 8.
 
     Examples
     --------
@@ -92,7 +92,7 @@ def suggest_support(
 
 
 def _stable(requests: Sequence[RodRequest], most: float) -> tuple[float, Element] | None:
-    """Return ratio and element of the stable rod with the least ratio, at most `most`."""
+    """Return the ratio and element of the stable rod with the least ratio, up to `most`; None if there is none."""
     possible = []
     for i, request in enumerate(requests):
         with suppress(ElasticaError):

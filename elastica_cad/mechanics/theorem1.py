@@ -1,4 +1,4 @@
-"""Theorem 1: the conditions on the curvature, the verdict, and the check of a drawn curve."""
+"""Theorem 1 on realizable curves: conditions on the curvature, and result of the check of a drawn curve."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, field, replace
@@ -27,14 +27,14 @@ from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note, sent
 
 @dataclass(frozen=True)
 class InflectionLine:
-    """Line of zeros of a + <b, x>, with |b| = 1.
+    """Line of all points x at which a + <b, x> is zero, with a unit vector b.
 
     Attributes
     ----------
     point : (2,) tuple
-        A point of it, mm.
+        Point on the line, mm.
     direction : (2,) tuple
-        Unit vector along it.
+        Unit vector along the line.
     """
 
     point: tuple[float, float]
@@ -42,23 +42,23 @@ class InflectionLine:
 
     @classmethod
     def of_moment(cls, moment: float, b: FloatArray, position: FloatArray) -> "InflectionLine":
-        """Return the line on which moment + <b, x - position> vanishes."""
+        """Return the line on which the moment, `moment` + <b, x - position>, is zero."""
         size = np.hypot(*b)
         foot = position - b * moment / size**2
         return cls((float(foot[0]), float(foot[1])), (float(b[1] / size), float(-b[0] / size)))
 
     @property
     def b(self) -> FloatArray:
-        """Unit normal (2,): the direction turned left."""
+        """Unit normal (2,) of the line: its direction after a quarter turn to the left."""
         return left_of(self.direction)
 
     @property
     def a(self) -> float:
-        """Constant of a + <b, x>, mm."""
+        """Constant a of a + <b, x>, mm."""
         return -float(self.b @ np.asarray(self.point))
 
     def distance(self, position: FloatArray) -> FloatArray:
-        """Return the signed distances (n,) of points (n, 2), mm."""
+        """Return the signed distances (n,), mm, of points (n, 2) from the line."""
         points = numbers(position, "positions")
         if points.shape[-1:] != (2,):
             raise InputError(f"positions must be points (n, 2), mm, got the shape {points.shape}")
@@ -76,15 +76,16 @@ class InflectionLine:
 
 @dataclass(frozen=True)
 class FittedVerdict:
-    """Verdict on a curve that was fitted to points.
+    """Result of Theorem 1 for a curve that was fitted to points.
 
     Attributes
     ----------
     realizable : bool
+        True if a strip can have the shape of this curve.
     distance : float
         Largest distance of a point from the curve, mm.
     inflections : int
-        Number of inflections.
+        Number of inflections of the curve.
     """
 
     realizable: bool
@@ -94,15 +95,15 @@ class FittedVerdict:
 
 @dataclass(frozen=True)
 class Undecided:
-    """Two curves through the same points that differ in verdict or inflections; `str()` returns a message.
+    """Two curves through the same points that differ in their result or inflections; `str()` returns a message.
 
     Attributes
     ----------
     resolution : float
-        Rounding error of a point by its number of decimals, mm.
+        Rounding error of a point, mm, estimated from its number of decimals.
     fit, other : FittedVerdict
-        Verdicts on the curve of the check and on another curve. If both are refused, the points do not require
-        the inflections for which the first is refused.
+        Results for the curve of the check and for another curve. If both curves are refused, the points do not
+        require the inflections for which the first curve is refused.
     """
 
     resolution: float
@@ -129,45 +130,47 @@ class Undecided:
 
 @dataclass(frozen=True, eq=False)
 class EquilibriumCheck:
-    """Verdict of Theorem 1 on a curve; `str()` returns advice to a designer.
+    """Result of Theorem 1 for a curve; `str()` returns advice to a designer.
 
     Attributes
     ----------
     realizable : bool
-        True if a flat strip can take this curve.
+        True if a strip can have the shape of this curve.
     reasons : tuple of str
-        Reasons of a negative verdict; empty if realizable.
+        Reasons why no strip can have this shape; empty if `realizable`.
     warnings : tuple of str
         Warnings to the designer.
     length : float
-        mm.
+        Length of the curve, mm.
     any_stiffness : bool
-        True if the curve is straight (or has the natural curvature throughout), so that any stiffness is
+        True if the curve is straight (or has the natural curvature everywhere), so that every stiffness is
         admissible.
     inflections : tuple of float
-        Arc lengths, mm, where kappa - kappa_0 changes sign.
+        Arc lengths, mm, at which the curvature minus the natural curvature (kappa - kappa_0) changes its sign.
     line : InflectionLine or None
-        Inflection line; for a single inflection, the middle of the admissible lines, or None if no line is needed.
+        Line through the inflections. For a single inflection it is the middle of the admissible lines. None if no
+        line is needed.
     off_line : tuple of (float, float)
-        Arc length of every point that the line must pass, and its distance from the line, mm.
+        Arc length, mm, of every point through which the line must pass, and the distance of the point from the
+        line, mm.
     crossings, touches : tuple of float
-        Arc lengths, mm, of inadmissible crossings and contacts of line and curve.
+        Arc lengths, mm, of inadmissible crossings and contacts between line and curve.
     curvature_touches, jumps : tuple of float
-        Arc lengths, mm, where kappa - kappa_0 touches zero without changing sign or with too small a slope, and
-        where its sign changes by a jump.
+        Arc lengths, mm. At the first, kappa - kappa_0 is zero without a change of sign or with too small a slope.
+        At the others, it jumps from one sign to the other.
     flats : tuple of (float, float)
         Start and end of straight pieces, mm.
     moved : float
-        Largest displacement, mm, of the curve when its inflections were moved onto a line.
+        Largest displacement, mm, of the curve by moving its inflections onto a line.
     curve : PlaneCurve
-        Curve of this check: drawn or moved.
+        Curve of this check: the drawn curve, or the moved curve.
     zeros : tuple of CurvatureZero
-        All zeros of kappa - kappa_0 of `curve` at which the moment must vanish.
+        All zeros of kappa - kappa_0 of `curve`; the moment must be zero there.
     bent_beforehand : bool
         True if the strip is not flat before it is bent.
     undecided : Undecided or None
-        For a curve that was fitted to points: another curve that fits the points equally well and differs in its
-        verdict, or in the inflections for which this curve is refused.
+        For a curve that was fitted to points: the comparison with another curve that fits the points equally well
+        but differs in its result, or in the inflections for which this curve is refused.
     """
 
     realizable: bool
@@ -200,7 +203,7 @@ class EquilibriumCheck:
 
     @property
     def cautions(self) -> tuple[str, ...]:
-        """Warnings for a finished strip, after the message that the points leave the verdict undecided."""
+        """Warnings for a finished strip, after the message that the points leave the result undecided."""
         return self.warnings if self.undecided is None else (str(self.undecided), *self.warnings)
 
     @property
@@ -215,7 +218,7 @@ class EquilibriumCheck:
 
     @property
     def verdict(self) -> str:
-        """Verdict in a sentence, without reasons."""
+        """Result in a sentence, without reasons."""
         if self.undecided is not None:
             return str(self.undecided)
         return self._prebent_verdict() if self.bent_beforehand else self._flat_verdict()
@@ -236,7 +239,7 @@ class EquilibriumCheck:
         return self._with_numbers(template)
 
     def _prebent_verdict(self) -> str:
-        """Return the verdict on a pre-bent strip; it inflects where curve and strip have equal curvature."""
+        """Return the result for a pre-bent strip, which inflects where curve and strip have equal curvature."""
         if not self.realizable:
             return self._with_numbers("The pre-bent strip cannot take this curve of {length}.")
         if self.any_stiffness:
@@ -278,19 +281,19 @@ class EquilibriumCheck:
 
 @dataclass(frozen=True)
 class PairZero:
-    """Place where two curves have equal curvature, so that their moments must be equal too.
+    """Point at which two curves have equal curvature, so that their moments must be equal too.
 
     Attributes
     ----------
     s : float
-        Arc length, mm.
+        Arc length of the point, mm.
     t : float
-        Parameter of the first curve.
+        Parameter of the point on the first curve.
     order : int
-        Order of the zero of the difference of curvatures: 1 if it changes sign, 2 if it only touches zero, 3 if it
-        changes sign without a slope, 0 if it changes sign by a jump.
+        Order of the zero of the difference of curvatures. It is 1 if the difference changes sign, 2 if it does
+        not, 3 if it changes sign with the slope 0, and 0 if it changes sign by a jump.
     before, after : int
-        Sign of the difference on either side; 0 beyond the ends.
+        Signs of the difference before and after the point; 0 beyond the ends of the curves.
     """
 
     s: float
@@ -302,30 +305,31 @@ class PairZero:
 
 @dataclass(frozen=True, eq=False)
 class PairCheck:
-    """Verdict on a strip that rests in two curves; `str()` returns advice to a designer.
+    """Result of the check whether a strip can have two curves as rest shapes; `str()` returns advice to a designer.
 
     Attributes
     ----------
     realizable : bool
-        True if a strip, with some natural curvature, can rest in both curves.
+        True if both curves are rest shapes of a strip with some natural curvature.
     reasons : tuple of str
-        Reasons of a negative verdict; empty if realizable.
+        Reasons why no strip has both rest shapes; empty if `realizable`.
     length : float
         Length of both curves, mm.
     first, second : PlaneCurve
-        Curves, scaled to equal length.
+        Curves, scaled to the same length.
     bistable : bool
-        True if both states have the same clamps: equal positions of the ends and equal total turning.
+        True if both states have the same clamps: equal positions of the ends and an equal angle between the end
+        tangents.
     any_stiffness : bool
-        True if the curves are congruent, so that any strip of this shape rests in them without being bent.
+        True if the curves are congruent, so that every strip of this shape has both rest shapes without being bent.
     zeros : tuple of PairZero
-        Places where kappa_1 - kappa_2 vanishes or changes sign by a jump.
+        Points at which the difference of both curvatures is zero or changes sign by a jump.
     unmet : tuple of PairZero
-        Zeros at which the difference of moments cannot vanish as required.
+        Zeros at which the difference of moments cannot be zero, as would be required.
     flats : tuple of (float, float)
-        Start and end, mm, of stretches on which both curves have equal curvature.
+        Start and end, mm, of intervals in which both curves have equal curvature.
     against : tuple of float
-        Arc lengths, mm, where the moments would have to oppose the curvatures.
+        Arc lengths, mm, at which moments and curvatures would need opposite signs.
     """
 
     realizable: bool
@@ -378,7 +382,7 @@ class PairCheck:
 
 
 class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public name
-    """Error that no strip can rest in the drawn curve, or in both drawn curves; `check` has the reasons."""
+    """Error if no strip can have the shape of the drawn curve, or of both drawn curves; `check` has the reasons."""
 
     KIND = "not realizable"
 
@@ -389,21 +393,21 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
 
 
 def measured_points(curve: PlaneCurve) -> MeasuredPoints | None:
-    """Return the noisy points to which a curve was fitted, or None."""
+    """Return the noisy points to which a curve was fitted, or None if there are none."""
     points = None if curve.provenance is None else curve.provenance.measured
     return points if points is not None and points.is_noisy else None
 
 
 def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
-    """Return the message about an outlier of the measured points, if there is one."""
+    """Return the message about an outlier among the measured points, if there is one."""
     points = measured_points(curve)
     return () if points is None else points.outlier
 
 
 def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
-    """Return changes for the nearest strip to a curve that no strip takes; noisy points are smoothed first.
+    """Return the changes that lead to the nearest realizable curve; noisy points are smoothed first.
 
-    There are none if a point is an outlier, because the outlier is probably a typing error.
+    If a point is an outlier, there are no changes, because the outlier is probably a typing error.
     """
     points = measured_points(curve)
     if points is not None and points.outlier:
@@ -413,7 +417,7 @@ def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
 
 
 def lengths(s: Iterable[float]) -> Listed:
-    """List places along the curve without rounding errors: "12 and 34.5 mm"."""
+    """Return arc lengths in mm for a message, without rounding errors: "12 and 34.5 mm"."""
     return Listed(Length(round(x, 6)) for x in s)
 
 
@@ -423,14 +427,14 @@ def _shown_on(curve: PlaneCurve, point: FloatArray) -> str:
 
 
 def require_bendable(curve: PlaneCurve) -> None:
-    """Refuse values other than curves, and curves with a corner, including a corner where the curve closes.
+    """Refuse objects other than curves, and curves with a corner, also where a closed curve starts and ends.
 
     No strip can follow a corner.
 
     Raises
     ------
     InputError
-        The curve has a corner; the message states its place and a remedy.
+        The curve has a corner; the message states its position and a remedy.
     """
     require_curve(curve)
     corners = curve.tangent_breaks
@@ -447,12 +451,16 @@ def require_bendable(curve: PlaneCurve) -> None:
 
 
 SAMPLED_SHARE, CORNER_DEG = 0.15, 50.0
-"""Least turn beside a corner, as a fraction of its turn, if the points may be those of a bend; and the turn
-(degrees) of a corner, as in `curve_from_points`."""
+"""Criteria for a corner that may be a bend through measured points.
+
+The first is the least turn beside the corner, as a fraction of its turn. The second is the turn of a corner in
+degrees,
+as in `curve_from_points`.
+"""
 
 
 def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
-    """Describe the corners, and whether the digits of a file may explain them."""
+    """Return the message about corners, also if rounding in a file may explain them."""
     drawn = curve.provenance
     maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
     if drawn is not None and all(corner.t in maybe for corner in corners):
@@ -482,7 +490,7 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
 
 
 def _seam_message(curve: PlaneCurve) -> str:
-    """Describe the only corner of a closed curve, at the place where the curve closes."""
+    """Return the message about the only corner of a closed curve, where it starts and ends."""
     drawn = curve.provenance
     start = curve.evaluate(np.array(curve.domain[0]))
     if drawn is not None:
@@ -522,34 +530,36 @@ def _smoothing_advice(curve: PlaneCurve) -> str:
 
 SMOOTH, SMOOTH_WITHIN = FieldName("smooth"), Length(0.1)
 SMOOTHED = (Change("smooth", SMOOTH_WITHIN + 0.0),)
-"""Field and distance, mm, that messages suggest for a curvature that jumps."""
+"""Change that messages suggest if the curvature jumps, with its distance, mm."""
 
 
 PLACES = 721
-"""Number of places along a curve among which the flattest is chosen."""
+"""Number of points along a closed curve among which the flattest point is chosen."""
 
 CLEAR_SHARE = 0.05
-"""Least curvature at the start of a closed curve, relative to the largest; below it an inflection is too near."""
+"""Least curvature at the start of a closed curve, relative to the largest; with less an inflection is too near."""
 
 PLACE_DIGITS = 6
-"""Number of digits of a rounded place (mm), so that the same curve from two programs begins at the same place."""
+"""Number of decimals, mm, of a start point, so that equal curves from two programs begin at the same point."""
 
 ALIKE = 1e-6
-"""Largest relative difference of curvatures of two places that count as equally flat."""
+"""Largest relative difference of curvatures of two points that count as equally flat."""
 
 
 NEAR_KNOT_SHARE = 1e-5
-"""Largest distance, as a fraction of the domain, at which the start of a closed curve is moved to a knot. The
-curvature of a shorter span would be rounding."""
+"""Distance, as a fraction of the domain, within which the start of a closed curve is moved to a knot.
+
+The curvature of a shorter span would consist of rounding errors.
+"""
 
 
 def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
-    """Return the closed curve with its start and end at the arc length `s` (mm); exact.
+    """Return the same closed curve with its start and end at the arc length `s`, mm.
 
     Raises
     ------
     InputError
-        The curve is open, or the place is beyond its length.
+        The curve is open, or `s` is not from 0 to its length.
 
     Examples
     --------
@@ -578,14 +588,14 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     points = np.concatenate([first.control_points, second.control_points[1:]])
     weights = None
     if first.weights is not None and second.weights is not None:
-        # a common factor on the weights does not change a part: scale the second part to continue the first
+        # a common factor on its weights does not change a part: scale the second part to continue the first
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
     return PlaneCurve(knots, points, p, weights).drawn_as(drawn and drawn.of_part())
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with its last point set to its first, so that all programs give the same curve."""
+    """Return the curve with its last point exactly equal to its first, so that all programs give the same curve."""
     clamped = clamp_ends(curve)
     points = clamped.control_points
     if np.array_equal(points[0], points[-1]):
@@ -594,7 +604,7 @@ def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
 
 
 def flattest_place(curve: PlaneCurve) -> float:
-    """Return the flattest place (mm) of a closed curve away from inflections; 0 if the start is as flat."""
+    """Return the arc length, mm, of the flattest point away from inflections; 0 if the start is as flat."""
     nodes = curve.sample(PLACES)
     bent = np.abs(nodes.curvature)
     largest = float(bent.max())
@@ -604,42 +614,51 @@ def flattest_place(curve: PlaneCurve) -> float:
 
 
 AT_END_SHARE = 1e-6
-"""Largest distance from an end, as a fraction of the length, of a zero of the curvature that counts as at the
-end."""
+"""Distance of a curvature zero from an end, as a fraction of the length, within which it counts as at the end."""
 
 SEAM_SHARE = 0.01
-"""Least curvature at the start of a closed curve, relative to the largest; otherwise the start is moved."""
+"""Least curvature at the start of a closed curve, relative to the largest; with less the start is moved."""
 
 PINNED_SHARE = 1e-6
-"""Largest curvature at a pinned end, relative to the largest, that counts as 0."""
+"""Largest curvature at a pinned end, relative to the largest of the curve, that counts as 0."""
 
 GENTLE_SHARE = 1e-5
-"""Largest slope of the curvature in an inflection, relative to the largest curvature over the length, that counts
-as 0. The stiffness there would be some ten thousand times that of other places."""
+"""Largest slope of the curvature in an inflection that counts as 0, relative to largest curvature over length.
+
+The stiffness there would be some ten thousand times that at other points.
+"""
 
 FAINT_SHARE = 1e-7
-"""Largest curvature in a dip, relative to the largest, that counts as 0. It is about the square of
-the limit for slopes, because curvature in a dip grows with the square of the distance."""
+"""Largest curvature at a minimum of its absolute value, relative to the largest, that counts as 0.
+
+It is about the square of the limit for slopes, because curvature near a minimum increases with the square of the
+distance.
+"""
 
 ALL_BUT_UNBENT_SHARE = 1e-3
-"""Largest curvature at an end, relative to the largest, for which a zero of the extended curve counts as at the
-end."""
+"""Largest relative curvature at an end for which a zero of the extended curve counts as at the end."""
 
 STEP_SHARE = 1e-3
-"""Largest jump of the curvature, relative to the larger side, that is not reported. It changes the width of a strip
-of 40 mm by 0.04 mm; arcs that were drawn to micrometres have smaller jumps."""
+"""Largest jump of the curvature, relative to the larger side, that is not reported.
+
+It changes the width of a strip of 40 mm by 0.04 mm. Arcs that were drawn to micrometres have smaller jumps.
+"""
 
 KINK_SHARE = 0.01
-"""Largest jump of the slope of the curvature, over the length, that is not reported. The edge of a strip a fifth as
-wide as long turns by at most 0.1 degree."""
+"""Largest jump of the slope of the curvature, times length over curvature, that is not reported.
+
+It turns the edge of a strip whose width is a fifth of its length by at most 0.1 degree.
+"""
 
 SHARP_SHARE = 5.0
-"""Least jump of the slope of the curvature at which the edge has a visible corner, of 10 degrees on a strip whose
-width is a fifteenth of its length."""
+"""Least jump of the slope of the curvature at which the edge has a visible corner.
+
+The corner has 10 degrees on a strip whose width is a fifteenth of its length.
+"""
 
 TINY = float(np.finfo(float).tiny)
 
-# curvature of a dip, as a fraction of the largest, below which the dip is examined more closely
+# curvature at a minimum, as a fraction of the largest, below which the minimum is examined more closely
 _DIP_SHARE = 0.01
 
 
@@ -694,9 +713,9 @@ def examine_curvature(
 
 
 def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
-    """Move the start of a closed curve away from a place without bending, and return a message about it."""
+    """Move the start of a closed curve away from a point without bending, and return a message about it."""
     curve = excess.curve
-    # the arc length of a `RestCurvature` counts from the start, so the start must stay
+    # do not move the start, because the arc length of a `RestCurvature` is measured from it
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):
         return excess, ()
     if np.abs(excess.at(np.array(curve.domain))).min() > SEAM_SHARE * largest:
@@ -743,7 +762,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
 def faint_places(
     excess: ExcessCurvature, largest: float, zeros: Sequence[CurvatureZero], share: float = FAINT_SHARE
 ) -> list[float]:
-    """Return arc lengths (mm) where |kappa - kappa_0| dips to a fraction of the largest without a zero."""
+    """Return arc lengths, mm, of minima of |kappa - kappa_0| that are almost zero, but are not zeros."""
     curve, felt = excess.curve, excess.survey
     s = curve.survey.s
     bent = np.abs(felt)
@@ -770,7 +789,7 @@ def faint_places(
 
 
 def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[float]:
-    """Return the smaller of both one-sided |d kappa / ds| at each zero."""
+    """Return the smaller of both one-sided slopes |d kappa / ds| at each zero."""
     if not zeros:
         return []
     t = np.array([zero.t for zero in zeros])
@@ -786,7 +805,7 @@ def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[flo
 def _pinned_end_reasons(
     excess: ExcessCurvature, supports: Supports, zeros: Sequence[CurvatureZero]
 ) -> Iterable[str]:
-    """Describe ends that are free to turn although the curve is bent there."""
+    """Yield messages about ends that are free to turn although the curve is bent there."""
     curve = excess.curve
     for name, support, t, s in zip(
         ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
@@ -808,7 +827,7 @@ def _pinned_end_reasons(
 def _straight_part_reasons(
     excess: ExcessCurvature, flats: Sequence[CurvatureZero], largest: float
 ) -> Iterable[str]:
-    """Describe straight parts whose ends have no admissible stiffness."""
+    """Yield messages about straight pieces that need an impossible stiffness at their ends."""
     curve = excess.curve
     for flat in flats:
         joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
@@ -830,7 +849,7 @@ def _straight_part_reasons(
 
 
 def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
-    """Return True if kappa - kappa_0 and its slope vanish at t; no strip takes even the bent piece alone."""
+    """Return True if kappa - kappa_0 and its slope are zero at t, so that not even the bent piece is possible."""
     at = np.array(t)
     kappa = abs(float(excess.at(at, left=left)))
     slope = abs(float(excess.slope_at(at, left=left)))
@@ -838,7 +857,7 @@ def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool)
 
 
 def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
-    """Describe jumps of the curvature through zero."""
+    """Yield a message about jumps of the curvature through zero."""
     if jumps:
         yield note(
             "The curvature jumps from one sign to the other at {places}, where the stiffness would have to "
@@ -851,7 +870,7 @@ def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
 
 
 def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
-    """Describe places where the curvature touches zero."""
+    """Yield a message about points at which the curvature is zero without a clear change of sign."""
     if touches:
         yield note(
             "The curvature becomes 0 at {places}, but the curve does not clearly bend to the other side "
@@ -864,7 +883,10 @@ def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
 def _warn_of_widths(
     curve: PlaneCurve, jumps: Sequence[float], flats: Sequence[CurvatureZero]
 ) -> Iterable[str]:
-    """Warn of jumps and kinks of the width, except at ends of straight pieces, where smoothing does not help."""
+    """Yield warnings about jumps and kinks of the width.
+
+    Ends of straight pieces are omitted, because smoothing does not help there.
+    """
     knots = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
     breaks = [knot for knot in knots if knot.continuity < 3]
     if not breaks:
@@ -874,7 +896,7 @@ def _warn_of_widths(
     kinks = [b.s for b, _, _ in seen if b.continuity == 2]
     sharp = any(jump > STEP_SHARE or kink > SHARP_SHARE for b, jump, kink in seen if b.continuity == 2)
     straight = [end for flat in flats for end in (flat.s, flat.s_end)]
-    if curve.seam is not None:  # on a closed curve, start and end are the same place
+    if curve.seam is not None:  # on a closed curve, start and end are the same point
         straight += [end - curve.length for end in straight]
     near = AT_END_SHARE * curve.length
     steps = [
@@ -904,10 +926,10 @@ def _warn_of_widths(
 
 
 def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatArray, FloatArray]:
-    """Return jumps (n,) of the curvature and of its slope times the length, as fractions of the curvature."""
+    """Return jumps (n,) of the curvature, and of its slope times the length, as fractions of the curvature."""
     after = np.array([place.t for place in breaks])
     low, high = curve.domain
-    before = np.where(after == low, high, after)  # a closed curve: its end is before its start
+    before = np.where(after == low, high, after)  # on a closed curve, the end is before the start
     kappa = curve.curvature_at(before, left=True), curve.curvature_at(after)
     slope = curve.curvature_slope_at(before, left=True), curve.curvature_slope_at(after)
     size = np.maximum(np.abs(kappa).max(axis=0), TINY)
@@ -915,7 +937,6 @@ def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatAr
 
 
 def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:
-    """Warn of places where the curve crosses itself."""
     pairs = curve.self_intersections()
     if not pairs.size:
         return ()

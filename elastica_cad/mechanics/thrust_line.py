@@ -1,4 +1,4 @@
-"""The thrust line of a rod with elements or point forces, as pictures show it."""
+"""Thrust line of a rod with elements or point forces, as drawn in pictures."""
 
 import numpy as np
 
@@ -11,8 +11,10 @@ PARALLEL = 1e-6
 
 
 def inflections_of(rod: Rod) -> FloatArray:
-    """Return points (k, 2) where kappa - kappa_0 changes sign; these are the inflections if the strip is cut
-    flat."""
+    """Return the points (k, 2) at which the change of curvature by bending is zero.
+
+    If the strip is cut flat, these are its inflections.
+    """
     if rod.shape is not None and not np.any(rod.natural_curvature):
         return np.asarray(rod.shape.at(rod.shape.inflections).position, dtype=float).reshape(-1, 2)
     kappa = rod.curvature - rod.natural_curvature
@@ -22,9 +24,9 @@ def inflections_of(rod: Rod) -> FloatArray:
 
 
 def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
-    """Return the sides (2, 2) of the thrust line in a box, between their corners and past their inflections.
+    """Return the sides (2, 2) of the thrust line in a box, extended beyond the inflections of the rod.
 
-    A rod without elements and point forces has no thrust line here, because it is the inflection line.
+    The result is empty for a rod without elements and point forces, because its thrust line is the inflection line.
     """
     turns = inflections_of(rod)
     lines = [

@@ -22,31 +22,32 @@ from elastica_cad.mechanics.sheets import Range, Sheet
 from elastica_cad.refusals import Length
 
 ROUNDED_SHARE = 1e-9
-"""Largest force or moment at a free end, as a fraction of the largest, that counts as 0."""
+"""Largest force or moment at a free end, as a fraction of the largest in the rod, that counts as 0."""
 
 
 @dataclass(frozen=True)
 class Imperfection:
-    """Difference of a real strip from its design; none by default.
+    """Difference between a real strip and its design; by default there is none.
 
     Attributes
     ----------
     stiffness_range : float
-        m in K -> 1 + (K - 1) m, which reduces or increases the ratio of stiffness.
+        Factor m that changes the relative stiffness K to 1 + (K - 1) m, and so the stiffness ratio.
     youngs_modulus, density, thickness : float
-        Factors on the properties of the sheet. With weight they act through E h^2 / rho, with a force or moment on
-        a free end through E h^3. In a wide strip the thickness also changes how far it bends as a plate.
+        Factors on Young's modulus E, density rho and thickness h of the sheet. Under weight the shape depends on
+        E h^2 / rho, and under a force or moment on a free end on E h^3. For a wide strip, the thickness also
+        changes the plate effect.
     start_angle, end_angle : float
         Changes of the held angles, rad.
     yield_curvature : float
-        Largest elastic curvature, 1/mm; the excess of the design's curvature is permanent (ideal plasticity, paper
+        Largest elastic change of curvature, 1/mm; the change beyond it is permanent (ideal plasticity, paper,
         Appendix D).
     width_loss : float
         Loss of width along the whole strip, mm, in addition to the corrected kerf; negative for a strip that is too
         wide.
     thickness_wave, wave_phase : float
-        Amplitude of a wave of thickness, as a fraction of the thickness, with a single period over the length; and
-        its phase at the start, rad.
+        Amplitude of a wave of the thickness, as a fraction of the thickness, and its phase at the start, rad. The
+        wave has one period over the length.
     """
 
     stiffness_range: float = 1.0
@@ -67,17 +68,17 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
     Parameters
     ----------
     rod : Rod
-        The design, in balance.
+        Designed rod in equilibrium.
     imperfection : Imperfection
     max_width : float, optional
-        Width of the widest place, mm; needed for a loss of width only.
+        Largest width of the strip, mm; it is needed only for a loss of width.
 
     Raises
     ------
     InputError
-        A loss of width without `max_width`, or as large as the narrowest place.
+        `max_width` is missing for a loss of width, or the loss is at least the least width.
     NotConvergedError
-        No rest shape found.
+        No rest shape is found.
     """
     require_record(rod, Rod, "the rod", "a Rod, as bend makes one")
     require_record(imperfection, Imperfection, "the imperfection", "an Imperfection")
@@ -105,7 +106,7 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
 
 
 def feels_modulus(rod: Rod) -> bool:
-    """Return True if the shape depends on the modulus of the sheet, as it does only under loads."""
+    """Return True if the shape depends on Young's modulus, which is the case only under loads."""
     loads = system_of(rod, rod)
     pulls = np.abs(loads.force).max() > ROUNDED_SHARE * np.abs(rod.force).max()
     turns = np.abs(loads.moments).max() > ROUNDED_SHARE * np.abs(rod.moment).max()
@@ -113,7 +114,7 @@ def feels_modulus(rod: Rod) -> bool:
 
 
 def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
-    """Return the least width, mm; refuse a `loss` that is as large."""
+    """Return the least width of the strip, mm; refuse a `loss` of width that is at least as large."""
     if max_width is None:
         raise InputError("a loss of width needs max_width, the largest width in mm")
     require_positive(max_width, "max_width")
@@ -129,7 +130,7 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
 
 
 def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
-    """Return the law and the curl of a strip that bends as a plate, or None."""
+    """Return the law of a strip that bends as a plate, and its `SheetCurl`; None for other strips."""
     law = rod.law
     if rod.follows_bend and isinstance(law, CurlingLaw) and isinstance(law.factor, SheetCurl):
         return law, law.factor
@@ -137,7 +138,7 @@ def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
 
 
 def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, float]:
-    """Return the rod as cut, with its weight, and the remaining fraction of its least stiffness."""
+    """Return the rod as cut, with its weight, and the factor on its least stiffness."""
     K, B = 1 + (np.asarray(rod.stiffness) - 1) * v.stiffness_range, 1.0
     least = np.inf if v.width_loss == 0 else least_width(rod, max_width, v.width_loss)
     plate = _plate_of(rod)
@@ -159,7 +160,7 @@ def _plate_as_cut(
 ) -> tuple[Rod, float]:
     """Return the cut rod as `_as_cut` does, for a strip that bends as a plate.
 
-    `stiffer` (n,) is the factor on K by the range of stiffness.
+    `stiffer` (n,) is the factor on the stiffness of the nodes.
     """
     kappa = np.asarray(rod.curvature)
     wanted = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
@@ -178,7 +179,10 @@ def _plate_as_cut(
 
 
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
-    """Return the rod with the weight of the changed sheet; `width_factor` is the loss of least E I by width."""
+    """Return the rod with the weight of the changed sheet.
+
+    `width_factor` is the factor on the least bending stiffness by the loss of width.
+    """
     if rod.gravity is None:
         return rod
     if rod.weight is None:
@@ -197,32 +201,32 @@ MOST_SAMPLES = 100_000
 
 
 SIGNED = ("angle", "width_loss", "thickness_wave", "wave_phase")
-"""Ranges that may reach below zero."""
+"""Ranges that may contain negative values."""
 
 
 @dataclass(frozen=True)
 class ToleranceRanges:
-    """Ranges of all varied quantities; see `Imperfection` for their meaning.
+    """Ranges of all varied quantities, which `Imperfection` describes.
 
     Parameters
     ----------
     stiffness_range : (low, high)
-        Factors m on K - 1.
+        Factors m on K - 1, where K is the relative stiffness.
     youngs_modulus, density, thickness : (low, high)
         Factors on the values of the sheet.
     angle : (low, high)
-        rad, for each end independently.
+        Changes of the held angles, rad, independent for each end.
     yield_curvature : (low, high)
-        1/mm, for the design thickness.
+        Largest elastic change of curvature, 1/mm, for the design thickness.
     width_loss : (low, high)
-        mm.
+        Loss of width, mm.
     thickness_wave, wave_phase : (low, high)
-        Amplitude, as a fraction, and phase, rad, of a wave of thickness along the strip.
+        Amplitude, as a fraction, and phase, rad, of a wave of the thickness along the strip.
 
     Raises
     ------
     InputError
-        The ends of a range are exchanged, or factors are not positive.
+        The limits of a range are exchanged, or factors are not positive.
     """
 
     stiffness_range: Range = (0.9, 1.1)
@@ -252,14 +256,15 @@ class ToleranceRanges:
     def of(
         cls, sheet: Sheet, *, stiffness_range: Range = (0.9, 1.1), angle: Range = (-0.035, 0.035)
     ) -> "ToleranceRanges":
-        """Return the ranges of a sheet; quantities without a range do not vary.
+        """Return the ranges of a sheet; quantities for which it has no range do not vary.
 
         Parameters
         ----------
         sheet : Sheet
-            Sheet; only the deviation from its kerf counts, because the kerf is corrected.
+            Sheet with ranges. Only the deviation from its kerf varies the width, because the kerf itself is
+            corrected.
         stiffness_range, angle : (low, high)
-            Ranges that a sheet does not define.
+            Ranges of quantities that are not properties of a sheet.
         """
 
         sheet = Sheet.of(sheet)
@@ -284,18 +289,19 @@ class ToleranceRanges:
 
 @dataclass(frozen=True)
 class ToleranceEffect:
-    """Effect on the shape of a single cause, or of all causes together.
+    """Deviation of the shape by one cause, or by all causes together.
 
     Attributes
     ----------
     name : str
+        Name of the cause.
     worst : float
-        Largest deviation, mm, of the samples, and for a single cause also of its extreme values.
+        Largest deviation of the samples, mm; for one cause, the extremes of its ranges are included.
     percentile_95 : float
         95th percentile of the deviations of the samples, mm.
     samples, failed, snapped : int
-        Number of bends; number of bends without a rest shape, which do not count above; and number of bends that
-        snapped to another shape far from the design, which do count.
+        Number of bent rods; number of rods without a rest shape, which are not included in the deviations; and
+        number of rods that snapped to another shape far from the design, which are included.
     """
 
     name: str
@@ -308,15 +314,17 @@ class ToleranceEffect:
 
 @dataclass(frozen=True)
 class ToleranceStudy:
-    """Deviations by cause and all together; `str` of it is a table.
+    """Deviations by each cause and by all causes together; `str()` returns a table.
 
     Attributes
     ----------
     effects : tuple of ToleranceEffect
-        Stiffness range, weight, end angles, plasticity, thickness, kerf, thickness along the strip: each alone.
+        Effects of one cause each: stiffness range, weight, end angles, plasticity, thickness, kerf, thickness
+        along the strip.
     combined : ToleranceEffect
-        All at once.
+        Effect of all causes together.
     seed : int
+        Seed of the random numbers.
     """
 
     effects: tuple[ToleranceEffect, ...]
@@ -324,7 +332,6 @@ class ToleranceStudy:
     seed: int
 
     def __getitem__(self, name: str) -> ToleranceEffect:
-        """Return the effect `name`."""
         for effect in (*self.effects, self.combined):
             if effect.name == name:
                 return effect
@@ -334,11 +341,10 @@ class ToleranceStudy:
 
     @property
     def failed(self) -> int:
-        """Bends that found no rest shape, of all."""
+        """Number of bent rods without a rest shape, over all causes."""
         return sum(effect.failed for effect in (*self.effects, self.combined))
 
     def __str__(self) -> str:
-        """Return a line for each cause: worst and 95 % deviation, mm."""
         lines = [f"{'deviation, mm':<26}{'95 %':>9}{'worst':>9}"]
         for effect in (*self.effects, self.combined):
             line = f"{effect.name:<26}{effect.percentile_95:>9.3f}{effect.worst:>9.3f}"
@@ -360,28 +366,28 @@ def tolerance_study(
     seed: int = 0,
     executor: Executor | None = None,
 ) -> ToleranceStudy:
-    """Return the deviations of the bent strip from `rod` under varied properties (paper, 8.2, Fig. 15).
+    """Return the deviations of real strips from the designed `rod` (paper, section 8.2 and Fig. 15).
 
-    Monte Carlo with uniform distributions, for each cause alone and then for all together. A deviation is the
-    largest distance between a node of the varied rod and the same node of the design. A wide strip (`section`)
-    bends as a plate of the resulting width and thickness, so its thickness has an effect even without load.
+    The method is Monte Carlo with uniform distributions, for each cause alone and then for all causes together. A
+    deviation is the largest distance between a node of the varied rod and the same node of the design. A wide strip
+    (`section`) bends as a plate, so its thickness has an effect even without load.
 
     Parameters
     ----------
     rod : Rod
-        The design, in balance.
+        Designed rod in equilibrium.
     sheet : Sheet, optional
-        Sheet with the default ranges.
+        Sheet whose ranges are the default.
     ranges : ToleranceRanges, optional
         Ranges that replace those of `sheet`.
     max_width : float, optional
-        Largest width of the strip, mm; by default the kerf is not varied.
+        Largest width of the strip, mm; without it the kerf is not varied.
     samples : int
-        Number of bends for each cause.
+        Number of rods that are bent for each cause.
     seed : int
         Seed of the random numbers; results do not depend on the executor.
     executor : concurrent.futures.Executor, optional
-        Executor (threads or processes) of the bends.
+        Executor (threads or processes) that computes the bent rods.
 
     Returns
     -------
@@ -390,7 +396,7 @@ def tolerance_study(
     Raises
     ------
     InputError
-        The number of samples is zero, or the loss of width exceeds the least width.
+        The number of samples is not from 1 to `MOST_SAMPLES`, or the loss of width is at least the least width.
 
     Examples
     --------
@@ -431,13 +437,13 @@ def tolerance_study(
 
 
 class _Outcome(NamedTuple):
-    """Deviation, mm, or None if no rest shape was found; and True if the rod snapped."""
+    """Deviation, mm, or None without a rest shape; and a flag that is True if the rod snapped."""
 
     deviation: float | None
     snapped: bool
 
 
-# cause -> changed fields of Imperfection, each with the name of its range
+# cause -> changed attributes of Imperfection, each with the name of its range
 _CAUSES: dict[str, dict[str, str]] = {
     "stiffness range": {"stiffness_range": "stiffness_range"},
     "weight": {"youngs_modulus": "youngs_modulus", "density": "density"},
@@ -464,7 +470,7 @@ def _between(limits: Range, share: FloatArray) -> FloatArray:
 
 
 def _extremes(ranges: ToleranceRanges, cause: str) -> list[Imperfection]:
-    """Return all corners of the ranges of a cause."""
+    """Return the imperfections at all corners of the ranges of a cause."""
     fields = _CAUSES[cause]
     corners = product(*(getattr(ranges, source) for source in fields.values()))
     return [Imperfection(**dict(zip(fields, corner, strict=True))) for corner in dict.fromkeys(corners)]
@@ -480,7 +486,7 @@ def _merged(parts: Sequence[Imperfection]) -> Imperfection:
 def _run(
     rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
 ) -> list[_Outcome]:
-    """Return the results for all imperfections; equal imperfections are bent once."""
+    """Return the results for all imperfections; equal imperfections are computed once."""
     different = list(dict.fromkeys(_reduced(rod, v) for v in todo))
     bent = partial(_outcome, rod, max_width)
     answers = map(bent, different) if executor is None else executor.map(bent, different, chunksize=_CHUNK)
@@ -489,7 +495,7 @@ def _run(
 
 
 def _reduced(rod: Rod, v: Imperfection) -> Imperfection:
-    """Return the imperfection without parts that have no effect on this rod."""
+    """Return the imperfection without the changes that have no effect on this rod."""
     loaded = feels_modulus(rod)
     if not loaded:
         v = replace(v, youngs_modulus=1.0, density=1.0)
