@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
+from tests.house.stored_files import STORED
 from tests.studio.browser import TIMED, chromium
 from tests.studio.conftest import ARCH, link, running, wave, without_command
 
@@ -237,6 +238,15 @@ def test_a_file_is_dropped_on_the_drawing(server, tmp_path, kind):
         assert length == pytest.approx(curve.length, rel=1e-3)
         studio.press(studio.point(3), (0, 15))
         studio.until(lambda: "Read" not in studio.text(".numbers dt"))
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("path", sorted(STORED.glob("*/link.txt")), ids=lambda path: path.parent.name)
+def test_a_link_of_an_earlier_version_is_opened(path, server, tmp_path):
+    with chromium(tmp_path) as studio:
+        studio.open(f"{server.address}#{path.read_text().strip()}")
+        assert studio.until(lambda: studio.text(".numbers dd:nth-of-type(1)"))
+        assert studio.all("g.strip path")
 
 
 @pytest.mark.campaign
