@@ -38,39 +38,43 @@ from elastica_cad.strip.styles import Layout
 from elastica_cad.strip.tab_seats import EndPose, TabSeat, rest_in_seats
 
 CUTS = 8
-"""Number of stations in each cell of the rod at which the material is measured."""
+"""Number of stations between two nodes of the rod at which the width of the material is measured."""
 
 
 def rod_as_built(
     rod: Rod, layout: Layout, layers: Sequence[Layer], kinks: Sequence[tuple[float, float]] = ()
 ) -> Rod:
-    """Return the rod with the stiffness and weight of the cut strip: slots, solid ends, rounded tips.
+    """Return the rod with the stiffness and weight of the strip as it is cut.
 
-    The stiffness of each node is reduced by the mean compliance of its cell, which determines the angle across the
-    cell. The strip's weight is scaled with the material; hung masses stay.
+    This includes slots, solid ends and rounded tips of holes.
+
+    The stiffness of a node is the inverse of the mean compliance between the middles of the edges beside it.
+    The weight of the strip is proportional to the material. Masses hung on the strip are unchanged.
 
     Parameters
     ----------
     rod : Rod
         The design.
     layout : Layout
-        Layout that the style made of the rod.
+        Flat pattern of the rod in its style (solid, perforated, laminated and so on).
     layers : sequence of Layer
         Layers as they are cut.
     kinks : sequence of (float, float)
-        Place, mm, and added length, mm, of cuts that are not in the layers.
+        Position, mm, and added length, mm, of cuts that the layers do not contain. The added length is the
+        length of strip that bends by the angle that the cut adds.
 
     Returns
     -------
     Rod
-        Rod with the shape, supports and gravity of the design; it is not in balance until it is bent.
+        Rod with the shape, supports and gravity of the design. It is not in equilibrium until its rest shape
+        is computed.
     """
-    if layout.size is not None:  # nothing is cut out of a tapered strip
+    if layout.size is not None:  # a planed or turned strip has no cut-outs
         return replace(rod, bending_stiffness=layout.bending_stiffness)
     n, s = rod.s.size, _cell_stations(rod)
     left = [layer.material(s) for layer in layers]
     material = left[0]
-    # the drawn edge of the backing may pass the edge of the base by the tolerance of the drawing
+    # the backing may be drawn wider than the base by the tolerance of the drawing
     backing = np.minimum(left[1], material) if len(left) > 1 else None
     law = None if layout.section is None else layout.section.bent(rod.bend_at(s), rod.rest_at(s))
     has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
@@ -98,7 +102,10 @@ def rod_as_built(
 
 
 def _stiffness_of_cells(rod: Rod, stiffness: FloatArray) -> FloatArray:
-    """Return K (n,) at the nodes; if K jumps inside a cell, use the cell's mean compliance."""
+    """Return the relative stiffness K (n,) at the nodes.
+
+    Near a jump of K, it is the inverse of the mean compliance.
+    """
     K = rod.stiffness.copy()
     half = rod.length / (rod.s.size - 1) / 2
     if rod.profile.steps:
@@ -109,60 +116,67 @@ def _stiffness_of_cells(rod: Rod, stiffness: FloatArray) -> FloatArray:
 
 
 def _cell_stations(rod: Rod) -> FloatArray:
-    """Return stations, mm, at the middle of `CUTS` equal parts of every edge of a rod."""
+    """Return stations along the rod, mm, with `CUTS` evenly spaced stations between two nodes."""
     ends = np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1)
     return np.asarray((ends[1:] + ends[:-1]) / 2)
 
 
 def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
-    """Return the mean (n,) over each node's cell of values at uniform stations, `CUTS` between nodes."""
+    """Return the mean (n,) around each node of values at the stations of `_cell_stations`.
+
+    The mean is taken over half an edge before and after the node.
+    """
     halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
     inner = (halves[1:-1:2] + halves[2::2]) / 2
     return np.concatenate([halves[:1], inner, halves[-1:]])
 
 
 CUT, CUT_GRAIN = 1.15, 0.7
-"""Factor on `crack_energy` for a slot in a sheet without grain, and exponent of sqrt(E / G) relative to such a
-sheet.
+"""Factor on `crack_energy` for a slot in an isotropic sheet, and the exponent for a sheet with grain. The
+base of the exponent is sqrt(E / G), relative to an isotropic sheet.
 
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
-"""Factors on `crack_energy` for a step of the width and for a tab, and the distance of a tab's idle corners.
+"""Factors on `crack_energy` for a step of the width and for a tab, and the distance of the unstressed corners
+from a tab.
 
-The factor of a tab holds for nu = 0, because a tab prevents curling across the strip. The distance is measured
-from the tab, in differences between the widths of strip and tab. It is given for a sheet without grain and is
-proportional to sqrt(E / G).
-Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
+The factor of a tab is for the Poisson ratio 0, because a tab prevents curling across the strip. The distance
+is a fraction of the difference between the widths of strip and tab. The value is for an isotropic sheet; the
+distance is proportional to sqrt(E / G). Fitted to finite elements
+(`tests/campaign/finite_elements/idle_corners.py`)."""
 
 RESTRAINT, WIDE_TAB = 0.35, 0.4
-"""Length, in widths, along which a clamp prevents curling across, and least relative width of a tab that acts as a
-clamp. For narrower tabs the length decreases with the square of their width.
+"""Length along which a clamp prevents curling across the strip, as a multiple of the strip's width, and least
+width of a tab that acts as a clamp, as a fraction of the strip's width. For narrower tabs the length is
+proportional to the square of the tab's width.
 
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 FREE_EDGE = 0.63
-"""Width, in thicknesses, that a twisted strip loses in torsion at both edges together (Saint-Venant)."""
+"""Width without effect in torsion at both edges of a strip together, as a multiple of the thickness
+(Saint-Venant)."""
 
 LEAST_SHARE = 0.01
-"""Least remaining width beside a slot, as a fraction of the width; used if the slot crosses the whole strip."""
+"""Least width assumed to remain beside a slot, as a fraction of the strip's width. It prevents a division by
+zero for slots across the whole strip."""
 
 PLATES = "plates"
-"""Name of the cause for plates over joints of pieces."""
+"""Cause of deviation: plates glued over the joints between the pieces of a strip."""
 
 LEAST_SHEARING = 0.8
-"""Fraction of the G / E of a sheet without grain; a sheet with a smaller G / E has a grain."""
+"""Ratio G / E relative to an isotropic sheet; a sheet with a smaller ratio counts as a sheet with grain."""
 
 KINKS = frozenset({"slots", "narrow tabs", "steps of width"})
-"""Causes that depend on the shear modulus of the sheet."""
+"""Causes of deviation that depend on the shear modulus of the sheet."""
 
 
 def _softer(kinks: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
-    """Return the remaining fraction (n,) of stiffness at the nodes, for pairs of place (mm) and added length (mm).
+    """Return factors (n,) on the stiffness at the nodes, for cuts given by position and added length, both in mm.
 
-    A kink at the place adds the same angle as a piece of strip of the added length. Sections under the same moment
-    have the same mean curvature
-    even if parts of them are idle. Only at the cut, tab or step does their mean slope jump.
+    A cut adds the same angle as a piece of strip of the added length. Beside a cut, tab or step, parts of the
+    section are unstressed. The mean curvature of such sections still follows from the moment; only at the
+    cut, tab or step does the mean slope jump.
     """
     at, lengths = np.array(kinks).T
     node = np.clip(at / rod.length, 0.0, 1.0) * (rod.s.size - 1)
@@ -176,23 +190,23 @@ def _softer(kinks: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
 def stiffness_shares(
     rod: Rod, layout: Layout, slots: Sequence[Slot], tab_widths: tuple[float | None, float | None]
 ) -> dict[str, FloatArray]:
-    """Return factors (n,) on the designed stiffness in the drawn shape, by cause.
+    """Return factors (n,) on the designed stiffness at the nodes, by cause. They hold in the designed shape.
 
-    - "slots": cuts and the idle corners beside them.
-    - "narrow tabs": idle corners at ends that are wider than their tabs.
-    - "steps of width": idle corners on the wider side of a jump of a plain strip's width.
-    - "leaning ligaments": a ligament at the angle theta to the strip keeps cos(theta) of its stiffness if its
-      mirror image prevents its twist. This holds for a Poisson ratio near 0.3. For 0 to 0.1 it keeps more (up to
-      7 and 4 % at 25 degrees).
-    - "anticlastic bending": stiffening of the width, or of the ligaments of a perforated strip.
-    - "borders that curl": change of the stiffness of a laminate.
+    - "slots": cuts and the unstressed corners beside them.
+    - "narrow tabs": unstressed corners at ends that are wider than their tabs.
+    - "steps of width": unstressed corners on the wider side of a jump of the width, for solid strips.
+    - "leaning ligaments": the stiffness of a ligament at the angle theta to the strip is multiplied by
+      cos(theta), because its mirror image prevents its twist. This holds for a Poisson ratio near 0.3. At 25
+      degrees the ligament is up to 7 % stiffer for a ratio of 0 and up to 4 % for 0.1.
+    - "anticlastic bending": stiffening by prevented curling across the strip, or across its ligaments.
+    - "borders that curl": change of the stiffness of a laminate, because its borders curl.
 
-    The first three act as kinks. Causes that change nothing are left out.
+    The first three add an angle at one position. Causes without effect are left out.
 
     Parameters
     ----------
     rod : Rod
-        The bent design.
+        Designed shape.
     layout : Layout
     slots : sequence of Slot
     tab_widths : pair of float or None
@@ -201,7 +215,7 @@ def stiffness_shares(
     width, nu = layout.width, min(layout.sheet.poisson_ratio, 0.5)
     grain = float(np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio))
     curl = _curl_of(rod, layout)
-    free = np.zeros(2)  # fraction of the stiffening by plate bending that is missing at the ends
+    free = np.zeros(2)  # fraction of the stiffening by prevented curling that is missing at the ends
     if curl is not None and layout.backing is None and layout.pattern is None:
         free = 1 / curl.designed[[0, -1]] - 1 + nu**2
     kinks = {
@@ -212,7 +226,7 @@ def stiffness_shares(
     shares = {cause: _softer(places, rod) for cause, places in kinks.items() if places}
     s, n = _cell_stations(rod), rod.s.size
     leaning = _leaning(layout, s)
-    if leaning is not None:  # the mean compliance determines the angle of a cell
+    if leaning is not None:  # because angles are proportional to the mean compliance
         shares["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
     if curl is not None and layout.section is None:
         shares[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
@@ -226,7 +240,7 @@ class Curl:
     Attributes
     ----------
     designed : (n,) array
-        Factor at the nodes in the designed shape.
+        Factors on the stiffness at the nodes in the designed shape.
     factor : BendFactor
     """
 
@@ -234,17 +248,18 @@ class Curl:
     factor: BendFactor
 
     def on(self, rod: Rod) -> Rod:
-        """Return a rod whose stiffness depends on its bend, and equals that of `rod` in the designed shape."""
+        """Return a rod whose stiffness depends on its curvature and equals that of `rod` in the designed shape."""
         below = rod.law
-        if isinstance(below, CurlingLaw):  # a design whose ends were moved has the same curling
+        if isinstance(below, CurlingLaw):  # the rod already has a law for curling, which the new one replaces
             below = below.below
         return replace(rod, law=CurlingLaw(self.factor, self.designed, rod.natural_curvature, below))
 
 
 def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
-    """Return the dependence of the nodes' stiffness on their bend.
+    """Return the dependence of the nodes' stiffness on their curvature.
 
-    Return None if the bend changes nothing or the section has its own law. Plates over joints are ignored.
+    Return None if the curvature has no effect or the section has a law of its own. Plates over joints are
+    ignored.
     """
     s, rest = rod.s, rod.natural_curvature
     if layout.backing is not None:
@@ -257,23 +272,28 @@ def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
 
 
 def _curl_of(rod: Rod, layout: Layout) -> Curl | None:
-    """Return how a strip curls about its design, or None if curling changes nothing."""
+    """Return the effect of curling across the strip on its stiffness, or None if there is none."""
     factor = _curl_factor(rod, layout)
     return None if factor is None else Curl(factor(rod.curvature), factor)
 
 
 def curling_by_design(rod: Rod, design: Rod, layout: Layout) -> Rod:
-    """Return a rod whose stiffness depends on its bend if its design assumes so, else the rod itself."""
+    """Return the rod with a stiffness that depends on its curvature.
+
+    If the design does not include this effect, return the rod itself.
+    """
     curl = _curl_of(design, layout) if design.follows_bend else None
     return rod if curl is None else curl.on(rod)
 
 
 def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
-    """Return a design whose ends can be moved; K is unchanged, and the stiffness of the cut strip depends on its
-    bend.
+    """Return the designed rod with a stiffness that depends on its curvature.
 
-    If the widths are `corrected`, the stiffness in the design is K. Otherwise the rod is out of balance until it is
-    bent. A sheet whose Poisson ratio is only estimated bends with E.
+    It is used to compute shapes for moved ends.
+
+    If the widths are `corrected`, the stiffness in the designed shape is the relative stiffness K of the
+    design. Otherwise the rod is not in equilibrium until its rest shape is computed. The effect is ignored if
+    the sheet's Poisson ratio is only an estimate.
     """
     sheet = layout.section is None and layout.sheet.poisson_known
     if rod.follows_bend or isinstance(rod.law, CurlingLaw) or not (sheet or layout.backing):
@@ -286,7 +306,10 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
 
 
 def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
-    """Return a rod with its stiffness changed by factors (n,) and the same weight; out of balance until bent."""
+    """Return the rod with its stiffness multiplied by factors (n,) at the nodes, without a change of its weight.
+
+    It is not in equilibrium until its rest shape is computed.
+    """
     B, K = built.bending_stiffness or 1.0, built.stiffness
     changed = K * np.prod([np.ones(K.size), *shares], axis=0)
     changed_rod = built.with_stiffness(Profile.interpolate(built.s, changed))
@@ -301,7 +324,10 @@ def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
 
 
 def _beside_slots(slots: Sequence[Slot], width: Profile, corner: float) -> list[tuple[float, float]]:
-    """Return for each cut its place, mm, and the length of strip, mm, that adds the same angle."""
+    """Return the position and the added length of each slot, mm.
+
+    The added length is the length of strip that bends by the angle that the slot adds.
+    """
     places = []
     for slot in slots:
         points, widths = slot.center_line(width)
@@ -313,19 +339,21 @@ def _beside_slots(slots: Sequence[Slot], width: Profile, corner: float) -> list[
 
 
 def _crowded(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
-    """Return the places of the first two slots whose distance is less than the larger of their depths."""
+    """Return the positions, mm, of the first two slots that are closer together than they are deep."""
     points = (slot.center_line(width)[0] for slot in slots)
     lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
     return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
 
 
 def idle_length(width: float, narrow: float, thickness: float) -> float:
-    """Return the length, mm, that idle corners add where the width falls to `narrow` mm, divided by `crack_energy`.
+    """Return the added length, mm, divided by `crack_energy`, at a step of the width down to `narrow` mm.
 
-    Strips joined side by side along their edges are a sheet with a row of cracks between the narrow parts. The
-    stress intensity of a row of collinear cracks in a wide sheet is proportional to sqrt(tan(pi a / w))
-    (Westergaard, J. Appl. Mech. 6, 1939; in bending as in tension). For few and short cracks the result tends to
-    depth^2 / width. Twist is lost near free edges, so the narrow part counts as narrower by `FREE_EDGE`.
+    The added length is the length of strip that bends by the angle that the unstressed corners add.
+
+    Such strips joined side by side form a wide sheet with a row of collinear cracks between the narrow parts.
+    For crack length 2a and spacing w, the stress intensity is proportional to sqrt(tan(pi a / w)), in bending
+    as in tension (Westergaard, J. Appl. Mech. 6, 1939). For short cracks the result tends to depth^2 / width.
+    The narrow part is less stiff in torsion near its free edges, so its width is reduced by `FREE_EDGE`.
     """
     net = narrow**2 / (narrow + FREE_EDGE * thickness)
     return float(-2 / np.pi**2 * width * np.log(np.sin(np.pi / 2 * net / width)))
@@ -334,12 +362,12 @@ def idle_length(width: float, narrow: float, thickness: float) -> float:
 def _beside_tabs(
     layout: Layout, tab_widths: tuple[float | None, float | None], grain: float, restraint: FloatArray
 ) -> list[tuple[float, float]]:
-    """Return place and added length, mm, for each end that is wider than its tab.
+    """Return position and added length, mm, for each end that is wider than its tab.
 
-    The place is the centroid of the length that the idle corners add.
+    The position is the centroid of the length that the unstressed corners add.
 
-    A tab also prevents curling across the strip near it, which reduces the added length by `restraint` (2,), in
-    widths, at the start and end.
+    A tab also prevents curling across the strip near it. This reduces the added length by `restraint` (2,) at
+    start and end, as multiples of the width.
     """
     places, h = [], layout.sheet.thickness
     for end, inwards, tab, stiffer in zip(
@@ -359,9 +387,9 @@ def _beside_tabs(
 
 
 def _beside_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
-    """Return place and added length, mm, for each step of a plain strip's width.
+    """Return position and added length, mm, for each step of the width of a solid strip.
 
-    The place is the middle of the idle corners on the wider side.
+    The position is the middle of the unstressed corners on the wider side.
     """
     if layout.pattern is not None or layout.backing is not None or layout.size is not None:
         return []
@@ -380,25 +408,25 @@ def _leaning(layout: Layout, s: FloatArray) -> FloatArray | None:
 
 
 def _breadth(layout: Layout, s: FloatArray) -> FloatArray:
-    """Return the width (n,), mm, of each of the parts that curl independently, side by side."""
+    """Return the width (n,), mm, of the parts that curl independently: the ligaments, or the whole strip."""
     pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
     return np.asarray(layout.material(s) / pieces)
 
 
 HELD_NODES = 241
-"""Number of nodes of the rod that is bent in its holders; its error is some millionths of the length."""
+"""Number of nodes of the rod for the shape in the holders. Its error is a few millionths of the length."""
 
 
 @dataclass(frozen=True, eq=False)
 class StripAsMade:
-    """Model of the finished strip that is bent when the strip is held.
+    """Model of the finished strip, for its shape in the holders.
 
     Attributes
     ----------
     design : Rod
-        Design, with enough nodes for bending.
+        Design, with at most `HELD_NODES` nodes.
     layout : Layout
-        Layout that the style made of the design.
+        Flat pattern of the design.
     bending_stiffness : float
         B of the design, N mm2.
     tab_stiffness : pair of float
@@ -406,8 +434,8 @@ class StripAsMade:
     cut : Rod
         Rod with the stiffness and weight of the cut strip, without slots.
     shares : mapping of str to (n,) array
-        Factors on that stiffness at the nodes in the designed shape, by cause: see `stiffness_shares`. "plates" are
-        the plates over joints of pieces.
+        Factors on the stiffness of `cut` at the nodes in the designed shape, by cause: see
+        `stiffness_shares`. The cause "plates" means plates over the joints of pieces.
     approximated : bool
         True if the drawing only approximates the stiffness, as holes and backings do.
     lap : LapJoint, optional
@@ -415,7 +443,8 @@ class StripAsMade:
     curl : Curl, optional
         Dependence of the nodes' stiffness on their curvature.
     crowded : tuple of float
-        Places, mm, of two slots whose distance is less than the larger of their depths; empty if there are none.
+        Positions, mm, of two slots that are closer together than the depth of the deeper slot; empty if there
+        are none.
     """
 
     design: Rod
@@ -439,7 +468,7 @@ class StripAsMade:
         plates: LapPlates | None,
         whole: Callable[[], Sequence[Layer]],
     ) -> "StripAsMade":
-        """Return the model of a strip whose layout is cut with tabs and slots, and joined from pieces by plates.
+        """Return the model of a strip that is cut with tabs and slots and may be joined from pieces by plates.
 
         `whole` returns the layers without slots; it is called only if they are needed.
         """
@@ -468,24 +497,28 @@ class StripAsMade:
 
     @cached_property
     def rod(self) -> Rod:
-        """Rod with all causes together, whose stiffness depends on its bend; out of balance until bent."""
+        """Rod with all causes together, with a stiffness that depends on its curvature.
+
+        It is not in equilibrium until its rest shape is computed.
+        """
         rod = _with_shares(self.cut, list(self.shares.values()))
-        if self.lap is not None:  # the lap is stiffer, and partly keeps the shape in which it is glued
+        # the lap joint is stiffer, and its rest curvature depends on the shape in which it was glued
+        if self.lap is not None:
             rod = replace(_with_shares(rod, [self.lap.share]), natural_curvature=self.lap.rest)
         return rod if self.curl is None else self.curl.on(rod)
 
     @property
     def as_plate(self) -> bool:
-        """True if the widths take into account how the strip curls across."""
+        """True if the designed widths compensate anticlastic bending."""
         return self.design.follows_bend
 
     def tab_ratios(self, rod: Rod) -> tuple[float, float]:
-        """Return E I of the tabs at start and end over the B of a rod made from the design."""
+        """Return E I of the tabs at start and end, divided by the bending stiffness B of `rod`."""
         B = rod.bending_stiffness or self.bending_stiffness
         return self.tab_stiffness[0] / B, self.tab_stiffness[1] / B
 
     def rest(self, seats: Seats = (None, None)) -> Rod:
-        """Return the rest shape, with a law of its nodes if their stiffness depends on the bend.
+        """Return the rest shape in the holders, with a stiffness law if the stiffness depends on the curvature.
 
         Raises
         ------
@@ -496,9 +529,9 @@ class StripAsMade:
 
     @cached_property
     def loaded(self) -> Rod:
-        """Rest shape with both ends held as designed; the design itself if no rest shape was found.
+        """Rest shape with both ends held as designed, or the design if no rest shape was found.
 
-        As in `rest`, stiffness and law belong to the strip before it is bent.
+        As in `rest`, the stiffness is the stiffness before the strip is bent.
         """
         try:
             return self.rest()
@@ -506,7 +539,10 @@ class StripAsMade:
             return self.design
 
     def held(self, seats: Seats, uncorrected: "StripAsMade", tolerance: MakingTolerance) -> HeldShape:
-        """Return the shape as held, with the effect of each single cause on the strip before any correction."""
+        """Return the shape in the holders, with the deviation due to each cause alone.
+
+        Those deviations belong to the `uncorrected` strip.
+        """
         rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
         parts = uncorrected.parts(seats, poses)
         corrected, holders = (
@@ -543,11 +579,10 @@ class StripAsMade:
 
     @property
     def _cut_breadth(self) -> FloatArray | None:
-        """Width (n,), mm, of each part cut side by side, or None if the strip is planed or turned."""
+        """Width (n,), mm, of the parts side by side, or None if the strip is planed or turned."""
         return _breadth(self.layout, self.design.s) if self.layout.size is None else None
 
     def _notes(self, seats: Seats) -> tuple[str, ...]:
-        """Return notes on the assumptions of the model."""
         sheet, notes = self.layout.sheet, []
         if sheet.grain != "none" and sheet.shear_modulus is None and self.shares.keys() & KINKS:
             notes.append(
@@ -580,10 +615,10 @@ class StripAsMade:
 
     @cached_property
     def _leaf_ends(self) -> FloatArray:
-        """Displacement (n, 2), mm, of the through ply due to jumps of the neutral axis where plies end.
+        """Displacement (n, 2), mm, of the full-length ply, because the neutral axis jumps where shorter plies end.
 
-        Zero for strips without plies. The through ply is centred on the curve, and its ends are held there. The
-        distance between the strip's force and the neutral axis of the design is the displacement of the axis.
+        The displacement is zero for strips without plies. The full-length ply is centred on the curve and is
+        held there at its ends. The neutral axis is offset from it, so the force in the strip adds a moment.
         """
         design, stack = self.design, self.layout.stack
         if stack is None:
@@ -598,10 +633,10 @@ class StripAsMade:
         return np.asarray(axis + shape_responses(design, moments, apart=off[-1:] - axis[-1:])[:, 0] - off)
 
     def parts(self, seats: Seats, poses: tuple[EndPose, EndPose]) -> dict[str, float]:
-        """Return the deviation, mm, due to each single cause, to first order about the strip as made.
+        """Return the deviation from the design, mm, due to each cause alone, to first order.
 
-        A cause changes the bend of each node under the designed moment, or moves and turns an end. For a strip that
-        bends as a plate, anticlastic bending counts as if the widths did not compensate it.
+        A cause changes the curvature at each node under the designed moment, or moves and turns an end.
+        Anticlastic bending is computed as if the widths did not compensate it.
         """
         design, loaded = self.design, self.loaded
         K, elastic, n = design.stiffness, design.moment / design.stiffness, design.s.size
@@ -612,7 +647,7 @@ class StripAsMade:
             bends["fit of the drawing"] = elastic * (1 / share - 1)
         if self.lap is not None:
             bends["lap joint"] = self.lap.rest - design.natural_curvature + elastic * (1 / self.lap.share - 1)
-        shifts = {cause: np.zeros((2, 2)) for cause in bends}  # displacements of the start and the end
+        shifts = {cause: np.zeros((2, 2)) for cause in bends}
         cells = design.discrete.node_lengths
         for k, (seat, pose) in enumerate(zip(seats, poses, strict=True)):
             if seat is not None:
@@ -634,5 +669,5 @@ class StripAsMade:
 
 
 def _cause(end: int, seat: TabSeat) -> str:
-    """Return the name of a holder as a cause; the end is 0 or 1."""
+    """Return the name of a holder as a cause of deviation; `end` is 0 for the start and 1 for the end."""
     return f"{('start', 'end')[end]}: {seat.name}"

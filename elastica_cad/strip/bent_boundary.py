@@ -33,7 +33,7 @@ QUARTER = np.array([[0.0, -1.0], [1.0, 0.0]])
 
 @dataclass(frozen=True, eq=False)
 class SpaceCurve:
-    """A B-spline curve in space: full clamped `knots`, `control_points` (m, 3) in mm, `degree`."""
+    """A B-spline curve in space, with clamped `knots` (m + degree + 1,) and `control_points` (m, 3) in mm."""
 
     knots: FloatArray
     control_points: FloatArray
@@ -44,8 +44,8 @@ class SpaceCurve:
 class PlacedSegment:
     """A plane segment with its frame in space.
 
-    Its parameter is the distance from the start on a `Line`, the angle on an `Arc`, the curve's own on a
-    `Spline`.
+    Its parameter is the distance from the start for a `Line`, the angle for an `Arc`, and the parameter of
+    the curve for a `Spline`.
     """
 
     segment: Segment
@@ -69,14 +69,14 @@ class SpaceSurface:
 
 @dataclass(frozen=True, eq=False)
 class PlaneSurface:
-    """The plane of a frame; (u, v) are the frame's x and y."""
+    """A plane; its parameters (u, v) are the coordinates x and y of the frame."""
 
     frame: Frame
 
 
 @dataclass(frozen=True, eq=False)
 class CylinderSurface:
-    """A cylinder about the frame's z axis; u is the angle from x, v the height, mm."""
+    """A cylinder about the z axis of the frame; u is the angle from the x axis, and v is the height, mm."""
 
     frame: Frame
     radius: float
@@ -84,7 +84,10 @@ class CylinderSurface:
 
 @dataclass(frozen=True, eq=False)
 class ExtrudedSurface:
-    """A placed segment extruded along its frame's z axis; u is the segment's parameter, v the height, mm."""
+    """A plane segment extruded along the z axis of its frame.
+
+    Its u is the parameter of the segment, and v is the height, mm.
+    """
 
     profile: PlacedSegment
 
@@ -93,18 +96,21 @@ Surface: TypeAlias = SpaceSurface | PlaneSurface | CylinderSurface | ExtrudedSur
 
 
 def trace_turn(surface: Surface) -> FloatArray:
-    """Return the (2, 2) matrix that maps traces to the parameters of the surface in a kernel.
+    """Return the (2, 2) matrix that maps parameters (u, v) to the parameters of the surface in a CAD kernel.
 
-    OpenCASCADE integrates areas and volumes span by span in v, but with a single quadrature rule in u. If the
-    length
-    of a strip were along u, the error of its volume could exceed 10 %. Splines are therefore passed `turned`.
+    OpenCASCADE integrates areas and volumes span by span in v, but with a single quadrature rule in u. If u
+    were along the strip, the error of the volume could exceed 10 %. B-spline surfaces are therefore passed
+    with exchanged parameters (`SpaceSurface.turned`).
     """
     return QUARTER if isinstance(surface, SpaceSurface) else STRAIGHT
 
 
 @dataclass(frozen=True, eq=False)
 class StraightTrace:
-    """An edge in the (u, v) plane of a surface: origin + parameter * direction, the direction of length 1."""
+    """A straight edge in the (u, v) plane of a surface.
+
+    It is origin + parameter * direction, and `direction` is a unit vector.
+    """
 
     origin: tuple[float, float]
     direction: tuple[float, float]
@@ -112,7 +118,7 @@ class StraightTrace:
 
 @dataclass(frozen=True, eq=False)
 class Edge:
-    """A piece `first` <= parameter <= `last` of a curve from vertex `start` to vertex `end`."""
+    """Part of a curve from vertex `start` to vertex `end`, with `first` <= parameter <= `last`."""
 
     curve: SpaceCurve | PlacedSegment
     first: float
@@ -123,10 +129,10 @@ class Edge:
 
 @dataclass(frozen=True, eq=False)
 class EdgeUse:
-    """Direction in which a loop passes an edge, and the edge in the (u, v) plane of the face's surface.
+    """Edge in a loop of a face, with its direction and its trace in the (u, v) plane of the face's surface.
 
-    `trace` is a straight line or a segment (parameters as in `PlacedSegment`, equal to the edge's); None on
-    planes.
+    `edge` is the index of the edge. `forward` is True if the loop follows increasing parameters of the edge.
+    `trace` has the same parameter as the edge, and is None on planes.
     """
 
     edge: int
@@ -138,8 +144,8 @@ class EdgeUse:
 class Face:
     """Trimmed surface.
 
-    The first loop is the outer loop. The face is to the left of its loops as seen from the side to which the
-    surface's normal (d/du cross d/dv) points. `outward` is False if that side is the inside of the body.
+    The first loop is the outer loop. The normal of the surface is d/du cross d/dv. Seen against the normal,
+    the face is to the left of its loops. `outward` is False if the normal points into the body.
     """
 
     surface: Surface
@@ -156,7 +162,7 @@ class Boundary:
     vertices : (k, 3) array
         mm.
     edges, faces
-        Edges name vertices by row, faces name edges by position.
+        Edges refer to rows of `vertices`; faces refer to indices of `edges`.
     """
 
     vertices: FloatArray
@@ -175,33 +181,34 @@ class Boundary:
 
 
 DEGREE = 5  # degree of the bent faces
-POSITION_TOLERANCE = 1e-6  # error of the centre line, mm
-SURFACE_TOLERANCE = 5e-8  # error of edges on the bent faces, mm
+POSITION_TOLERANCE = 1e-6  # largest error of the centre line, mm
+SURFACE_TOLERANCE = 5e-8  # largest error of edges on the bent faces, mm
 MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more cannot be approximated
-PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])  # number of places in a span at which the error is measured
+# positions in a span, as fractions, at which the error is measured
+PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
 LEAST_SPANS = 3  # least number of spans in an edge; kernels fail to fillet edges of one or two spans
-MOST_PARTS = 4  # parts of a span in one subdivision
-SPARE = 1.1  # factor on the number of parts that the error requires
-LEVEL_MM = 1e-9  # largest difference of the width along a wall that is plane, mm
-FIRST_TURN = 0.2  # largest turn of the initial spans, rad
+MOST_PARTS = 4  # largest number of parts into which one step divides a span
+SPARE = 1.1  # safety factor on the number of parts that follows from the error
+LEVEL_MM = 1e-9  # largest change of y along a side wall that counts as plane, mm
+FIRST_TURN = 0.2  # largest change of direction in an initial span, rad
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
 
 @dataclass(frozen=True, eq=False)
 class BentMap:
-    """Map (x, y, up) -> space for a stretch of the strip without jumps of the curvature.
+    """Map from (x, y, up) to points in space, for a part of the strip without jumps of the curvature.
 
-    A flat point is mapped to C(x) - up N(x) + y Z with the centre line C, its left normal N and the direction Z
-    across the strip. C and N have the same B-spline basis, so faces offset by half the thickness and the ruled
-    sides between them are exact.
+    The point (x, y) of the flat strip at the height `up` above mid-thickness is mapped to C(x) - up N(x) + y
+    Z. C is the centre line, N is its left normal, and Z is the direction across the strip. C and N have the
+    same B-spline basis, so the faces and the ruled sides between them are exact.
 
     Attributes
     ----------
     knots : (m + 6,) array
         Clamped knots of the B-spline of degree 5 over arc length, mm.
     coefficients : (m, 4) array
-        C (mm) and N in the coordinates of the curve's plane.
+        Control points of C (mm) and N, in the coordinates of the curve's plane.
     frame : Frame
         Plane of the curve in space.
     """
@@ -211,7 +218,7 @@ class BentMap:
     frame: Frame
 
     def frame_at(self, x: float) -> Frame:
-        """Return the tangent plane at arc length x; its own x coordinate is the arc length."""
+        """Return the tangent plane at arc length x, as a frame whose x coordinate is the arc length."""
         row = self._spline(np.array(x))
         normal = row[2:] / np.hypot(*row[2:])
         origin = self.frame.point(row[:2])
@@ -219,7 +226,10 @@ class BentMap:
         return Frame(origin, tangent, self.frame.z_axis).shifted(x=-x)
 
     def points(self, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
-        """Return points in space (k, levels, 3) for flat points (k, 2) at heights above the middle, mm."""
+        """Return points in space (k, levels, 3) for points (k, 2) of the flat strip.
+
+        `heights` (levels,), mm, are measured from mid-thickness.
+        """
         rows = self._spline(flat[:, 0])
         local = np.empty((len(flat), len(heights), 3))
         for level, up in enumerate(heights):
@@ -230,9 +240,13 @@ class BentMap:
     def curves(
         self, parts: Sequence[tuple[Segment, float, float]], heights: Sequence[float]
     ) -> list[list[SpaceCurve]]:
-        """Return the space curves of flat segments between two parameters, for several heights in the same basis.
+        """Return the space curves of parts of flat segments, at every height.
 
-        They are exact if x is linear in the segment's parameter (long sides, lines), else fitted to 5e-8 mm.
+        `parts` are segments with a first and last parameter. The curves of a part have the same B-spline basis at
+        all heights.
+
+        The curves are exact if x is linear in the parameter of the segment (long sides, lines). Others are
+        fitted to 5e-8 mm.
         """
         curves = []
         for segment, first, last in parts:
@@ -254,7 +268,10 @@ class BentMap:
         return curves
 
     def surface(self, low: float, high: float, up: float) -> SpaceSurface:
-        """Return the bent face at the height `up`, from y = `low` to `high`; (u, v) are the flat (x, y)."""
+        """Return the bent face at the height `up`, from y = `low` to `high`.
+
+        Its parameters (u, v) are (x, y) of the flat strip.
+        """
         plane = self.coefficients[:, :2] - up * self.coefficients[:, 2:]
         local = np.empty((len(plane), 2, 3))
         local[:, :, :2] = plane[:, None]
@@ -264,7 +281,7 @@ class BentMap:
 
     @property
     def curvature(self) -> tuple[FloatArray, FloatArray]:
-        """Arc lengths and curvature of the centre line, nine to a span."""
+        """Arc lengths, mm, and curvatures of the centre line, 1/mm, at nine points of each span."""
         edges = np.unique(self.knots)
         s = np.linspace(edges[:-1], edges[1:], 9).ravel()
         along, turn = np.split(self._spline(s, 1), 2, axis=1)
@@ -272,7 +289,7 @@ class BentMap:
 
     @cached_property
     def _smoothness(self) -> tuple[FloatArray, IntArray]:
-        """Interior knots with the continuity there."""
+        """Interior knots, and the number of continuous derivatives at each of them."""
         knots, counts = knot_runs(self.knots)
         return knots[1:-1], DEGREE - counts[1:-1]
 
@@ -283,7 +300,10 @@ class BentMap:
     def _common_knots(
         self, segment: Segment, even: tuple[float, float], limits: tuple[float, float]
     ) -> tuple[FloatArray, int]:
-        """Return knots in the parameter of a segment with linear x, for which its shape and the map are splines."""
+        """Return knots and degree of a basis that contains both a segment and the map along it.
+
+        `even` is offset and slope of x, which is linear in the segment's parameter.
+        """
         (offset, speed), (first, last) = even, limits
         t, continuity = self._smoothness
         t, degree = (t - offset) / speed, DEGREE
@@ -306,7 +326,7 @@ class BentMap:
 
 
 def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[FloatArray, IntArray]:
-    """Return interior knots with their continuity after every span is cut smoothly into three."""
+    """Return the interior knots and their continuity after every span is divided into three equal spans."""
     thirds = edges[:-1, None] + np.diff(edges)[:, None] * [0, 1 / 3, 2 / 3]
     smoothness = np.full(thirds.shape, degree - 1)
     smoothness[1:, 0] = continuity
@@ -314,14 +334,14 @@ def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[Fl
 
 
 def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
-    """Return maps of the stretches between jumps of curvature, from the start of the rod to its end.
+    """Return the maps of the parts of a rod between jumps of its curvature, from start to end.
 
     `reach` is the largest distance of a face from the centre line, mm.
 
     Raises
     ------
     InputError
-        The radius is smaller than the reach somewhere.
+        Somewhere the radius of curvature is smaller than `reach`.
     NotConvergedError
         The curve could not be approximated to 1e-6 mm.
     """
@@ -359,7 +379,10 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
 
 
 def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
-    """Return position and unit tangent over the rod's arc length, and the curve's breaks as (s, continuity)."""
+    """Return a function from arc length to position and unit tangent, and the breaks of the curve.
+
+    A break is a pair of arc length and number of continuous derivatives.
+    """
     curve = rod.curve
     scale = curve.length / rod.length
 
@@ -372,7 +395,10 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
 
 
 def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
-    """Return the continuity of the shape at a knot, which may exceed that of the parametrisation."""
+    """Return the geometric continuity of the curve at a knot.
+
+    It may exceed the continuity of the parametrisation.
+    """
     if continuity >= 2:
         return continuity
     t0, t1 = curve.domain
@@ -385,7 +411,7 @@ def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
 
 
 def _first_spans(rod: Rod, edges: FloatArray) -> FloatArray:
-    """Return every stretch divided into spans that turn by at most about 0.2 rad."""
+    """Divide the intervals between `edges` into spans whose direction changes by about `FIRST_TURN` at most."""
     at = np.interp(edges, rod.s, turns_along(rod.angle))
     rows = [
         np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / FIRST_TURN))))[:-1]
@@ -400,7 +426,7 @@ def _fitted(
     smooth: Mapping[float, int],
     tolerance: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return knots and coefficients of a degree-5 spline through `function` within `tolerance`."""
+    """Return knots and coefficients of a spline of degree 5 that approximates `function` within `tolerance`."""
     while True:
         knots = clamped_knots(edges, smooth, DEGREE)
         sites = interpolation_sites(knots, DEGREE)
@@ -419,26 +445,30 @@ def _fitted(
                 "there: smooth the curve",
                 at=Length(at),
             )
-        # the error is proportional to the width to the power of degree + 1
+        # the error is proportional to the length of the span to the power of degree + 1
         parts = np.where(bad, np.clip(np.ceil(SPARE * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1)
         edges = _divided(edges, parts.astype(int))
 
 
 def _divided(edges: FloatArray, parts: IntArray) -> FloatArray:
-    """Return edges (n + 1,) with each span divided into `parts` (n,) equal parts."""
+    """Return the span limits `edges` (n + 1,) after span k is divided into `parts[k]` equal spans."""
     width = np.repeat(np.diff(edges) / parts, parts)
     return np.append(np.repeat(edges[:-1], parts) + numbers_in_groups(parts) * width, edges[-1])
 
 
 ROUNDED_MM = 1e-12
-"""Largest difference, mm, between the x of both ends of a line that counts as across the strip."""
+"""Largest difference, mm, between the x coordinates of the ends of a line that counts as perpendicular to the
+strip."""
 
-Map: TypeAlias = Frame | BentMap  # tangent plane of a tab, or map of the bent free part
+Map: TypeAlias = Frame | BentMap  # tangent plane of a tab, or map of the bent part
 
 
 @dataclass
 class BoundaryMaker:
-    """Builder of vertices, edges and faces for the flat pattern's regions at one or two heights."""
+    """Builder of the vertices, edges and faces of a strip from the regions of its flat pattern.
+
+    It builds a surface at one height, or a solid between two heights.
+    """
 
     corners: FloatArray
     maps: Sequence[Map]
@@ -451,7 +481,7 @@ class BoundaryMaker:
     posts: dict[int, int] = field(default_factory=dict)
 
     def sheet(self, regions: Sequence[Region]) -> Boundary:
-        """Return the face of every region at the first height."""
+        """Return a surface with one face for every region, at the first height."""
         for region in regions:
             self._add_edges(region)
             self._add_faces(region)
@@ -490,7 +520,7 @@ class BoundaryMaker:
             ]
 
     def _add_faces(self, region: Region) -> None:
-        """Add the region's face at every height; seen from above it is to the left of its loops."""
+        """Add the face of a region at every height. Seen from above, the face is to the left of its loops."""
         shape = self.maps[region.interval]
         surfaces: list[Surface]
         if isinstance(shape, Frame):
@@ -510,7 +540,7 @@ class BoundaryMaker:
             self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
 
     def _add_side(self, piece: SegmentPart, shape: Map) -> None:
-        """Add the wall over a piece of a loop; u is the piece's parameter, v the height."""
+        """Add the side wall along a piece of a loop; u is the parameter of the piece, and v is the height."""
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
         height = self.heights[1] - self.heights[0]
@@ -528,7 +558,8 @@ class BoundaryMaker:
         straight = isinstance(segment, Line)
         if isinstance(shape, BentMap) and not _is_across(segment):
             least, most = _across(segment)
-            if most - least < LEVEL_MM:  # kernels join such walls of equal strips side by side
+            # planes, because CAD kernels can fuse coplanar walls of strips side by side
+            if most - least < LEVEL_MM:
                 side = -1.0 if segment.end[0] > segment.start[0] else 1.0
                 frame = shape.frame.shifted(z=(least + most) / 2)
                 return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
@@ -560,7 +591,7 @@ class BoundaryMaker:
         return SpaceSurface((low.knots, np.array([0.0, 0.0, h, h])), points, (low.degree, 1))
 
     def _post(self, corner: int, shape: Map) -> int:
-        """Return the straight edge through the thickness at a corner."""
+        """Return the index of the straight edge through the thickness at a corner; add it if it is missing."""
         if corner not in self.posts:
             low = self.at_corner[corner]
             rise = self.vertices[low + 1] - self.vertices[low]
@@ -574,9 +605,10 @@ class BoundaryMaker:
 
 
 def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace | Segment]:
-    """Return the traces of a wall's edges at these heights.
+    """Return the traces of the edges of a side wall at these heights.
 
-    On a spline they have the spline's knots, because kernels measure a face from knot to knot of its traces.
+    On a B-spline surface they have the knots of the surface, because CAD kernels integrate over a face from knot
+    to knot of its traces.
     """
     if not isinstance(wall, SpaceSurface):
         return [StraightTrace((0.0, height), (1.0, 0.0)) for height in heights]
@@ -586,7 +618,10 @@ def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace 
 
 
 def _trace_on(shape: Map, segment: Segment) -> StraightTrace | Segment | None:
-    """Return the trace of a segment on its face: the segment itself on a bent face, None on a plane."""
+    """Return the trace of a segment on its face.
+
+    This is the segment itself on a bent face, and None on a plane.
+    """
     if isinstance(shape, Frame):
         return None
     if not isinstance(segment, Line):
@@ -596,17 +631,16 @@ def _trace_on(shape: Map, segment: Segment) -> StraightTrace | Segment | None:
 
 
 def _levels(frame: Frame, heights: Sequence[float]) -> list[Frame]:
-    """Return the frame at every height."""
     return [frame.shifted(z=up) for up in heights]
 
 
 def _plane_through(origin: FloatArray, along: FloatArray, up: FloatArray) -> Frame:
-    """Return the plane of a wall through `origin`; `up` is at right angles to `along`."""
+    """Return the plane through `origin` with the directions `along` and `up`, which are perpendicular."""
     return Frame(origin, along / hypot(*along.tolist()), up / hypot(*up.tolist()))
 
 
 def _across(segment: Segment) -> tuple[float, float]:
-    """Return bounds of y along a segment; for a spline the bounds of its control points."""
+    """Return the least and largest y of a segment. For splines they are those of the control points."""
     if isinstance(segment, Line):
         (_, y), (_, to_y) = segment.start.tolist(), segment.end.tolist()
         return min(y, to_y), max(y, to_y)
@@ -615,12 +649,12 @@ def _across(segment: Segment) -> tuple[float, float]:
 
 
 def _ends(piece: SegmentPart) -> tuple[int, int]:
-    """Return the corners in the direction of the parameter."""
+    """Return the corners at the ends of a piece, in the direction of increasing parameter."""
     return (piece.start, piece.end) if piece.forward else (piece.end, piece.start)
 
 
 def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
-    """Return points in space (k, levels, 3) for flat points (k, 2) at several heights."""
+    """Return points in space (k, levels, 3) for points (k, 2) of the flat strip at `heights` (levels,), mm."""
     if isinstance(shape, BentMap):
         return shape.points(flat, heights)
     return shape.point(flat)[:, None] + np.outer(heights, shape.z_axis)
@@ -629,7 +663,7 @@ def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArra
 def _curves(
     shape: Map, pieces: Sequence[SegmentPart], heights: Sequence[float]
 ) -> Iterator[Sequence[SpaceCurve | PlacedSegment]]:
-    """Yield the segment of each piece in space at every height."""
+    """Yield the space curves of each piece, with a curve for every height."""
     if not isinstance(shape, BentMap):
         frames = _levels(shape, heights)
         yield from ([PlacedSegment(piece.segment, frame) for frame in frames] for piece in pieces)
@@ -645,5 +679,5 @@ def _curves(
 
 
 def _is_across(segment: Segment) -> bool:
-    """Return True for a line across the strip, which stays straight on a bent strip."""
+    """Return True for a line perpendicular to the strip, which stays straight when the strip is bent."""
     return isinstance(segment, Line) and abs(float(segment.start[0] - segment.end[0])) < ROUNDED_MM

@@ -13,22 +13,25 @@ from elastica_cad.geometry.segments import Arc, Segment, SegmentTable, Spline, c
 from elastica_cad.refusals import Length
 
 SMOOTH_RAD = 0.02
-"""Least turn, rad, of a rounded corner; fitted sides meet at smaller angles."""
+"""Least change of direction, rad, at a corner that is rounded. Curves fitted to points meet at smaller
+angles, which are not rounded."""
 
 MOST_STEPS = 40
-"""Largest number of steps of the search for an arc's ends."""
+"""Largest number of Newton steps for the ends of an arc."""
 
 MOST_TURNED_BACK = 6
-"""Largest number of shortened steps beyond the end of a side before the side counts as too short."""
+"""Number of shortened steps allowed before a side counts as too short. A step beyond the end of the side is
+shortened."""
 
 CLOSE_MM = 1e-9
-"""Tolerance, mm, between the two centres of the arc."""
+"""Largest distance, mm, between the centres of an arc as computed from both sides."""
 
 PARALLEL = 1e-200
-"""Replacement for a zero divisor between parallel sides; the ends of the arc are then beyond the sides."""
+"""Replacement for the zero determinant of parallel sides. The computed ends of the arc are then beyond the
+sides."""
 
 CLOSE_SHARE = 1e-3
-"""Tolerance as a fraction of the radius: for an arc that crosses a replaced side, and for flattening the side."""
+"""Tolerance, as a fraction of the radius, of the test whether an arc crosses a side that it replaces."""
 
 
 def round_corners(path: Path, radius: float) -> Path:
@@ -37,7 +40,7 @@ def round_corners(path: Path, radius: float) -> Path:
     Raises
     ------
     InputError
-        The sides at a corner are too short for the radius. The message gives the place.
+        The sides at a corner are too short for the radius.
 
     Examples
     --------
@@ -61,10 +64,10 @@ def too_small_for(radius: float, path: Path) -> InputError:
 
 
 def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | None]:
-    """Return paths with rounded corners, or None for each path that the radius does not fit.
+    """Return paths with rounded corners, and None for paths whose sides are too short for the radius.
 
-    A side too short for the arcs at both its ends is left out if an arc fits the sides before and after it. A hole
-    that is cut off near its tip is thus rounded as the tip would be.
+    A side that is too short for the arcs at both its ends is omitted if an arc fits between the sides before
+    and after it. For example, a pointed hole with a truncated tip is rounded as if its tip were sharp.
     """
     segments = [segment for path in paths for segment in path.segments]
     if not segments:
@@ -100,7 +103,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
             turns = [arcs.get(k) for k in ring.sides]
             if all(_is_inside(arc, gap, segments) for arc, gap in zip(turns, ring.gaps, strict=True)):
                 chain = [side for k, arc in zip(ring.sides, turns, strict=True) for side in (parts[k], arc)]
-                # the arcs end where they leave the sides
+                # the arcs begin and end on the sides
                 rounded[i] = Path([side for side in chain if side is not None], closed=True)
         left = following
     return rounded
@@ -108,13 +111,13 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
 
 @dataclass(frozen=True)
 class _Ring:
-    """Numbers of the remaining sides of a loop, and of the sides omitted after each of them."""
+    """Indices of the remaining sides of a loop, and of the sides omitted after each remaining side."""
 
     sides: list[int]
     gaps: list[tuple[int, ...]]
 
     def without(self, short: set[int]) -> "_Ring | None":
-        """Return the ring without some sides, or None if fewer than two sides remain."""
+        """Return the loop without the sides in `short`, or None if fewer than two sides remain."""
         long_sides = [j for j, k in enumerate(self.sides) if k not in short]
         if len(long_sides) < 2:
             return None
@@ -149,10 +152,10 @@ class _Corners:
     Attributes
     ----------
     before, after : (k,) array
-        Numbers of the sides before and after each corner.
+        Indices of the sides before and after each corner.
     leaving, entering : (k,) array
-        Parameters of these sides where the arc begins and ends. If no arc fits, the parameter is outside the side
-        that is too short.
+        Parameters, from 0 to 1 along these sides, at which the arc begins and ends. If a side is too short,
+        its parameter is outside this range.
     arcs : list of Arc or None
     """
 
@@ -166,7 +169,10 @@ class _Corners:
 def _corners(
     table: SegmentTable, before: IntArray, after: IntArray, gaps: BoolArray, radius: float
 ) -> _Corners:
-    """Return the arcs between sides (n,) and the sides after them, at a corner or across a gap."""
+    """Return the arc between each side in `before` (n,) and the corresponding side in `after` (n,).
+
+    `gaps` (n,) is True where omitted sides were between the two.
+    """
     s = table.at(before, np.ones(before.size), 1)
     t = table.at(after, np.zeros(after.size), 1)
     turn = turn_between(s, t)
@@ -188,7 +194,7 @@ def _corners(
         gap = _beside(*near, side[open_]) - _beside(*far, side[open_])
         apart = np.abs(gap).max(axis=1) >= CLOSE_MM
         fits[open_[~apart]] = True
-        # the sides bend so little that their tangents give the Jacobian
+        # the Jacobian assumes straight sides, because their curvature is small
         v, w, gap = near[1][apart], far[1][apart], gap[apart]
         open_ = open_[apart]
         determinant = cross(w, v)
@@ -214,13 +220,13 @@ def _corners(
 
 
 def _beside(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:
-    """Return points (n, 2) moved to the left of their velocities by distances (n, 1)."""
+    """Return points (n, 2) shifted by distances (n, 1) to the left of their tangent vectors."""
     left = np.column_stack([-velocities[:, 1], velocities[:, 0]])
     return np.asarray(points + distance * left / norm(velocities)[:, None], dtype=float)
 
 
 def _sizes(segments: Sequence[Segment]) -> FloatArray:
-    """Return sizes (n,), mm: lengths of lines and arcs, upper bounds of the lengths of splines."""
+    """Return the lengths (n,) of segments, mm. For splines they are upper bounds."""
     sizes = np.array([0.0 if isinstance(segment, Spline) else segment.length for segment in segments])
     splines = [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
     if splines:

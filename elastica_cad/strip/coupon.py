@@ -1,4 +1,4 @@
-"""The bend coupon: a strip to cut, hang over an edge and measure, with its scale engraved."""
+"""The bend coupon: a test strip with an engraved scale, to measure the stiffness of a sheet from its droop."""
 
 import numpy as np
 
@@ -12,10 +12,11 @@ from elastica_cad.strip.drawing import CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, centred_text, text_width
 
 BEST_LOAD = 5.0
-"""Load w L^3 / EI for which a clamped strip drops by half its length; its droop then depends most on E."""
+"""Dimensionless weight w L^3 / EI at which the tip of a clamped level strip sags by half its length L. The
+sag is then most sensitive to E. w is the weight per length."""
 
 TICK_MM, LONG_TICK_MM = 10.0, 50.0
-"""Steps of the scale, mm."""
+"""Distances between ticks, and between long ticks, of the scale, mm."""
 
 MOST_OVERHANG_MM = 10_000.0
 """Longest scale, mm."""
@@ -25,9 +26,10 @@ EDGE_MM = 0.5
 
 
 def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
-    """Return the free length, mm, whose end drops by about half the length, rounded down to whole centimetres.
+    """Return the free length, mm, for which the tip of the coupon sags by about half that length.
 
-    At this length reading errors have the least effect. The length is limited to `max_overhang`, mm.
+    It is rounded down to whole centimetres and is at most `max_overhang`, mm. Reading errors have the least effect
+    at this length.
 
     Examples
     --------
@@ -48,10 +50,12 @@ def coupon_drawing(
     clamp: float = 40.0,
     label: str | None = None,
 ) -> Drawing:
-    """Return a rectangular test strip along the grain, whose droop is read when it is clamped level at a tick.
+    """Return a rectangular test strip with an engraved scale.
 
-    x = 0 is the tick of the whole overhang; every tick is engraved with its free length. A second coupon serves as
-    the rule for reading the droop.
+    It is cut along the grain and clamped level at a tick, and the sag of its tip is measured.
+
+    x = 0 is the tick of the longest overhang. Long ticks are labelled with their free length. The scale of a
+    second coupon can be used to measure the sag.
 
     Parameters
     ----------
@@ -62,7 +66,7 @@ def coupon_drawing(
     width, clamp : float
         Width of the strip and length of the part to be clamped, mm.
     label : str, optional
-        Text engraved in the clamped part; by default the sheet's name, empty for none.
+        Text engraved in the clamped part; by default the name of the sheet. An empty string engraves no text.
 
     Raises
     ------
@@ -147,7 +151,7 @@ def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
 
 
 def _scale(free: float, width: float) -> tuple[tuple[LayeredPath, ...], tuple[Text, ...]]:
-    """Return ticks from the lower edge, and the free length at each long tick."""
+    """Return the ticks from the lower edge, and the labels with the free length at the long ticks."""
     edge = -width / 2 + EDGE_MM
     short, long = 0.12 * width, 0.24 * width
     height = min(3.0, 0.2 * width)
@@ -163,13 +167,13 @@ def _scale(free: float, width: float) -> tuple[tuple[LayeredPath, ...], tuple[Te
         if major:
             figure = f"{left:g}"
             start = min(x + 1.0, free - text_width(figure, height) - EDGE_MM)
-            # write the whole length at the upper edge, so that it is clear of the next number, which may be close
+            # the longest length is written at the upper edge, because the next number may be close to it
             y = -edge - height if x == 0.0 else edge + long + 1.0
             texts.append(Text((start, y), figure, height, 0.0, ENGRAVE))
     return tuple(paths), tuple(texts)
 
 
 def _marks(free: float) -> list[float]:
-    """Return the free lengths with a tick: the whole length, then every full 10 mm below it."""
+    """Return the free lengths, mm, of the ticks: the longest length, then all smaller multiples of 10 mm."""
     below = TICK_MM * np.arange(np.ceil(free / TICK_MM) - 1, 0.0, -1.0)
     return [free, *below.tolist()]

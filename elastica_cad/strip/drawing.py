@@ -37,18 +37,19 @@ MARK = "MARK"
 SHEET = "SHEET"
 
 LAYERS = (SHEET, ENGRAVE, MARK, CUT_INNER, CUT_OUTER)
-"""All layers in the order of machining, so that parts come loose last; no machine follows the border SHEET."""
+"""All layers in the order of machining. Outlines are cut last, because they release the parts. The layer SHEET has
+only the border of the sheet, which is not cut."""
 
 SAME_MM = 1e-6
-"""Distance, mm, below which paths are the same path, because files have six decimals."""
+"""Distance, mm, below which two paths are duplicates, because files store six decimals."""
 
-CHORD_SHARE = 1e-4  # flatness of splines in a notebook's picture, as a fraction of the diagonal
+CHORD_SHARE = 1e-4  # chord error of curves in a notebook picture, as a fraction of the drawing's diagonal
 LAYER_INK = {CUT_OUTER: RED, CUT_INNER: BLUE, ENGRAVE: INK, MARK: GREY, SHEET: GREY}
 
 
 @dataclass(frozen=True, eq=False)
 class LayeredPath:
-    """A path on a layer, one of `LAYERS`."""
+    """A path and the name of its layer, one of `LAYERS`."""
 
     layer: str
     path: Path
@@ -98,19 +99,19 @@ class Drawing:
 
     @cached_property
     def strokes(self) -> tuple[LayeredPath, ...]:
-        """All paths in working order: texts as strokes, inner cuts before outer, without duplicates."""
+        """All paths in the order of machining (`LAYERS`), with texts as strokes and without duplicates."""
         written = [LayeredPath(text.layer, stroke) for text in self.texts for stroke in text_strokes(text)]
         everything = [*written, *self.paths]
         return _without_twins([item for layer in LAYERS for item in everything if item.layer == layer])
 
     @property
     def layers(self) -> tuple[str, ...]:
-        """Layers of a file: all except SHEET, which is included only if it is drawn."""
+        """Layers of a file; SHEET is included only if the drawing has paths on it."""
         return LAYERS if self.on(SHEET) else tuple(layer for layer in LAYERS if layer != SHEET)
 
     @cached_property
     def bounds(self) -> FloatArray:
-        """Box [[x_min, y_min], [x_max, y_max]], mm.
+        """Bounding box [[x_min, y_min], [x_max, y_max]], mm.
 
         Raises
         ------
@@ -128,12 +129,15 @@ class Drawing:
         return tuple(item.path for item in self.paths if item.layer in layers)
 
     def only(self, *layers: str) -> "Drawing":
-        """Return the drawing without paths and texts of other layers."""
+        """Return the drawing with only the paths and texts on the named layers."""
         texts = tuple(text for text in self.texts if text.layer in layers)
         return Drawing(self.name, tuple(item for item in self.paths if item.layer in layers), texts)
 
     def transformed(self, matrix: ArrayLike) -> "Drawing":
-        """Return the drawing moved by a 3x3 affine matrix; texts that would be mirrored or skewed become paths."""
+        """Return the drawing transformed by a 3x3 affine matrix.
+
+        Texts that would be mirrored or skewed are replaced by paths.
+        """
         m = require_affine(matrix)
         even = is_similarity(m)
         paths = [LayeredPath(item.layer, item.path.transformed(m)) for item in self.paths]
@@ -152,7 +156,7 @@ class Drawing:
 
     @classmethod
     def merged(cls, name: str, drawings: Iterable["Drawing"]) -> "Drawing":
-        """Return a drawing with the contents of all drawings."""
+        """Return one drawing with the paths and texts of all drawings."""
         parts = several("drawings", drawings, Drawing, "Drawing")
         return cls(name, tuple(p for d in parts for p in d.paths), tuple(t for d in parts for t in d.texts))
 
@@ -163,11 +167,12 @@ def _check_layer(layer: str) -> None:
 
 
 def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
-    """Return the paths in order, without repetitions of an earlier path of the same layer or of an earlier cut."""
+    """Return the paths without duplicates on the same layer, and without duplicate cuts."""
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))  # each corner within SAME_MM in x and in y
+    # bounding boxes that differ by at most SAME_MM in each coordinate
+    alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):
         if i < j and not {i, j} & dropped and _twins(items[i], items[j]):
@@ -187,17 +192,17 @@ def _twins(a: LayeredPath, b: LayeredPath) -> bool:
 
 
 FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
-"""Least and largest error of a moved spline, mm; the errors of machines are larger than the least error."""
+"""Limits of the tolerance of offset splines, mm. The errors of machines exceed the lower limit."""
 
 WIDEST_KERF_MM = 15.0
-"""Largest kerf, mm; a router's bit of half an inch is 12.7 mm wide."""
+"""Largest kerf, mm. For comparison, a half-inch router bit is 12.7 mm wide."""
 
 
 def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -> Drawing:
-    """Return the path of the tool's centre that gives the parts their drawn sizes.
+    """Return the drawing with its cuts offset by half the kerf, so that the parts have their drawn sizes.
 
-    Closed loops on CUT_OUTER move outward by kerf / 2, those on CUT_INNER inward; a negative kerf moves them
-    the other way. Open cuts, engraving and marks stay.
+    Closed loops on CUT_OUTER are offset outward, and closed loops on CUT_INNER inward. A negative kerf reverses
+    both directions. Open cuts, engraving and marks are unchanged.
 
     Parameters
     ----------
@@ -205,12 +210,12 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
     kerf : float
         Width of the cut, mm.
     tolerance : float
-        Largest error of a moved spline, mm; lines and arcs are exact.
+        Largest error of an offset spline, mm; lines and arcs are exact.
 
     Raises
     ------
     InputError
-        The kerf is wider than any tool's, a loop is too small for the cut, or moved loops cross or touch.
+        The kerf exceeds 15 mm, a loop is too small for the kerf, or offset loops cross or touch.
 
     Examples
     --------
@@ -287,7 +292,8 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
 
 
 CORNER_RAD = 0.05
-"""Least angle between two segments, rad, that bridges avoid as a corner; smaller angles come from fitting."""
+"""Least angle between two segments, rad, that counts as a corner and is avoided by bridges. Curves fitted to
+points meet at smaller angles."""
 
 SAME_PLACE_MM = 1e-9
 """Difference, mm, below which arc lengths are equal."""
@@ -295,7 +301,7 @@ SAME_PLACE_MM = 1e-9
 
 @dataclass(frozen=True)
 class HoldingTabs:
-    """Bridges that interrupt closed cuts.
+    """Sizes of the bridges that hold cut parts in the sheet.
 
     Parameters
     ----------
@@ -306,7 +312,7 @@ class HoldingTabs:
     least : int
         Least number of bridges in each loop.
     inner : bool
-        Interrupt inner cuts longer than `spacing` too.
+        Add bridges to inner cuts longer than `spacing` too.
     """
 
     width: Annotated[float, Option("Width of a bridge.", "mm", above=0)] = 0.5
@@ -319,9 +325,10 @@ class HoldingTabs:
 
 
 def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawing:
-    """Return the drawing with bridges in its closed outer cuts; each loop becomes open cuts in its order.
+    """Return the drawing with bridges in its closed outer cuts; each closed cut is replaced by open cuts.
 
-    Bridges are spaced evenly and moved off corners. Compensate the kerf first, because it moves only closed loops.
+    Bridges are spaced evenly and shifted away from corners. Compensate the kerf first, because compensation
+    offsets only closed loops.
 
     Parameters
     ----------
@@ -332,7 +339,7 @@ def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawi
     Raises
     ------
     InputError
-        A loop too short for its bridges.
+        A loop is too short for its bridges.
 
     Examples
     --------
@@ -355,11 +362,11 @@ def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawi
 
 
 FLAT_MM = 0.02
-"""Flatness of outlines when the holes inside them are found."""
+"""Largest distance, mm, between an outline and the polygon that is used to find the holes inside it."""
 
 
 def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
-    """Return a drawing for each closed outer cut, with the inner cuts inside it, without engraving and marks.
+    """Return a drawing of each part: an outer cut and the inner cuts inside it, without engraving and marks.
 
     Cutting services cut every line, so their files must not contain anything else.
 
@@ -370,7 +377,7 @@ def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
     Raises
     ------
     InputError
-        A cut that is not closed.
+        A cut is not closed.
 
     Examples
     --------
@@ -418,7 +425,7 @@ class _Loop:
         )
 
     def opened(self, tabs: HoldingTabs) -> list[Path]:
-        """Return the cuts between the bridges."""
+        """Return the open cuts between the bridges."""
         count = max(tabs.least, int(np.ceil(self.length / tabs.spacing)))
         if self.length < 4 * count * tabs.width:
             raise InputError(
@@ -439,7 +446,7 @@ class _Loop:
         return [Path(self._between(a, b)) for a, b in zip(starts, stops, strict=True)]
 
     def _off_corners(self, middle: float, width: float, reach: float) -> float:
-        """Return the nearest place for a bridge that keeps its width clear of corners on both sides."""
+        """Return the nearest position for a bridge whose middle is at least its width away from corners."""
         for shift in np.linspace(0.0, reach, 41):
             for at in (middle + shift, middle - shift):
                 away = np.abs((self.corners - at + self.length / 2) % self.length - self.length / 2)
@@ -448,7 +455,7 @@ class _Loop:
         return middle
 
     def _between(self, a: float, b: float) -> list[Segment]:
-        """Return the segments between two arc lengths, across the start if necessary."""
+        """Return the segments between two arc lengths, which may continue past the start of the loop."""
         pieces: list[Segment] = []
         for turn in (0.0, self.length):
             for segment, end in zip(self.segments, self.ends + turn, strict=True):

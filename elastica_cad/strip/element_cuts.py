@@ -1,4 +1,4 @@
-"""Holes and notches in a strip for cords and lugs, and the widening that compensates them."""
+"""Holes and notches in a strip for pins and cords, and the widening of the strip that compensates them."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -23,23 +23,23 @@ from elastica_cad.strip.slots import Side, Slot
 from elastica_cad.strip.styles import Bends, Layout
 
 ROUNDS = 4
-"""Number of times the widening is computed for the width that it changes; the error is then negligible."""
+"""Number of iterations for the widening, which depends on the width that it changes."""
 
 NOTCH_FILL = 0.5 + np.pi / 8
-"""Area of a notch with a half round end over the square of its width, if it is as deep as wide."""
+"""Area of a notch with a semicircular end, divided by the square of its width. The depth equals the width."""
 
 SHARES = (np.arange(400) + 0.5) / 400
-"""Places at which a widening and a hole are integrated, as fractions of their lengths."""
+"""Integration points along a widening or a hole, as fractions of its length."""
 
 HIGHEST = 9.0
-"""Largest relative widening in the search; a hole that takes the whole width needs less."""
+"""Upper limit of the search for the relative widening. Even a hole as wide as the strip needs less."""
 
 FIT_TOLERANCE = 1e-6
-"""Error of the factor on the stiffness."""
+"""Largest relative error of the stiffness of the widened strip."""
 
 
 def _grain(sheet: Sheet) -> float:
-    """Return the factor of a sheet with grain on the effect of corners: see `CUT_GRAIN`."""
+    """Return the factor by which grain increases the effect of unstressed corners: see `CUT_GRAIN`."""
     from elastica_cad.strip.as_made import CUT_GRAIN
 
     nu = min(sheet.poisson_ratio, 0.5)
@@ -53,7 +53,7 @@ class ElementCut:
     Attributes
     ----------
     at : float
-        Arc length of its centre, mm.
+        Arc length at the centre of the cut, mm.
     hole, notch : float
         Diameter of the hole and width and depth of each notch, mm; 0 for none.
     noun : Refusal
@@ -66,7 +66,7 @@ class ElementCut:
     noun: Refusal
 
     def missing_from(self, slots: Sequence[Slot]) -> Iterator[Slot]:
-        """Yield the notches, as slots with a half round end, that are not among the slots of a strip."""
+        """Yield the notches, as slots with a semicircular end, that the list of slots does not contain yet."""
         sides: tuple[Side, ...] = ("upper", "lower") if self.notch else ()
         for side in sides:
             if not any((slot.at, slot.width, slot.side) == (self.at, self.notch, side) for slot in slots):
@@ -80,17 +80,17 @@ class ElementCut:
 
     @property
     def concentration(self) -> float:
-        """Excess over 1 of the tension at the cut over that beside it, in a wide sheet: 2 sqrt(depth / radius)."""
+        """Stress concentration factor at the cut minus 1, for a wide sheet in tension: 2 sqrt(depth / radius)."""
         return 2.0 if self.hole else float(2.0 * np.sqrt(2.0))
 
     def added_length(self, width: float, sheet: Sheet) -> float:
-        """Return the length of strip, mm, that bends as much as the cut adds in a strip of this width, mm.
+        """Return the length of strip, mm, that bends by the angle that the cut adds in a strip of this width, mm.
 
-        A hole adds the compliance of its net section and that of the idle corners beside it. In a wide Kirchhoff
-        plate both together are pi / 4 d^2 / width times the concentration 1 + 2 (1 + nu) / (3 + nu) of the stress.
-        In a narrower strip the part of the corners is divided by 1 + d / width, which agrees with plate elements
-        within 3 %. Notches count as slots. The result is up to 19 % more
-        than that of plate elements, for notches of up to 0.3 widths.
+        A hole reduces the net section, and the corners beside it are unstressed. In a wide Kirchhoff plate, both
+        effects together are pi / 4 d^2 / width for the diameter d, times the stress concentration 1 + 2 (1 + nu) /
+        (3 + nu). In a narrower strip the effect of the corners is divided by 1 + d / width; the result agrees with
+        plate elements within 3 %. Notches are computed as slots. Their added length is up to 19 % more than that of
+        plate elements, for notches up to 0.3 times as wide as the strip.
         """
         from elastica_cad.strip.as_made import CUT
 
@@ -113,7 +113,7 @@ def element_cuts(rod: Rod) -> tuple[ElementCut, ...]:
 
 
 def cut_holes(rod: Rod, ends: Ends) -> tuple[Path, ...]:
-    """Return the holes for the pins and ties of a rod in a strip with these tabs.
+    """Return the outlines of the holes for the pins and ties of a rod, in a strip with the tabs `ends`.
 
     Raises
     ------
@@ -140,12 +140,12 @@ def cut_holes(rod: Rod, ends: Ends) -> tuple[Path, ...]:
 
 
 def cut_kinks(rod: Rod, width: Profile, sheet: Sheet) -> list[tuple[float, float]]:
-    """Return for each cut its place, mm, and the length of strip, mm, that adds the same angle."""
+    """Return the position and the added length of each cut, mm: see `ElementCut.added_length`."""
     return [(cut.at, cut.added_length(float(width(cut.at)), sheet)) for cut in element_cuts(rod)]
 
 
 def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Layout]) -> Layout:
-    """Return the layout with a smooth widening at each cut, so that the strip bends as much as without cuts.
+    """Return the layout with a smooth widening at each cut, which compensates the angle that the cut adds.
 
     Parameters
     ----------
@@ -153,7 +153,7 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
     layout : Layout
         Layout without widenings.
     laid_out : callable
-        Function that returns the layout for a factor on the stiffness.
+        Function that returns the layout for a factor on the stiffness, given as a `Profile` along the strip.
 
     Raises
     ------
@@ -163,7 +163,7 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
     cuts = element_cuts(rod)
     for cut in cuts:
         _require_room(cut, float(layout.width(cut.at)))
-    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # a free end has no moment
+    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # there is no moment beyond the bent part
     peaks = np.zeros(len(cuts))
     for _ in range(ROUNDS if cuts else 0):
         bumps = []
@@ -178,7 +178,7 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
 
 
 def _require_room(cut: ElementCut, width: float) -> None:
-    """Refuse a cut as wide as the strip (mm), without its widening."""
+    """Refuse a cut that is as wide as the strip, whose `width`, mm, excludes the widening."""
     needed = max(cut.hole, 2 * cut.notch)
     if needed >= width:
         raise InputError(
@@ -190,7 +190,7 @@ def _require_room(cut: ElementCut, width: float) -> None:
 
 
 def _factor(bumps: Sequence["_Bump"], peaks: FloatArray, length: float) -> Profile:
-    """Return the factor on the stiffness: 1 plus the bumps, which end at the distance of their reach."""
+    """Return the factor on the stiffness along the strip: 1 plus the sum of the bumps times their peaks."""
     knots = np.concatenate([bump.at + bump.reach * np.linspace(-1, 1, 5) for bump in bumps])
     return Profile.fit(
         lambda s: 1 + sum(peak * bump(s) for bump, peak in zip(bumps, peaks, strict=True)),
@@ -200,7 +200,10 @@ def _factor(bumps: Sequence["_Bump"], peaks: FloatArray, length: float) -> Profi
 
 @dataclass(frozen=True)
 class _Bump:
-    """Cubic B-spline of height 1 at `at`, mm, in a strip `width` mm wide that ends `reach` mm from there."""
+    """Shape of a widening: a cubic B-spline with the value 1 at `at`, mm, and 0 beyond `reach`, mm, from there.
+
+    `width` is the width of the strip without the widening, mm.
+    """
 
     at: float
     width: float
@@ -211,7 +214,7 @@ class _Bump:
         return np.asarray(np.where(v < 1, 1 - 1.5 * v**2 + 0.75 * v**3, 0.25 * np.maximum(2 - v, 0) ** 3))
 
     def peak(self, cut: ElementCut, sheet: Sheet, length: float) -> float:
-        """Return the height at which the bump bends less by as much as the cut adds."""
+        """Return the peak of the widening at which its stiffening compensates the angle that the cut adds."""
         low, high = max(self.at - self.reach, 0.0), min(self.at + self.reach, length)
         shape = self(low + (high - low) * SHARES)
 
@@ -227,7 +230,7 @@ class _Bump:
 
 @dataclass(frozen=True)
 class StrainedCut:
-    """Cut whose edge is strained to `strain`, in a brittle sheet."""
+    """A cut in a brittle sheet, and the bending strain at the edge of the cut."""
 
     cut: ElementCut
     sheet: Sheet
@@ -235,7 +238,10 @@ class StrainedCut:
 
     @property
     def verdict(self) -> StrainVerdict:
-        """Result of the strain rule, at most a warning, because the strain decreases near the edge of the cut."""
+        """Verdict on the strain.
+
+        It is at most a warning, because the strain decreases rapidly away from the edge of the cut.
+        """
         judged = judge_strain(self.sheet, self.strain, self.cut.at)
         return replace(judged, state=min(judged.state, StrainState.WARNED))
 
@@ -271,7 +277,7 @@ def strained_cuts(rod: Rod, layout: Layout) -> tuple[StrainedCut, ...]:
 
 
 def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
-    """Yield a warning for each cord whose line between its holes or notches crosses the strip."""
+    """Yield a warning for each cord that crosses the strip between its two ends."""
     for action in rod.between:
         if not isinstance(action.element, Tie):
             continue
@@ -293,7 +299,7 @@ def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
 
 
 def _crossings(rod: Rod, start: FloatArray, end: FloatArray) -> list[float]:
-    """Return the arc lengths, mm, at which a rod crosses the line between two points (2,), points excluded."""
+    """Return the arc lengths, mm, at which a rod crosses the line between two points (2,)."""
     chord = end - start
     aside = (rod.position - start) @ left_of(chord)
     before = np.flatnonzero(aside[:-1] * aside[1:] < 0)

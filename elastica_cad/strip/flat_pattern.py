@@ -1,4 +1,4 @@
-"""A flat pattern for kernels: loops with an edge for every smooth piece, cut across at given stations."""
+"""Flat pattern for CAD kernels: its edges are smooth, and it is divided at given stations."""
 
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
@@ -19,25 +19,28 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.outline import pace
 
 SMOOTH = 2
-"""Number of continuous derivatives inside an edge; an offset of a face in a kernel has one derivative less."""
+"""Number of continuous derivatives inside an edge. An offset face in a CAD kernel has one derivative less."""
 
 RAMP = 2e-5
-"""Fraction of the loop's length below which a piece between two kinks is the ramp of a step in width."""
+"""Length of a piece between two kinks, as a fraction of the loop's length, below which it counts as a step of the
+width."""
 
 NO_JUMP = 1e-4
-"""Effect, mm, of a jump of the second derivative over a span, below which the jump is smoothed. The error of the
-smoothing is 1 % of the effect."""
+"""Offset, mm, that a jump of the second derivative causes over a span; jumps with a smaller offset are smoothed.
+The error of the smoothing is 1 % of the offset."""
 
 NO_STEP = 1e-5
 """Distance, mm, below which the ends of two sides are joined."""
 
 
 def in_smooth_pieces(path: Path) -> Path:
-    """Return the loop with its splines cut at kinks, and a line straight across for every step of the width.
+    """Return the loop with its splines divided at kinks.
 
-    A drawn side is a single spline, so that a laser cuts it without stopping. It may have corners at its knots, and
-    ramps in place of jumps of the width. Kernels fillet, offset and hollow only edges that are smooth inside. No
-    point moves by more than half a ramp, 5e-6 of the length, and areas stay.
+    A step of the width becomes a line perpendicular to the strip.
+
+    In a drawing, a side is a single spline, so that a laser cuts it without stopping. It may have corners at its
+    knots, and steep ramps in place of steps of the width. CAD kernels can fillet, offset and hollow only edges
+    that are smooth inside. Points move by at most half a ramp, 5e-6 of the length, and areas do not change.
 
     Examples
     --------
@@ -60,7 +63,7 @@ def in_smooth_pieces(path: Path) -> Path:
 
 
 def _reach(path: Path) -> float:
-    """Return the extent of the loop along the strip, mm; for splines the extent of their control points."""
+    """Return the extent of the loop in x, mm; for splines the extent of their control points."""
     rows = [
         segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
         for segment in path.segments
@@ -69,7 +72,7 @@ def _reach(path: Path) -> float:
 
 
 def _kinks(segment: Segment) -> FloatArray:
-    """Return parameters (k,) inside a segment where its tangent may turn or its curvature may jump."""
+    """Return the parameters (k,) inside a segment at which its tangent or curvature may jump."""
     if not isinstance(segment, Spline):
         return np.empty(0)
     curve = segment.curve
@@ -79,7 +82,7 @@ def _kinks(segment: Segment) -> FloatArray:
 
 
 def _smoothed(segment: Segment) -> Segment:
-    """Return the segment with double knots replaced by single knots where its curvature has no real jump."""
+    """Return the segment without double knots where the jump of its curvature is negligible."""
     if not isinstance(segment, Spline) or segment.curve.weights is not None:
         return segment
     curve = clamp_ends(segment.curve)
@@ -106,14 +109,17 @@ def _smoothed(segment: Segment) -> Segment:
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """A spline, the kept ranges of its parameter, and the parameter ranges of the resulting pieces."""
+    """Division of a spline into smooth parts.
+
+    `kept` are the parameter ranges of the parts, and `over` the ranges to which they are extended, or None.
+    """
 
     curve: PlaneCurve
     kept: list[tuple[float, float]]
     over: list[tuple[float, float]] | None
 
     def pieces(self, parts: Sequence[PlaneCurve]) -> list[Segment]:
-        """Return the trimmed parts; in a graph, lines across replace ramps."""
+        """Return the smooth parts as segments. Ramps are replaced by lines perpendicular to the strip."""
         if self.over is None:
             return [Spline(part) for part in parts]
         parts = [_extended(part, *ends) for part, ends in zip(parts, self.over, strict=True)]
@@ -130,7 +136,7 @@ class _Cut:
 
 
 def _cut(segment: Segment, ramp: float) -> _Cut | None:
-    """Cut a segment into its smooth parts, or return None if it has no kink."""
+    """Return the division of a segment into its smooth parts, or None if it has no kink."""
     kinks = _kinks(segment).tolist()
     if not isinstance(segment, Spline) or not kinks:
         return None
@@ -144,7 +150,10 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Yield places where smooth parts of a graph meet, with the end and the start of the parts beside them."""
+    """Yield the joints between smooth parts, the ends of the parts before and the starts of the parts after them.
+
+    These parameters differ at ramps.
+    """
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
         first = last = kinks.pop(0)
@@ -154,7 +163,7 @@ def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tupl
 
 
 def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
-    """Return a clamped graph with its end spans extended or cut to a slightly different domain."""
+    """Return a clamped curve extended or shortened to a slightly different parameter range."""
     if (first, last) == curve.domain:
         return curve
     degree, knots = curve.degree, curve.knots.copy()
@@ -174,17 +183,18 @@ class SegmentPart:
     Attributes
     ----------
     segment : Segment
-        Arcs run anticlockwise.
+        The segment; arcs are anticlockwise.
     first, last : float
-        Range of the segment's parameter: distance on lines, angle on arcs, the curve's own on splines.
+        Range of the segment's parameter: the distance for lines, the angle for arcs, the parameter of the curve
+        for splines.
     forward : bool
         True if the loop follows increasing parameters.
     start, end : int
-        Corners in the direction of the loop.
+        Indices of the corners at start and end, in the direction of the loop.
     number : int
-        Two pieces with the same number are the two sides of a seam.
+        Number of the piece. The two sides of a seam have the same number.
     seam : bool
-        True for a piece that exists only because the pattern was cut there.
+        True for a piece on the line between two regions, which is not an edge of the pattern.
     """
 
     segment: Segment
@@ -199,7 +209,7 @@ class SegmentPart:
 
 @dataclass(frozen=True, eq=False)
 class Region:
-    """Connected part of the pattern between two stations; `interval` 0 is before the first station."""
+    """Connected part of the pattern between two stations. `interval` is the number of stations before it."""
 
     interval: int
     loops: tuple[tuple[SegmentPart, ...], ...]
@@ -207,14 +217,14 @@ class Region:
 
 @dataclass(frozen=True, eq=False)
 class CutPattern:
-    """A flat pattern in regions; pieces refer to the rows of `points` (k, 2), mm, as corners."""
+    """A flat pattern divided into regions. `points` (k, 2), mm, are the corners to which the pieces refer."""
 
     points: FloatArray
     regions: tuple[Region, ...]
 
 
 def on_segment(segment: Segment, t: FloatArray) -> FloatArray:
-    """Return points (..., 2) of a segment at its parameters `t` (see `SegmentPart`)."""
+    """Return points (..., 2) of a segment at parameters `t` (...), as defined in `SegmentPart`."""
     if isinstance(segment, Spline):
         return segment.curve.evaluate(t)
     if isinstance(segment, Arc):
@@ -223,14 +233,14 @@ def on_segment(segment: Segment, t: FloatArray) -> FloatArray:
 
 
 def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) -> CutPattern:
-    """Cut the flat pattern at the lines x = station.
+    """Divide the flat pattern at the lines x = station.
 
     Parameters
     ----------
     outline, holes : Path
-        Closed loops, the holes inside the outline.
+        Closed loops; the holes are inside the outline.
     stations : sequence of float
-        Increasing, mm.
+        Positions of the lines, mm, in increasing order.
 
     Raises
     ------
@@ -247,7 +257,7 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
 
 @dataclass
 class _Cutter:
-    """Collection of loops that closes each region along the seams."""
+    """Builder that divides loops at the stations and closes the regions along seams on the station lines."""
 
     stations: list[float]
     points: list[FloatArray] = field(default_factory=list)
@@ -256,10 +266,10 @@ class _Cutter:
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
     count: int = 0
     rim: int = 0
-    """Pieces with numbers below this belong to the outline."""
+    """Number of pieces of the outline; their numbers are smaller than those of other pieces."""
 
     def add(self, path: Path, *, backward: bool) -> None:
-        """Split a closed loop, or its reverse, at the stations and sort its pieces into intervals."""
+        """Split a closed loop, reversed if `backward`, at the stations, and sort its pieces by interval."""
         parts = [part for segment in path.segments for part in self._split(segment, len(path.segments) == 1)]
         if backward:
             parts = [(segment, a, b, not forward) for segment, a, b, forward in reversed(parts)]
@@ -297,7 +307,10 @@ class _Cutter:
         return self.count - 1
 
     def _split(self, segment: Segment, alone: bool) -> Iterator[tuple[Segment, float, float, bool]]:
-        """Return parameter ranges between the stations in the loop's direction; at least two for a lone segment."""
+        """Yield the parts of a segment between the stations, in the direction of the loop.
+
+        A segment that is the whole loop is split at least once.
+        """
         forward = True
         if isinstance(segment, Arc):
             forward = segment.sweep > 0
@@ -315,7 +328,7 @@ class _Cutter:
             yield segment, low, high, forward
 
     def _interval(self, piece: SegmentPart) -> int:
-        """Return the interval of a piece; a piece along a station belongs to the side on its left."""
+        """Return the interval of a piece. A piece on a station line belongs to the interval on its left."""
         segment, stations = piece.segment, self.stations
         if not isinstance(segment, Line):
             middle = float(on_segment(segment, np.array((piece.first + piece.last) / 2))[0])
@@ -329,12 +342,12 @@ class _Cutter:
         return bisect_left(stations, middle)
 
     def _corners_on(self, x: float) -> list[int]:
-        """Return the corners on the line at x, from low y to high y."""
+        """Return the corners on the line at x, sorted by y."""
         corners = [i for i, p in enumerate(self.points) if abs(p[0] - x) < ON_SEAM]
         return sorted(corners, key=lambda i: float(self.points[i][1]))
 
     def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[SegmentPart]]:
-        """Return the loops of the interval's open chains and the seams between them."""
+        """Return the loops of an interval: its open chains joined by seams."""
         chains = list(self.chains.get(interval, []))
         loops: list[list[SegmentPart]] = []
         while chains:
@@ -359,7 +372,10 @@ class _Cutter:
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Return the corners on a chain's seam, and the direction with the region on the left."""
+        """Return the corners on the station line at a corner, and the direction (1 or -1) to follow them.
+
+        In this direction, the region is on the left.
+        """
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:
                 return on_seam[row], step
@@ -375,7 +391,7 @@ class _Cutter:
         return SegmentPart(line, 0.0, line.length, upward, start, end, number, seam=True)
 
     def _grouped(self, loops: list[list[SegmentPart]]) -> list[list[list[SegmentPart]]]:
-        """Return every outer loop with the holes inside it."""
+        """Return groups of loops: every outer loop with the holes inside it."""
         if len(loops) == 1 and any(piece.number < self.rim for piece in loops[0]):
             return [loops]
         polygons = [_polygon(loop) for loop in loops]
@@ -391,7 +407,7 @@ class _Cutter:
 def _parted(loop: Sequence[SegmentPart]) -> Iterator[list[SegmentPart]]:
     """Split a loop into loops that pass each corner once.
 
-    A hole may have a tip on a station and extend past the next.
+    A loop may pass a corner twice where a hole has its tip on a station.
     """
     walk: list[SegmentPart] = []
     for piece in loop:
@@ -403,7 +419,7 @@ def _parted(loop: Sequence[SegmentPart]) -> Iterator[list[SegmentPart]]:
 
 
 def _crossings(segment: Segment, x: float) -> list[float]:
-    """Return parameters strictly inside a segment where it crosses the line at x."""
+    """Return the parameters, without the ends, at which a segment crosses the line at x."""
     if isinstance(segment, Line):
         a, b = float(segment.start[0]) - x, float(segment.end[0]) - x
         apart = min(abs(a), abs(b)) > ON_SEAM and a * b < 0
@@ -428,7 +444,7 @@ def _crossings(segment: Segment, x: float) -> list[float]:
 
 
 def _polygon(loop: Sequence[SegmentPart]) -> FloatArray:
-    """Return points along a loop, dense enough to distinguish inside from outside."""
+    """Return points (k, 2) along a loop, for tests of whether a point is inside."""
     rows = []
     for piece in loop:
         count = 2 if isinstance(piece.segment, Line) else 33

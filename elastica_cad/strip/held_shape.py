@@ -1,4 +1,4 @@
-"""Reactions of a held strip, its shape as made, and the expected deviation from its design."""
+"""Reactions of a mounted strip, its shape in the holders, and the expected deviation from its design."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -18,12 +18,12 @@ from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
 MEETING_SHARE = 1e-4
-"""Distance, as a fraction of the length, below which ends meet; closed rods with few nodes have gaps of this
-size."""
+"""Largest distance between the ends of a closed rod, as a fraction of its length. Closed rods with few nodes have
+gaps of this size."""
 
 
 def closes(rod: Rod) -> bool:
-    """Return True if the ends of a rod meet in the same direction."""
+    """Return True if the ends of a rod meet and have the same direction."""
     gap = float(np.hypot(*(rod.position[-1] - rod.position[0])))
     turn = float(np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0]))))
     return gap <= MEETING_SHARE * rod.length and abs(turn) <= CORNER_RAD
@@ -58,20 +58,21 @@ class Reactions:
 Seats = tuple[TabSeat | None, TabSeat | None]
 
 ANTICLASTIC = "anticlastic bending"
-"""Name of the cause that a wide strip curls across as it bends, which makes it stiffer."""
+"""Cause of deviation: a wide strip curls across as it bends, which changes its stiffness."""
 
 LEAF_ENDS = "ends of leaves"
-"""Name of the cause that the neutral axis of a stack jumps by half a thickness where a glued ply ends."""
+"""Cause of deviation: the neutral axis of a stack jumps by half a thickness where a glued ply ends."""
 
 LEAST_REPORTED_MM = 0.005
-"""Smallest deviation, mm, that is listed with its cause."""
+"""Smallest deviation, mm, that is reported with its cause."""
 
 
 Source: TypeAlias = Literal["computed", "model", "sheet"]
 """Sources of deviation: the computed shape, the uncertainty of the model, or sheet, cut and clamps."""
 
 MOST = np.sqrt(0.5)
-"""Fraction of the whole deviation above which a source is most of it; the squares of the sources add."""
+"""Fraction of the whole deviation above which a source counts as the main source. The squares of the sources
+add."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,24 +84,24 @@ class HeldShape:
     rod : Rod
         Shape with all causes together.
     deviation : float
-        Largest distance between any place of the strip and its designed position, mm, as modelled.
+        Largest computed distance between a point of the strip and its designed position, mm.
     parts : mapping of str to float
-        Deviation due to each single cause to first order, mm: "slots", "narrow tabs", "leaning ligaments",
+        Deviation due to each cause alone, to first order, mm: "slots", "narrow tabs", "leaning ligaments",
         "anticlastic bending", "start: pocket" and so on.
     start, end : EndPose
         Positions of the ends at rest.
     corrected : bool
-        True if the widths were corrected. `parts` then belong to the strip without the correction.
+        True if the widths were corrected. `parts` then describes the strip without the correction.
     as_plate : bool
         True if the widths compensate anticlastic bending, which would otherwise change the shape of the strip.
     made_up_for : tuple of str
         Causes that the corrected widths compensate; the effect of holders is not corrected.
     open : float
-        Uncertainty of the model for a strip of a perfect sheet, mm: see `open_deviation`.
+        Uncertainty of the model, mm, for a strip without errors of sheet and workmanship: see `open_deviation`.
     sheet : mapping of str to float
         Deviation due to sheet, cut and clamps, mm, by cause: see `sheet_effects`.
     notes : tuple of str
-        Assumptions of the model for this strip.
+        Notes on the assumptions of the model for this strip.
     """
 
     rod: Rod
@@ -175,14 +176,14 @@ def _two_digits(value: float) -> float:
 
 
 def about(mm: float) -> Length:
-    """A length to two digits, and no finer than a micrometre."""
+    """Return the length rounded to two digits, and to whole micrometres."""
     return Length(_two_digits(round(mm, 3)))
 
 
 def strayed(design: Rod, place: FloatArray) -> float:
-    """Return the largest distance, mm, between the nodes of a shape (n, 2) and the nodes of the design.
+    """Return the largest distance, mm, between the nodes `place` (n, 2) of a shape and the nodes of the design.
 
-    A closed strip has no fixed position, so it is first moved and turned to fit its design.
+    A closed strip has no fixed position, so the shape is first moved and turned to fit the design.
     """
     if closes(design):
         middle, wanted = place.mean(axis=0), design.position.mean(axis=0)
@@ -196,19 +197,22 @@ def strayed(design: Rod, place: FloatArray) -> float:
 def shape_responses(
     rod: Rod, moments: FloatArray, loads: FloatArray | None = None, apart: FloatArray | None = None
 ) -> FloatArray:
-    """Return displacements (n, m, 2), mm, of the nodes of a rod in balance to first order, with its start fixed.
+    """Return the displacements (n, m, 2), mm, of the n nodes of a rod in equilibrium for m small changes.
 
-    Changes of moment and weight at the same shape cause an imbalance. The change of shape satisfies
-    H d(alpha) + C^t d(lambda) = -d(imbalance) and C d(alpha) = d(chord), with the Hessian H of the discrete energy
-    (paper, section 7.1) and the rows C of the end positions.
+    The start of the rod is fixed.
+
+    A change of moments and weights in the same shape disturbs the equilibrium by d(imbalance). The changes of the
+    edge angles alpha and the end forces lambda satisfy H d(alpha) + C^t d(lambda) = -d(imbalance) and C d(alpha) =
+    d(chord). H is the Hessian of the discrete energy (paper, section 7.1), and C is the derivative of the vector
+    between the ends.
 
     Parameters
     ----------
     rod : Rod
     moments : (n, m) array
-        Increases of the moments at the nodes for the same shape.
+        Increases of the moments at the nodes in the same shape.
     loads : (n, m, 2) array, optional
-        Increases of the nodal weights for the same shape.
+        Increases of the weights at the nodes in the same shape.
     apart : (m, 2) array, optional
         Displacement of the end relative to the start, mm.
     """
@@ -234,7 +238,7 @@ def shape_responses(
 
 
 PHASES = 8
-"""Number of phases that are tried for a wave along the strip."""
+"""Number of phases of a wave along the strip for which the deviation is computed."""
 
 OPEN_SHARES: Mapping[str, float] = {
     "slots": 0.24,
@@ -252,15 +256,14 @@ OPEN_SHARES: Mapping[str, float] = {
 OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
 """Uncertainties as fractions of the length, independent of the causes.
 
-The first holds for any strip. The second holds for a sheet that curls across, at nu = 0.3, and scales with nu^2.
-The third holds for perforated and laminated strips. The last is added for perforated and laminated strips of sheets
-with grain, because holes and borders are computed without grain. It scales with the excess of sqrt(E / G) over that
-of a sheet without grain."""
+The first is for any strip. The second is for a sheet that curls across the strip; it is the value for nu = 0.3 and
+is proportional to nu^2. The third is for perforated and laminated strips. The last is added for such strips of
+sheets with grain, because their holes and borders are computed as isotropic. It is multiplied by the excess over 1
+of sqrt(E / G) relative to an isotropic sheet."""
 
 OPEN_WIDE = 2e-3
-"""Uncertainty as a fraction of the length, because sections of a wide strip of varying width do not stay straight.
-
-It scales with (width / length)^2 and with E / G relative to a sheet without grain."""
+"""Uncertainty as a fraction of the length, because cross sections of a wide strip of varying width warp. It is
+multiplied by (width / length)^2 and by E / G relative to an isotropic sheet."""
 
 
 def open_deviation(
@@ -272,10 +275,10 @@ def open_deviation(
     approximated: bool = False,
     crowded: bool = False,
 ) -> float:
-    """Return the uncertainty of the model, mm, for a strip of a perfect sheet.
+    """Return the uncertainty of the model, mm, for a strip without errors of sheet and workmanship.
 
-    The errors of the causes are added. Their sum, the general error, the error of curling across and the error of
-    wide sections are combined as independent errors.
+    The errors of all causes are added. Their sum is combined with the general error, the error of curling and the
+    error of wide sections, as independent errors.
 
     Parameters
     ----------
@@ -285,11 +288,11 @@ def open_deviation(
     parts : mapping of str to float
         Deviation due to each cause before the widths compensate it, mm.
     width : float
-        Largest width of a part that is cut, mm.
+        Largest width of a part of the section that curls independently, mm.
     approximated : bool
         True if the drawing only approximates the stiffness, as holes and backings do.
     crowded : bool
-        True if slots are so close to each other that their joint effect is not known.
+        True if slots are so close to each other that their combined effect is not known.
     """
     nu = sheet.poisson_ratio
     shear = even_shear_ratio(nu) / sheet.shear_ratio
@@ -313,16 +316,16 @@ class MakingTolerance:
     grain : float
         Largest deviation of the direction of the grain along the strip, rad; for sheets with grain.
     clamps : float
-        Angle by which each clamp is turned, rad.
+        Error of the angle of each clamp, rad.
     kerf : float
-        Width lost along the strip in addition to the corrected kerf, mm.
+        Loss of width in addition to the compensated kerf, mm.
     modulus : float
         Relative reduction of Young's modulus; it has an effect only on strips under weight or loads.
 
     Raises
     ------
     InputError
-        A number that is negative or not finite.
+        A number is negative or not finite.
 
     Examples
     --------
@@ -355,23 +358,23 @@ class MakingTolerance:
 
 
 USUAL_TOLERANCE = MakingTolerance()
-"""Tolerances of a careful workshop."""
+"""Default tolerances: those of a careful workshop."""
 
 
 def sheet_effects(
     rod: Rod, design: Rod, sheet: Sheet, breadth: FloatArray | None, tolerance: MakingTolerance
 ) -> dict[str, float]:
-    """Return the deviation from the rest shape, mm, due to sheet, cut and clamps, by cause, from one linear solve.
+    """Return the deviation from the rest shape, mm, due to sheet, cut and clamps, by cause, to first order.
 
     Parameters
     ----------
     rod : Rod
         The strip as made, at rest.
     design : Rod
-        Design on the same nodes, from whose shape distances are measured.
+        Design with the same nodes; distances are measured from its shape.
     sheet : Sheet
     breadth : (n,) array or None
-        Width at the nodes of each part cut side by side, mm, or None if nothing is cut to width.
+        Width at the nodes, mm, of the parts of the section that are cut side by side, or None if no width is cut.
     tolerance : MakingTolerance
     """
     n, M = rod.s.size, rod.moment

@@ -1,4 +1,4 @@
-"""Positions of the two held ends of a strip, in numbers and as a full-size drawing for mounting the strip."""
+"""Positions of the two held ends of a strip, as numbers and as a full-size drawing for mounting the strip."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -22,10 +22,10 @@ from elastica_cad.strip.outline import Hole
 from elastica_cad.strip.strip import Strip
 
 LETTERS_MM = 4.0
-"""Height of the template's letters."""
+"""Height of the letters on the template, mm."""
 
 CROSS_MM = 8.0
-"""Length of the short lines that mark an end and the axis of a hole."""
+"""Length of the short lines that mark the ends, the axes of holes and the elements, mm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +66,7 @@ class HeldEnd:
 
 
 def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
-    """Return places and directions of both ends of an open strip, in the plane of its curve.
+    """Return the positions and directions of both ends of an open strip, in the plane of its curve.
 
     Examples
     --------
@@ -115,7 +115,7 @@ def distance_of_tips(ends: Sequence[HeldEnd]) -> float:
 
 
 def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
-    """Return the middles (n, 2) of the holes at either end, mm, along the line between the ends and to its left.
+    """Return the centres (n, 2), mm, of the holes in each tab. The x axis is the line between the ends.
 
     Examples
     --------
@@ -139,23 +139,24 @@ def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
 
 @dataclass(frozen=True, eq=False)
 class HeldElement:
-    """Rail, pin or tie of a strip, with the numbers for mounting it.
+    """Rail, pin or tie of a strip, with the dimensions for mounting it.
 
     Attributes
     ----------
     name : str
-        R1, P1 or T1: its kind and number.
+        Letter for the kind of element and its number, such as R1, P1 or T1.
     action : ElementForce
     position : (k, 2) array
-        Its places on the strip, mm, in the plane of the curve.
+        Points on the strip to which the element is attached, mm, in the plane of the curve.
     outward : (k, 2) array
-        Unit normals of the strip towards the side from which a rail pushes; for others to the left.
+        Unit normals of the strip at these points. For a rail they point to the side from which the rail pushes,
+        otherwise to the left of the strip.
     places : (k, 2) array
-        The places, mm, along the line between the ends and to its left.
+        The same points as distances, mm, along the line between the ends and to its left.
     tilt : float
-        Direction of the strip at the first place relative to that line, degrees.
+        Direction of the strip at the first point relative to that line, degrees.
     force : float
-        N.
+        Force of the element on the strip, N.
     """
 
     name: str
@@ -167,7 +168,7 @@ class HeldElement:
     force: float
 
     def __str__(self) -> str:
-        """Return the text of a template, in letters that can be engraved."""
+        """Return the description of the element that is engraved on the template."""
         at = " to ".join(f"x {x:z.1f}, y {y:z.1f}" for x, y in self.places)
         if isinstance(self.action.element, Tie):
             length = float(np.hypot(*(self.places[1] - self.places[0])))
@@ -177,7 +178,7 @@ class HeldElement:
 
 
 def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
-    """Return the rails, pins and ties of a strip with the numbers for mounting them."""
+    """Return the rails, pins and ties of a strip with the dimensions for mounting them."""
     rod, counts, held = strip.rod, Counter[str](), []
     if not rod.between:
         return ()
@@ -203,7 +204,7 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
 
 
 def _element_lines(held: HeldElement, half: float) -> Iterator[list[FloatArray]]:
-    """Yield lines that mark an element: a cord, a cross at a pin, a bar on the side from which a rail pushes."""
+    """Yield lines that mark an element: the cord of a tie, a cross for a pin, or a bar on the side of a rail."""
     if isinstance(held.action.element, Tie):
         yield [*held.position]
         return
@@ -236,10 +237,12 @@ def ends_message(strip: Strip) -> Refusal:
 
 
 def holding_template(strip: Strip) -> Drawing:
-    """Return a full-size side view of a strip: line between the ends, tabs with axes of holes, and the curve.
+    """Return a full-size side view of a strip.
 
-    Lay it under the strip, or engrave it into the board for mounting the strip. The curve and the tabs are on the
-    layer ENGRAVE and guide lines on MARK; nothing is cut.
+    It shows the curve, the tabs with the axes of holes, and the line between the ends.
+
+    Lay the template under the strip, or engrave it into the mounting board. The curve and the tabs are on the
+    layer ENGRAVE, and guide lines are on the layer MARK. There are no cuts.
     """
     ends, rod = held_ends(strip), strip.rod
     first, last = ends
@@ -285,6 +288,6 @@ def holding_template(strip: Strip) -> Drawing:
 
 
 def _number(name: str, end: HeldEnd) -> Text:
-    """Return the number that is drawn beyond the tip of an end."""
+    """Return the number of an end as a text beyond the tip of its tab."""
     x, y = end.tip + LETTERS_MM * end.outward
     return Text((float(x) - LETTERS_MM / 4, float(y) - LETTERS_MM / 2), name, LETTERS_MM, 0.0, MARK)

@@ -1,4 +1,4 @@
-"""Laminated strips: a base of any width, with a narrower backing glued on that determines the stiffness."""
+"""Laminated strips: a base of given width, and a narrower backing glued to it that determines the stiffness."""
 
 from dataclasses import dataclass
 from typing import Annotated
@@ -26,8 +26,8 @@ from elastica_cad.strip.styles import (
 )
 
 SLACK = 3e-4
-"""Relative excess over its bounds to which the stiffness of a rod is clipped; it is due to fewer stations of the
-fit."""
+"""Largest relative excess over the limits at which the stiffness of a rod is clipped instead of refused. The
+limits are computed at a finite number of stations."""
 
 FIT_MM = 1e-5
 """Largest error of the backing's width, mm."""
@@ -35,21 +35,23 @@ FIT_MM = 1e-5
 
 @dataclass(frozen=True, eq=False)
 class Laminated:
-    """A base of given width with a narrower backing glued on, computed from the exact two-layer section.
+    """Style of a strip with a base of given width and a narrower backing glued to it.
 
-    The backing continues into both tabs, where it is as wide as the base, so that holes in the tabs align both.
-    Without `max_width` the backing has the width of the base at one place, as in the paper (section 8.1). A
-    laminate's
-    weight is not proportional to its stiffness. Use `optimal_laminate` for a rod under its own weight.
+    The width of the backing follows from the exact bending stiffness of the two-layer section.
+
+    The backing continues into both tabs with the width of the base, so that holes in the tabs align both layers.
+    Without `max_width`, the backing is as wide as the base at its widest point, as in the paper (section 8.1). The
+    weight of a laminate is not proportional to its stiffness. For a rod under its own weight, use
+    `optimal_laminate`.
 
     Parameters
     ----------
     width : float, Profile or callable
-        Width of the base, mm: a number, or a profile or function of arc length (as from `touching_widths`).
+        Width of the base, mm: a number, or a profile or function of the arc length (such as `touching_widths`).
     backing : Sheet
         Sheet of the backing, or its name.
     least_backing : float
-        Least width of a backing that can be cut and glued, mm.
+        Narrowest backing that can be cut and glued, mm.
     dots : float
         Diameter, mm, of the alignment holes in the middle of both tabs; 0 for none.
 
@@ -79,7 +81,7 @@ class Laminated:
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> Layout:
-        """Return outline and backing for a rod.
+        """Return the flat pattern of a rod.
 
         Parameters
         ----------
@@ -89,7 +91,7 @@ class Laminated:
         Raises
         ------
         InputError
-            No scale keeps the backing within the base. The message gives the place and a thickness that fits.
+            No bending stiffness gives a backing between the least width and the width of the base.
         """
         require_laid_out(rod, sheet, max_width, min_width)
         base = width_profile(self.width, rod.length, "the width of the base")
@@ -108,12 +110,12 @@ class Laminated:
     def bounded(
         self, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> BoundedBacking | None:
-        """Return bounds of the stiffness and the strain at them, or None if the width of the base varies."""
+        """Return the limits of the stiffness with the strains there, or None if the width of the base varies."""
         if not is_number(self.width):
             return None
         width = float(self.width)
         least, most = max(self.least_backing, min_width or 0.0), min(width, max_width or width)
-        if least >= most:  # `lay_out` refuses this rod
+        if least >= most:  # `laid_out` refuses this case with a message
             return None
         section = LaminatedSection(sheet, self.backing)
         return BoundedBacking(section, np.asarray(width), (least, most))
@@ -121,7 +123,10 @@ class Laminated:
     def _scale(
         self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None
     ) -> float:
-        """Return c, N mm2: the bending stiffness of the rod, or the largest for which the backing fits."""
+        """Return the bending stiffness at K = 1, N mm2.
+
+        It is that of the rod, or the largest for which the backing fits.
+        """
         s = stations_of(rod.length, base, rod.profile)
         w1 = base(s)
         s = refine_stations(s, section.bending_stiffness(w1, w1) / rod.profile(s), w1 / rod.profile(s))
@@ -179,7 +184,10 @@ class Laminated:
 def _infeasible(
     section: LaminatedSection, fits: ScaleRange, s: FloatArray, K: FloatArray, w1: FloatArray, least: float
 ) -> str:
-    """Return the error if no scale fits, with the place and a thickness or stiffness ratio that fits."""
+    """Return the message for a laminate that is infeasible at any bending stiffness.
+
+    It gives the stations with the conflict and possible changes.
+    """
     i, j = fits.lowest_at, fits.highest_at
     ways: list[Refusal] = []
     try:
@@ -202,11 +210,11 @@ def _infeasible(
 
 
 def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: float) -> Profile:
-    """Return w2 along the free part, with knots where K or the base has less than two derivatives."""
+    """Return the width of the backing along the bent part, mm, for the bending stiffness `scale` times K."""
 
     def width(s: FloatArray) -> FloatArray:
         return section.backing_width(base(s), scale * rod.profile(s))
 
     breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
-    # the width of the backing is limited to that of the base, and its kink is negligible
+    # the backing is at most as wide as the base; the kink where this limit begins is negligible
     return Profile.fit(width, rod.length, breaks=breaks, tolerance=FIT_MM)

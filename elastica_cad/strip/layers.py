@@ -1,4 +1,4 @@
-"""The layers of a strip, its lap joint, and the plates over joints of its pieces."""
+"""The layers of a strip, the lap joint of a closed strip, and the plates over the joints between pieces."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -34,16 +34,17 @@ from elastica_cad.strip.slots import (
 from elastica_cad.strip.styles import Layout
 
 TICK_SHARE = 0.3
-"""Length of a mark on each side of the middle, as a fraction of the width; a mark at an edge would be a notch."""
+"""Length of a mark on each side of the centre line, as a fraction of the width. Marks end before the edges,
+because a mark at an edge would act as a notch."""
 
 
 FLAT_MM = 1e-4
-"""Largest distance, mm, between the cuts and the chords from which widths are measured."""
+"""Largest distance, mm, between the cuts and the chords that replace them when widths are measured."""
 
 
 @dataclass(frozen=True, eq=False)
 class Layer:
-    """A sheet of a strip as it is cut, in the flat frame of the strip.
+    """One sheet of a strip as it is cut, in the coordinates of the flat strip.
 
     Attributes
     ----------
@@ -53,11 +54,11 @@ class Layer:
     holes : tuple of Path
         Closed inner loops.
     name : str
-        Suffix of the strip's name; empty for the base.
+        Suffix to the name of the strip; empty for the base.
     low : float
-        Height of its lower face over the base's, mm.
+        Height of the lower face of the layer above the lower face of the base, mm.
     slots : tuple of Cut
-        Its slots as lines that letters avoid; equal strips share them with the layer.
+        Slots in this layer as lines that engraved letters avoid.
     """
 
     sheet: Sheet
@@ -72,7 +73,7 @@ class Layer:
 
     @property
     def high(self) -> float:
-        """Height of its upper face, mm."""
+        """Height of the upper face, mm, measured like `low`."""
         return self.low + self.sheet.thickness
 
     def called(self, strip: str) -> str:
@@ -81,7 +82,7 @@ class Layer:
 
     @cached_property
     def rim(self) -> Cut:
-        """Outline as a line that letters avoid."""
+        """Outline as a line that engraved letters avoid."""
         return Cut(self.outline, "outside")
 
     @cached_property
@@ -97,7 +98,7 @@ class Layer:
     def material(self, s: ArrayLike) -> FloatArray:
         """Return the net width (n,), mm, at stations `s` (n,).
 
-        At a station where a loop has an edge straight across, the side beyond it counts.
+        Where the width jumps at a station, the width just beyond the station is returned.
 
         Examples
         --------
@@ -111,14 +112,14 @@ class Layer:
         order = np.argsort(stations, kind="stable")
         at = stations[order]
         loop, (x, y), (x1, y1) = self._chords
-        # sorted stations that each chord meets: min <= s < max
+        # index of the first station in each chord's range of x, and number of stations in this range
         first = np.searchsorted(at, np.minimum(x, x1), side="left")
         count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
         line = np.repeat(np.arange(x.size), count)
         station = numbers_in_groups(count) + np.repeat(first, count)
         u = (at[station] - x[line]) / (x1 - x)[line]
         crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
-        # loops may have either direction
+        # the direction of the loops does not matter
         sign = np.sign(np.bincount(loop[line], crossing, minlength=len(self.holes) + 1))
         sign[1:] *= -1
         left = np.empty(at.size)
@@ -127,10 +128,13 @@ class Layer:
 
     @cached_property
     def _chords(self) -> tuple[IntArray, FloatArray, FloatArray]:
-        """Return chords of all cuts, the outline first: numbers (m,) of their loops, starts and ends (2, m)."""
+        """Return the chords of all cuts: indices of loops (m,), start points (2, m) and end points (2, m).
+
+        Loop 0 is the outline.
+        """
         loops = self.outline, *self.holes
         which, points = chords_of_all([line for loop in loops for line in loop.segments], FLAT_MM)
-        # each segment ends at the start of the next segment
+        # the end of each segment is the start of the next
         same_loop = np.append(which[1:] == which[:-1], False)
         loop = np.repeat(np.arange(len(loops)), [len(line.segments) for line in loops])[which[same_loop]]
         begins, points = np.searchsorted(loop, np.arange(len(loops))), points[same_loop]
@@ -147,12 +151,12 @@ def cut_layers(
     Raises
     ------
     InputError
-        A slot meets an end, a hole or another slot. `name` is the strip's name in the message.
+        A slot meets an end, a hole or another slot. The message contains `name`, the name of the strip.
     """
     width = layout.width
     if layout.stack is not None:
         return _cut_leaves(layout.stack, width.length, ends)
-    # the layers of a laminate are aligned by holes in their tabs
+    # holes in the tabs align the layers of a laminate
     ends_held = add_register_holes(width, ends, layout.dots) if layout.dots else ends
     holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots), *cord_holes)
     outline = cut_slots(flat_rim(width, ends), holes, slots, width, name=name)
@@ -169,7 +173,10 @@ def cut_layers(
 
 
 def _cut_leaves(section: LaidLeaves, length: float, ends: Ends) -> tuple[Layer, ...]:
-    """Return rectangles, the through ply first; plies that reach an end continue through its tab."""
+    """Return the plies as rectangular layers, the full-length ply first.
+
+    Plies that reach an end continue through its tab.
+    """
     h, half = section.sheet.thickness, section.width / 2
     layers: list[Layer] = []
     for leaf, name in zip(section.leaves, section.names, strict=True):
@@ -192,9 +199,11 @@ def draw_layers(
     *,
     lap: float = 0.0,
 ) -> tuple[Drawing, ...]:
-    """Return the cut pattern of each layer, called by `name`: engraved text, marks, inner cuts, outer cut.
+    """Return a drawing of each layer with engraved texts, marks, inner cuts and the outer cut.
 
-    In a closed strip, a mark `lap` mm from the start shows the end of the lap.
+    `name` is the name of the strip.
+
+    In a closed strip, a mark at the distance `lap`, mm, from the start shows where the lap joint ends.
     """
     name = name or "strip"
     drawn = []
@@ -219,7 +228,7 @@ def draw_layers(
 
 
 def _off_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
-    """Return the parts of lines outside of slots, because there is no material in slots."""
+    """Return the parts of the guide lines that are outside slots."""
     if not guides:
         return ()
     open_cuts = [rim.line for rim in layer.slots]
@@ -228,7 +237,7 @@ def _off_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
 
 
 def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
-    """Return lines across a ply where the plies glued on it begin and end."""
+    """Return lines across a ply at the ends of the next shorter plies, which are glued to it."""
     (left, low), (right, high) = layer.outline.bounds
     above = [ply for ply in layers if abs(ply.low - layer.high) < layer.sheet.thickness / 2]
     places = [float(x) for ply in above for x in ply.outline.bounds[:, 0] if left < x < right]
@@ -236,7 +245,7 @@ def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
 
 
 def _leaf_text(name: str, layer: Layer) -> Text:
-    """Return the name of a ply and its position along the stack, mm."""
+    """Return the engraved text of a ply: its name, and its start and end along the stack, mm."""
     (left, low), (right, high) = layer.outline.bounds
     words = f"{layer.called(name)}: {left:.0f} - {right:.0f}"
     return fit_label(
@@ -249,14 +258,13 @@ def _leaf_text(name: str, layer: Layer) -> Text:
 
 
 def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
-    """Return True if a slot in a strip of this width also cuts a narrower strip."""
+    """Return True if a slot in a layer with the width `outer` also cuts a layer with the smaller width `inner`."""
     points, _ = slot.center_line(outer)
     return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
 
 
 def _ticks(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
-    """Return marks across the strip where tabs and the lap begin, without their parts along the flat ends of
-    holes."""
+    """Return marks across a solid strip where the tabs begin and where the lap joint ends."""
     if layout.pattern is not None:
         return ()
     starts = ((0.0, ends[0]), (width.length, ends[1]))
@@ -271,7 +279,7 @@ def _ticks(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path
 def _label_texts(
     label: str, layout: Layout, width: Profile, ends: Ends, layer: Layer, *, slotted: bool
 ) -> tuple[Text, ...]:
-    """Return the label, clear of cuts: along the middle or, if there are holes, across a tab with enough room."""
+    """Return the label in a position clear of cuts: on the centre line, or on a tab of a perforated strip."""
     if layout.pattern is None:
         return (label_off_cuts(label, width, Cuts(layer.holes, rim=layer.rim if slotted else None)),)
     length = width.length
@@ -286,31 +294,31 @@ def _label_texts(
 
 
 END_MM = 1e-6
-"""Distance, mm, inside the free part at which material is measured, because a bare end has no width."""
+"""Distance from the ends, mm, at which the width of the material is measured, because it is zero at an end without
+a tab."""
 
 PLATE_END, PLATE_CUT = 0.25, 0.82
-"""Length of a glued plate without load, in thicknesses: at each end of the plate, and over the joint.
-
-The first is fitted to the strips of `docs/finite_elements.md`. The second holds for a stack that is cut half
-through: an edge crack in bending (Tada, Paris and Irwin 1973) turns as much as 5.7 thicknesses of the stack."""
+"""Ineffective length of a glued plate, as a multiple of its thickness: at each end of the plate, and over the
+joint. The first is fitted to the strips of `docs/finite_elements.md`. The second is for a stack that is cut half
+through. An edge crack in bending adds the angle of 5.7 thicknesses of the stack (Tada, Paris and Irwin 1973)."""
 
 
 @dataclass(frozen=True, eq=False)
 class LapJoint:
     """Effect of a lap joint on the strip.
 
-    Two layers of widths w and v are bent from kappa_0 to the drawn curvature kappa and glued. Their moment is
-    proportional to w + v, but the design needs a moment proportional to w. The glued layers bend as a section of
-    width c w, with
-    c w = w + v + 12 w v / (w + v) for layers of equal thickness. So the lap has c times the strip's stiffness and
-    the rest curvature kappa - (w + v) / (c w) (kappa - kappa_0). It stays straighter than drawn.
+    Two layers with the widths w and v are bent from the rest curvature kappa_0 to the drawn curvature kappa, and
+    are glued there. Their moment is proportional to w + v, whereas the design needs a moment proportional to w.
+    For layers of equal thickness, the glued section has c times the stiffness of the strip, with c w = w + v + 12
+    w v / (w + v). Its rest curvature is kappa - (w + v) / (c w) (kappa - kappa_0). It bends less than the drawn
+    curve.
 
     Attributes
     ----------
     share : (n,) array
-        Factor on the stiffness of the rod's cells.
+        Factors on the stiffness at the nodes of the rod.
     rest : (n,) array
-        Curvature of its cells without moment, 1/mm.
+        Rest curvature at the nodes, 1/mm.
     """
 
     share: FloatArray
@@ -318,7 +326,7 @@ class LapJoint:
 
     @classmethod
     def of(cls, rod: Rod, width: FloatArray, length: float, lap_width: float) -> "LapJoint":
-        """Return the lap at the start of a closed rod.
+        """Return the effect of the lap joint at the start of a closed rod.
 
         Parameters
         ----------
@@ -329,7 +337,7 @@ class LapJoint:
         length, lap_width : float
             Length and width of the tab, mm.
         """
-        # a cell extends half an edge to both sides of its node
+        # limits of the length around each node: half an edge to both sides
         edges = np.concatenate([[0.0], (rod.s[1:] + rod.s[:-1]) / 2, [rod.length]])
         covered = np.clip((length - edges[:-1]) / np.diff(edges), 0.0, 1.0)
         both = width + lap_width
@@ -346,11 +354,11 @@ class LapPlates:
     Attributes
     ----------
     joints : tuple of float
-        Places at which the strip (for a laminate, its base) is cut, mm along it.
+        Arc lengths, mm, at which the strip is cut into pieces; for a laminate, those of its base.
     lap : float
-        Length of the plates, half of it on either piece, mm.
+        Length of the plates, mm. Half of each plate is on either piece.
     backing_joints : tuple of float
-        Places at which the backing of a laminate is cut, mm along it.
+        Arc lengths, mm, at which the backing of a laminate is cut into pieces.
     """
 
     joints: tuple[float, ...]
@@ -358,7 +366,7 @@ class LapPlates:
     backing_joints: tuple[float, ...] = ()
 
     def clear_holes(self, holes: Sequence[Path]) -> tuple[Path, ...]:
-        """Return the holes of a base that no plate covers; covered holes are not cut."""
+        """Return the holes that no plate covers. Holes under a plate are not cut."""
         half = self.lap / 2
         spans = [(hole, hole.bounds[:, 0]) for hole in holes]
         return tuple(
@@ -368,10 +376,9 @@ class LapPlates:
         )
 
     def stiffening(self, s: FloatArray, layout: Layout, layers: Sequence[Layer]) -> FloatArray:
-        """Return the factor (n,) on the stiffness of the cut strip in the cells of the nodes s (n,), mm.
+        """Return the factors (n,) of the plates on the stiffness of the strip at the nodes s (n,), mm.
 
-        Over a plate the strip has the stiffness of its thickness plus the plate's, except at the plate's ends and
-        over the joint.
+        Under a plate, strip and plate bend as one section, except near the ends of the plate and at the joint.
         """
         base, *more = layers
         at = np.clip(s, END_MM, layout.width.length - END_MM)
@@ -391,7 +398,7 @@ class LapPlates:
         return np.asarray(1 / compliance)
 
     def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
-        """Return the fraction (n,) of each node's cell that is under the load-bearing part of a plate."""
+        """Return the fraction (n,) of the length around each node that is under the effective part of a plate."""
         ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
         near = PLATE_CUT / 2 * thickness
         far = max(near, self.lap / 2 - PLATE_END * thickness)

@@ -1,4 +1,4 @@
-"""A single-stroke alphabet for engraving: every letter consists of a few lines and arcs."""
+"""Single-stroke alphabet for engraving; its letters consist of lines and arcs."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -13,10 +13,10 @@ from elastica_cad._values import is_number, is_series, require_record
 from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.path import Path
 
-CAP_HEIGHT = 6.0  # height of capitals in the alphabet's units
-LABEL_MM = 5.0  # height of a strip's label if there is room
-LABEL_SHARE = 0.4  # largest height of a label as a fraction of the room across
-_GAP = 1.6  # gap between two letters in the alphabet's units
+CAP_HEIGHT = 6.0  # height of capital letters in units of the alphabet
+LABEL_MM = 5.0  # largest height of a strip's label
+LABEL_SHARE = 0.4  # largest height of a label as a fraction of the available height
+_GAP = 1.6  # gap between two letters in units of the alphabet
 _QUARTER, _EIGHTH = float(np.tan(np.pi / 8)), float(np.tan(np.pi / 16))
 _BULGES = {"q": _QUARTER, "Q": -_QUARTER, "h": 1.0, "H": -1.0, "e": _EIGHTH, "E": -_EIGHTH}
 
@@ -28,13 +28,13 @@ class Text:
     Parameters
     ----------
     position : pair of float
-        Left end of the base line, mm.
+        Left end of the baseline, mm.
     text : str
-        Letters A-Z, a-z, digits and common punctuation.
+        Text of letters A-Z and a-z, digits and common punctuation.
     height : float
-        Height of capitals, mm.
+        Height of capital letters, mm.
     angle : float
-        Direction of the base line, rad.
+        Direction of the baseline, rad.
     layer : str
         Name of the layer, "ENGRAVE" by default.
 
@@ -62,13 +62,13 @@ class Text:
 
     @property
     def length(self) -> float:
-        """Length along the base line, mm."""
+        """Length along the baseline, mm."""
         widths = [_glyphs()[c][0] for c in self.text]
         return (sum(widths) + _GAP * max(0, len(widths) - 1)) * self.height / CAP_HEIGHT
 
 
 def require_engravable(text: object) -> None:
-    """Refuse a value that is not a text, or has letters that cannot be engraved."""
+    """Raise InputError if the value is not a text or contains characters that the alphabet lacks."""
     if not isinstance(text, str):
         raise InputError(f"the text to engrave is {quoted(text)}: give a text")
     missing = sorted(set(text) - _glyphs().keys())
@@ -80,7 +80,7 @@ def require_engravable(text: object) -> None:
 
 
 def engravable(text: str) -> str:
-    """Return the text in letters that can be engraved, without accents; unknown letters become underscores.
+    """Return the text without accents, with underscores for characters that the alphabet lacks.
 
     Examples
     --------
@@ -92,7 +92,7 @@ def engravable(text: str) -> str:
 
 
 def text_width(text: str, height: float) -> float:
-    """Return the length of a line of text, mm, with capitals `height` mm high.
+    """Return the length of a line of text, mm, for capital letters of the given height, mm.
 
     Examples
     --------
@@ -103,7 +103,9 @@ def text_width(text: str, height: float) -> float:
 
 
 def text_span(text: str, height: float) -> tuple[float, float]:
-    """Return heights, mm, of the lowest and highest strokes over the base line; the first is negative for a g.
+    """Return the heights, mm, of the lowest and the highest stroke above the baseline.
+
+    The first is negative for letters with a descender.
 
     Examples
     --------
@@ -137,16 +139,18 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
 
 
 def fit_label(text: str, center: tuple[float, float], *, angle: float, room: float, across: float) -> Text:
-    """Return a label about a point, up to 5 mm high, that takes a fraction of the `room` and of the width across.
+    """Return a label centred on a point.
+
+    Its height is at most 5 mm and 40 % of `across`; its length is at most 80 % of `room`.
 
     Parameters
     ----------
     center : pair of float
         Middle of the label, mm.
     angle : float
-        Direction of its base line, rad.
+        Direction of the baseline, rad.
     room, across : float
-        Room along and across the base line, mm.
+        Available lengths along the baseline and perpendicular to it, mm.
 
     Examples
     --------
@@ -161,7 +165,10 @@ def fit_label(text: str, center: tuple[float, float], *, angle: float, room: flo
 def centred_text(
     text: str, center: Sequence[float] | FloatArray, height: float, room: float, *, angle: float = 0.0
 ) -> Text:
-    """Return an engravable text about a point (2,) with the given height, mm, or smaller to fit the room, mm.
+    """Return a text of the given height, mm, centred on a point (2,).
+
+    The height is reduced if the text would be longer than `room`, mm. Characters that the alphabet lacks are
+    replaced.
 
     Examples
     --------
@@ -179,7 +186,7 @@ def centred_text(
 
 @lru_cache(maxsize=1)
 def _glyphs() -> dict[str, tuple[float, str]]:
-    """Return width and code of every letter."""
+    """Return the width of every character and the code of its strokes."""
     import tomllib
 
     text = FilePath(__file__).with_name("glyphs.toml").read_text(encoding="utf-8")
@@ -193,7 +200,7 @@ def _glyph(character: str) -> tuple[Path, ...]:
 
 @lru_cache(maxsize=256)
 def _span(character: str) -> tuple[float, float]:
-    """Return the least and largest height of a letter's strokes over the base line, in the alphabet's units."""
+    """Return the heights of the lowest and the highest stroke of a character, in units of the alphabet."""
     bounds = [stroke.bounds[:, 1] for stroke in _glyph(character)]
     if not bounds:
         return 0.0, 0.0

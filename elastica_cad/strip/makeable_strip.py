@@ -1,4 +1,4 @@
-"""A strip for a workshop: joints between pieces, lap plates and compensated widths."""
+"""Preparation of a strip for fabrication: joints, plates over the joints, and compensated widths."""
 
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -29,14 +29,17 @@ from elastica_cad.strip.slots import Cut, Cuts, Slot, end_numbers, label_off_cut
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
 
-# spacing of the knots of a correction, as a fraction of the length; it is wide for smooth outlines
+# knot spacing of a correction as a fraction of the length; it is large, so that outlines stay smooth
 SPACING_SHARE = 1 / 24
-SMOOTHING = 5e-3  # weight of the second differences of the coefficients against the remaining drift
-SIZE = 7e-3  # weight of the coefficients themselves, which selects the smallest of the possible changes
+SMOOTHING = 5e-3  # weight of the second differences of the coefficients, relative to the deviation
+SIZE = 7e-3  # weight of the coefficients, relative to the deviation; it selects the smallest correction
 
 
 def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
-    """Return cubic B-splines (n, m) at even stations s (n,); in a closed strip, one spline covers both ends."""
+    """Return the values (n, m) of m cubic B-splines at evenly spaced stations s (n,).
+
+    For a closed strip, the first and the last B-spline are combined.
+    """
     pieces = round(1 / SPACING_SHARE)
     knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
     shared = np.eye(pieces + 3)
@@ -49,23 +52,23 @@ def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
 def _correct_widths(
     rod: Rod, drift: FloatArray, basis: FloatArray, correction: FloatArray, *, largest: float
 ) -> FloatArray:
-    """Return coefficients (m,) of the change of width that removes a drift to first order.
+    """Return coefficients (m,) of the correction of the width that removes a deviation to first order.
 
-    A change f of the width changes moment and weight by M f and p f at the same shape. Many changes do not affect
-    the shape (all that keep K kappa = M0 + <b, gamma>), so the smallest and smoothest change is chosen.
+    A relative change f of the width changes the moment M by M f and the weight p by p f in the same shape. Some
+    changes do not affect the shape, so the smallest and smoothest correction is chosen.
 
     Parameters
     ----------
     rod : Rod
-        Rod as made and held, in balance.
+        Rod of the finished strip, in equilibrium in its holders.
     drift : (n, 2) array
-        Displacements of its nodes from the design, mm. For a closed strip only the shape counts.
+        Displacements of the nodes from the design, mm. Rigid motions of a closed strip have no effect.
     basis : (n, m) array
-        Basis of the changes: see `_width_basis`.
+        Values of the basis functions at the nodes: see `_width_basis`.
     correction : (m,) array
-        Coefficients of the present change.
+        Coefficients of the present correction.
     largest : float
-        Bound of the coefficients.
+        Largest magnitude of a coefficient.
     """
     moved = shape_responses(rod, rod.moment[:, None] * basis, rod.nodal_load[:, None, :] * basis[:, :, None])
     A, left = np.moveaxis(moved[1:], 1, 2).reshape(-1, basis.shape[1]), drift[1:].ravel()
@@ -73,7 +76,7 @@ def _correct_widths(
         A, left = _without_motion(rod.position[1:], A), _without_motion(rod.position[1:], left)
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     identity = np.eye(basis.shape[1])
-    # the sum of all changes must be small and smooth
+    # the whole correction must be small and smooth, not only the last step
     whole = scale * np.concatenate([SMOOTHING * np.diff(identity, n=2, axis=0), SIZE * identity])
     system, wanted = np.concatenate([A, whole]), np.concatenate([-left, -whole @ correction])
     from scipy.optimize import lsq_linear
@@ -85,7 +88,7 @@ def _correct_widths(
 
 
 def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
-    """Return displacements (2 n, ...) of points (n, 2) without their rigid motion."""
+    """Return displacements (2 n, ...) of points (n, 2) without the part that is a rigid motion."""
     x, y = (position - position.mean(axis=0)).T
     ones, none = np.ones(x.size), np.zeros(x.size)
     rigid = np.array([np.column_stack(row).ravel() for row in ((ones, none), (none, ones), (-y, x))])
@@ -94,28 +97,29 @@ def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
 
 
 ROUNDS = 8
-LEAST_GAIN = 0.97  # stop after a round that leaves a larger fraction of the deviation
-LARGEST_GUESS = 0.5  # largest logarithm of the factor on a width in the first guess
-ENOUGH_SHARE = 1e-5  # deviation, as a fraction of the length, that needs no correction
+LEAST_GAIN = 0.97  # iterations end if the deviation decreases to no less than this fraction
+LARGEST_GUESS = 0.5  # largest logarithm of the factor on the width in the initial guess
+ENOUGH_SHARE = 1e-5  # deviation below which iterations end, as a fraction of the length
 
 
 def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
-    """Return the strip with widths that compensate its deviation as made and held as designed.
+    """Return the strip with widths that compensate its deviation from the design.
 
-    The strip as made (`Strip.held`) deviates from its design. Its widths are changed smoothly, to first order, and
-    this is repeated while the deviation decreases. The remaining deviation is `Strip.held().deviation`.
+    A finished strip in its holders deviates from its design (`Strip.held`), for example because of its slots.
+    Smooth corrections of the widths are computed to first order, and are repeated while the deviation decreases.
+    The remaining deviation is `Strip.held().deviation`.
 
     Parameters
     ----------
     strip : Strip
     largest : float
-        Largest logarithm of the factor on a width, relative to the mean. Ends become wider where a slot is beside a
-        narrow tab; if the ends keep their width, the rest of the strip becomes narrower.
+        Largest magnitude of the logarithm of the factor on the width. Only ratios of widths matter: if the ends
+        must be wider, the rest of the strip may become narrower instead.
 
     Returns
     -------
     Strip
-        Strip with the same rod and another `correction`, or the strip itself if no change helps.
+        Strip with the same rod and another `correction`, or without correction if none reduces the deviation.
 
     Examples
     --------
@@ -135,7 +139,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.as_made.design
     basis = _width_basis(design.s, closed=strip.is_closed)
-    # first guess: the width is divided by the loss of stiffness, and smoothed along the strip
+    # initial guess: the width is increased by the loss of stiffness, smoothed along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
     clip = min(LARGEST_GUESS, largest)
     guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
@@ -162,7 +166,10 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
 
 
 class _Held(NamedTuple):
-    """A strip with corrected widths, its shape as held, and the deviation from the design, mm."""
+    """A strip with corrected widths in its holders.
+
+    `coefficients` belong to the correction, and `strayed` is the deviation from the design, mm.
+    """
 
     strip: Strip
     coefficients: FloatArray
@@ -171,7 +178,10 @@ class _Held(NamedTuple):
 
 
 def _held(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _Held | None:
-    """Return a strip as held with its widths changed by a basis (n, m), or None if it is not possible."""
+    """Return the strip with a correction of its widths, in its holders.
+
+    Return None if it cannot be made or has no rest shape.
+    """
     design, change = strip.as_made.design, basis @ coefficients
     try:
         if change.any():
@@ -183,26 +193,26 @@ def _held(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _Held | 
 
 
 PLACES = 400
-"""Number of places along a strip at which a joint is tried."""
+"""Number of possible positions for a joint along a strip."""
 
 APART_MM = 5.0
-"""Distance between the pieces in one drawing, mm."""
+"""Distance between pieces in a drawing, mm."""
 
 
 @dataclass(frozen=True, eq=False)
 class Splice:
-    """A strip in pieces, end to end, with a plate of the same sheet glued over each joint on one side.
+    """A strip cut into pieces, with a plate of the same sheet glued over each joint on one side.
 
-    Plates are solid and as wide as the strip; holes under a plate are not cut. Each layer of a laminate has its own
-    staggered joints, with plates on its free face.
+    Plates are solid and as wide as the strip. Holes under a plate are not cut. The joints of the two layers of a
+    laminate are staggered, and the plates are on the outer faces.
 
     Attributes
     ----------
     strip : Strip
     plates : LapPlates
-        Plates that join the pieces, half of each plate on either piece.
+        Plates that join the pieces.
     ends : (str, str)
-        Texts engraved at the start and at the end of the strip's base; empty for no text.
+        Texts engraved at the start and the end of the base; empty strings for no text.
     """
 
     strip: Strip
@@ -211,12 +221,12 @@ class Splice:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """Pieces of every layer in order, each layer followed by its plates; pieces have marks for the plates."""
+        """Pieces of every layer, each layer followed by its plates. The pieces have marks where the plates end."""
         return tuple(piece for layer in self.layer_pieces.values() for piece in layer)
 
     @cached_property
     def layer_pieces(self) -> dict[str, tuple[Piece, ...]]:
-        """Pieces by the name of their layer, the base first."""
+        """Pieces and plates by the name of their layer, the base first."""
         strip, layout = self.strip, self.strip.layout
         name, base = strip.label or "strip", strip.layers[0]
         marks = [drawing.on(MARK) for drawing in strip.drawings()]
@@ -231,7 +241,7 @@ class Splice:
 
     @cached_property
     def drawings(self) -> tuple[Drawing, ...]:
-        """One drawing for each layer, with all its pieces and plates, one above the other."""
+        """Drawings of the layers; each shows the pieces and plates of a layer one above the other."""
         drawn = []
         for name, pieces in self.layer_pieces.items():
             placed, y = [], 0.0
@@ -244,9 +254,9 @@ class Splice:
 
     @cached_property
     def deviation(self) -> float:
-        """Deviation due to the plates, bent and held as designed, mm, without their weight.
+        """Deviation of the bent strip due to the stiffness of the plates, mm.
 
-        If the widths compensate the plates, it is the remaining deviation.
+        If the widths compensate it, this is the remaining deviation.
         """
         held = replace(self.strip, plates=self.plates).held()
         return held.deviation if held.corrected else held.parts["plates"]
@@ -285,7 +295,7 @@ class Splice:
 
     @cached_property
     def _holes(self) -> tuple[Path, ...]:
-        """Holes of the base that are cut: those clear of the plates."""
+        """Holes of the base that are cut: those that no plate covers."""
         return self.plates.clear_holes(self.strip.holes)
 
     def _cut(self, whole: "_Whole") -> tuple[Piece, ...]:
@@ -334,15 +344,17 @@ class Splice:
         return Piece(name, Drawing(name, paths, (label, *mates, *numbers)), layer.sheet)
 
     def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
-        """Return the span of a perforated piece under a plate, which has no holes."""
+        """Return the part of a perforated piece that is under a plate and has no holes, as start and end, mm."""
         joint = next(at for at in whole.joints if at in (low, high))
         return (joint, joint + self.plates.lap / 2) if joint == low else (joint - self.plates.lap / 2, joint)
 
 
 @dataclass(frozen=True, eq=False)
 class _Whole:
-    """Layer to be cut into pieces: its name, width, marked lines, joints (mm along it), slots, and names of
-    ends."""
+    """A layer before it is cut into pieces.
+
+    `joints` are arc lengths, mm, and `ends` are the texts engraved at both ends.
+    """
 
     name: str
     layer: Layer
@@ -359,10 +371,12 @@ def _tick(whole: _Whole, x: float) -> Path:
 
 
 def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | None = None) -> Splice:
-    """Cut a strip into as few pieces as the stock allows, where plates change its shape least.
+    """Divide a strip into as few pieces as the stock allows.
 
-    Joints keep clear of slots, tabs and each other; joints of a backing also keep clear of joints of the base.
-    Dynamic programming selects the remaining places with the least sum of squared turns under the plates.
+    The joints are placed where the plates change the shape least.
+
+    Joints are clear of slots, tabs and other joints, including joints of the other layer. Among the possible
+    positions, dynamic programming selects those with the least sum of squared bend angles under the plates.
 
     Parameters
     ----------
@@ -377,7 +391,8 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     Raises
     ------
     InputError
-        A strip of varying thickness, a lap that is not possible, or no places for the joints.
+        The thickness of the strip varies, the length of the plates is not possible, or there is no room for the
+        joints.
 
     Examples
     --------
@@ -432,7 +447,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
 
 
 def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:
-    """Return the strip in pieces, if the shop joins pieces and the strip is longer than its stock."""
+    """Return the strip cut into pieces if it is longer than the stock and the shop joins pieces, else None."""
     if shop.lap is None:
         return None
     stocks = [shop.stock_for(layer.sheet)[0] for layer in strip.layers]
@@ -443,14 +458,17 @@ def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:
 
 
 def joined_within(strip: Strip, shop: FabricationLimits) -> Strip:
-    """Return the strip with the plates over its joints, or without plates if it fits the stock."""
+    """Return the strip with plates over its joints, or without plates if the stock is long enough."""
     joined = spliced(strip, shop)
     plates = None if joined is None else joined.plates
     return strip if strip.plates == plates else replace(strip, plates=plates)
 
 
 def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
-    """Return True where a plate at `at` along the strip is clear of the slot by half the slot's width."""
+    """Return True where a plate with its centre at arc length `at`, mm, is clear of a slot.
+
+    The clearance is half the width of the slot.
+    """
     low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
     middle, reach = (high + low) / 2, (high - low) / 2
     return np.abs(at - middle) > lap / 2 + reach + slot.width / 2
@@ -459,7 +477,10 @@ def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -
 def _placed(
     s: FloatArray, cost: FloatArray, count: int, first: float, last: float, stock: float, lap: float
 ) -> tuple[float, ...] | None:
-    """Return places of joints with the least sum of costs; pieces are two laps to `stock` long."""
+    """Return the arc lengths of joints with the least sum of costs, or None.
+
+    `cost` is the cost of a joint at each station of `s`. Inner pieces are between twice `lap` and `stock` long.
+    """
     if count < 1:
         return ()
     gap = s[:, None] - s[None, :]
@@ -483,20 +504,21 @@ def _placed(
 def make_within(
     strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool, noisy: bool
 ) -> Strip:
-    """Return the strip as the workshop makes it: joined from pieces if too long, and compensated on request.
+    """Return the strip as it is made.
 
-    `noisy`: as in `find_strip_faults`.
+    It is joined from pieces if it is longer than the stock, and its widths are compensated on request.
+
+    `noisy` has the same meaning as in `find_strip_faults`.
 
     Raises
     ------
     InputError
-        The strip cannot be cut or handled, and `ignore_limits` is False. The message gives the place of each fault,
-        and a suggestion.
+        The strip cannot be cut or handled, and `ignore_limits` is False.
     StrainError
         The strip would break, and `ignore_limits` is False.
     """
     refuse_broken(strip, ignore_limits)
-    with suppress(InputError):  # missing room for joints is reported below with the other faults
+    with suppress(InputError):  # `find_strip_faults` reports below that joints have no room
         strip = joined_within(strip, shop)
     if compensate:
         strip = compensate_within(strip, shop)
@@ -509,13 +531,7 @@ def make_within(
 
 
 def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
-    """Refuse a strip that would break.
-
-    Raises
-    ------
-    StrainError
-        The message gives the place, its radius and the least radius. With `ignore_limits` the strip has a warning.
-    """
+    """Raise StrainError if the strip would break, unless `ignore_limits` is set."""
     judged = strip.strain_verdict
     if ignore_limits or not judged.refused:
         return
@@ -531,7 +547,10 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
 
 
 def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:
-    """Return the strip with compensated widths; if that cannot be cut and handled, the strip with a warning."""
+    """Return the strip with compensated widths.
+
+    If that strip could not be cut or handled, return the original strip with a warning.
+    """
     better = compensate_widths(strip)
     faults = find_strip_faults(better, shop)
     if not faults or find_strip_faults(strip, shop):

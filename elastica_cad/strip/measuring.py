@@ -13,25 +13,24 @@ from elastica_cad.strip.held_shape import shape_responses
 from elastica_cad.strip.strip import Strip
 
 MARKS = (0.25, 0.5, 0.75)
-"""Places at which heights are measured, as fractions of the length."""
+"""Positions at which heights are measured, as fractions of the length."""
 
 LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle", "end_angle")
-"""Measured quantities: distance of the ends, mm; heights of the marks over the line between the ends, mm; and
-angles
-between this line and the tabs, degrees."""
+"""Names of the measured quantities: the distance between the ends, mm; the heights of the marks above the line
+between the ends, mm; and the angles between this line and the tabs, degrees."""
 
 UNITS = dict.fromkeys(LENGTHS, "mm") | dict.fromkeys(ANGLES, "degrees")
 """Unit of each measured quantity."""
 
 SKETCHED = 60
-"""Approximate number of points of the curve for a page."""
+"""Approximate number of points of the curve in `Measuring.shape`."""
 
 UNEVEN_SHARE = 0.02
-"""Relative difference of the stiffness at equal distances from both ends, above which the ends are not
-equivalent."""
+"""Relative difference of the stiffness at equal distances from both ends, above which a reversed strip has a
+different shape."""
 
 EXPLAINED = 0.6
-"""Least fraction of the differences that a reported cause must explain."""
+"""Least fraction of the differences that a cause must explain to be reported."""
 
 MEANINGS: Mapping[str, str] = {
     "clamp at the start": "The clamp at the start lets the strip turn by {amount:.2g} degrees. Tighten it.",
@@ -48,33 +47,33 @@ MEANINGS: Mapping[str, str] = {
     "end for end": "The strip is mounted end for end. Turn it round.",
     "wrong side": "The backing is on the wrong side of the bend. Turn the strip over.",
 }
-"""Sentence on each cause."""
+"""Message about each cause of a difference."""
 
 ONCE = ("end for end", "wrong side")
-"""Causes that are present or not, without a size."""
+"""Causes that are either present or absent and have no amount."""
 
 THICKEST_PERCENT = 6.0
-"""Largest wave of the thickness of a sheet, in percent."""
+"""Largest plausible amplitude of the variation of a sheet's thickness, in percent."""
 
 
 @dataclass(frozen=True)
 class Measuring:
-    """Measurements on a strip, and their changes due to possible faults.
+    """Expected measurements on a strip, and their changes due to possible errors.
 
     Attributes
     ----------
     marks : tuple of float
-        Places at which heights are measured, mm along the free part.
+        Arc lengths at which heights are measured, mm from the start of the bent part.
     expected : mapping of str to float
-        "chord", "height_1" to "height_3" in mm, "start_angle" and "end_angle" in degrees.
+        Expected values: "chord" and "height_1" to "height_3" in mm, "start_angle" and "end_angle" in degrees.
     uncertain : mapping of str to float
-        Uncertainty of each value due to model, sheet, cut and clamps.
+        Uncertainty of each expected value due to model, sheet, cut and clamps.
     causes : mapping of str to tuple of mapping
-        Changes of the values due to each cause of `MEANINGS`: per degree, millimetre or percent, or in all for
-        causes
-        without a size. A wave has two sets of changes.
+        Changes of the expected values due to each cause of `MEANINGS`, per degree, millimetre or percent. For
+        causes without an amount, the whole change. A periodic variation of the thickness has two sets of changes,
+        for sine and cosine.
     shape : tuple of (float, float)
-        Points of the curve, evenly along it, mm.
+        Evenly spaced points of the curve, mm.
 
     Examples
     --------
@@ -130,7 +129,7 @@ class Measuring:
         chord = design.position[-1] - design.position[0]
         apart, loads = np.zeros((len(owners), 2)), np.zeros((n, len(owners), 2))
         apart[owners.index("ends apart")] = chord / np.hypot(*chord)
-        if "thinner sheet" in owners:  # E I ~ h^3, weight ~ h
+        if "thinner sheet" in owners:  # E I is proportional to h^3, and weight is proportional to h
             loads[:, owners.index("thinner sheet")] = 0.02 * loaded.nodal_load
         moments = np.column_stack([column for column_list in columns.values() for column in column_list])
         moved = shape_responses(loaded, moments, loads, apart)
@@ -150,12 +149,12 @@ class Measuring:
         )
 
     def compare(self, measured: Mapping[str, float]) -> tuple[Row, ...]:
-        """Return a verdict on the measured values, with the likely cause of differences, and a row on each value.
+        """Return a row with a verdict and the likely cause of differences, and a row for each measured value.
 
         Raises
         ------
         InputError
-            None of the expected quantities was measured.
+            A name is unknown, or there is no measured value.
         """
         require_record(measured, Mapping, "what was measured", "a mapping from names to numbers")
         names = [name for name in self.expected if name in measured]
@@ -213,7 +212,10 @@ def row_label(name: str) -> str:
 
 
 def _measured(position: FloatArray) -> dict[str, float]:
-    """Return the measured values of a shape (n, 2) on even nodes; the largest height is positive."""
+    """Return the values to be measured on a shape with evenly spaced nodes (n, 2), mm.
+
+    The sign of the heights is chosen so that the largest is positive.
+    """
     chord = position[-1] - position[0]
     length = float(np.hypot(*chord))
     along = chord / length

@@ -1,4 +1,4 @@
-"""Outline of a flat part: tabs, holes, and the two long sides for a given width."""
+"""Outline of a flat strip: its long sides, tabs and holes."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -24,7 +24,7 @@ StripEnd: TypeAlias = Literal["start", "end"]
 ENDS: tuple[StripEnd, StripEnd] = ("start", "end")
 
 SHORTEST_MM = 1e-3
-"""Least length of a tab, mm; the corners of a shorter tab would coincide in solids."""
+"""Least length of a tab, mm. In solids, the corners of a shorter tab would coincide."""
 
 
 @dataclass(frozen=True)
@@ -34,11 +34,11 @@ class Hole:
     Parameters
     ----------
     at : float
-        Distance of the centre from the end of the free part, mm, outward into the tab.
+        Distance of the centre from the start of the tab, mm.
     diameter : float
-        mm.
+        Diameter of the hole, mm.
     across : float
-        Distance from the centre line, mm, towards positive y.
+        Distance of the centre from the centre line, mm; positive in the direction of y.
     """
 
     at: Annotated[float, Option("Distance from the start of the tab.", "mm")]
@@ -56,7 +56,7 @@ class TSlot:
     Parameters
     ----------
     depth : float
-        Depth from the outer edge inward, mm: the length of the screw beyond the clamped part.
+        Depth of the slot from the outer edge, mm: the length of the screw inside the tab.
     screw : float
         Width of the slot, mm; 3.2 for M3.
     nut : (width, height)
@@ -67,7 +67,7 @@ class TSlot:
     Raises
     ------
     InputError
-        Sizes are not positive, the nut is narrower than the screw, or the depth ends before the nut.
+        A size is not positive, the nut is narrower than the screw, or the slot ends before the nut.
     """
 
     depth: Annotated[float, Option("Depth from the outer edge inward.", "mm", above=0)]
@@ -99,7 +99,7 @@ class TSlot:
             )
 
     def side(self, edge: float) -> list[tuple[float, float]]:
-        """Return the corners (x, y) of the slot at negative y, from the outer edge at x = `edge` inward."""
+        """Return the corners (x, y) of one side of the slot (y < 0), from the outer edge at x = `edge` inward."""
         y, n, a = -self.screw / 2, -self.nut[0] / 2, edge - self.wall
         deep = edge - self.depth
         points = [(edge, y), (a, y), (a, n), (a - self.nut[1], n), (a - self.nut[1], y), (deep, y)]
@@ -108,27 +108,27 @@ class TSlot:
 
 @dataclass(frozen=True)
 class Tab:
-    """A straight piece beyond the free part of the strip, for holding the end.
+    """A straight piece beyond the bent part of a strip, by which its end is held.
 
     Parameters
     ----------
     length : float
-        Length, mm; 0 for a square end without a tab.
+        Length, mm; 0 for a straight cut without a tab.
     width : float, optional
         Width, mm; by default the strip's width at that end.
     corner_radius, chamfer : float
-        Radius or chamfer of the two outer corners, mm; they exclude each other.
+        Radius or chamfer of the two outer corners, mm. At most one of them can be set.
     holes : Hole or tuple of Hole
         Round holes.
     t_slot : TSlot, optional
-        A slot for a screw with its nut.
+        Slot for a screw with its nut.
     taper : float
-        Narrowing of the tab towards its outer edge on either side, mm, as for a glue flap.
+        Reduction of the width towards the outer edge on each side, mm, as for a glue flap.
 
     Raises
     ------
     InputError
-        Sizes are negative, corners are larger than the tab, or holes extend beyond it.
+        A size is negative, a corner is larger than the tab, or a hole extends beyond the tab.
 
     Examples
     --------
@@ -194,13 +194,16 @@ class Tab:
                 )
 
     def mirrored(self) -> "Tab":
-        """Return the tab of the strip turned over about its centre line."""
+        """Return the tab after the strip is turned over about its centre line."""
         return replace(self, holes=tuple(replace(hole, across=-hole.across) for hole in self.holes))
 
     def corners(self, width: float) -> tuple[Line | Arc, ...]:
-        """Return the tab's rim from the free part outward, across and back (local frame: x outward).
+        """Return the outline of the tab, from the bent part outward, along the outer edge and back.
 
-        It starts at (0, -w/2) and ends at (0, w/2), where w is the tab's own width or else `width`, the strip's.
+        The x axis points outward.
+
+        It starts at (0, -w/2) and ends at (0, w/2). The width w is that of the tab or, by default, `width`, that
+        of the strip.
         """
         require_positive(width, "width")
         w, length = self.width or width, self.length
@@ -235,7 +238,7 @@ class Tab:
         )
 
     def _outer_edge(self, far: float) -> list[tuple[float, float]]:
-        """Return points of the outer edge from y = -far to far, around a T-slot if there is one."""
+        """Return the corners of the outer edge from y = -far to y = far, including the T-slot."""
         ends = (self.length, -far), (self.length, far)
         if self.t_slot is None:
             return list(ends)
@@ -250,9 +253,9 @@ class Tab:
         return [ends[0], *side, *((x, -y) for x, y in reversed(side)), ends[1]]
 
     def depth_at(self, at: float, across: float, width: float) -> float:
-        """Return the least distance, mm, of a place in the tab from its sides and outer corners.
+        """Return the distance, mm, of a point (`at`, `across`) in the tab from the nearest side or outer corner.
 
-        `width` is the same as in `corners`.
+        `width` is the width of the strip, mm.
         """
         x, y, w = at, abs(across), self.width or width
         near, far = self.length - self.corner_radius, w / 2 - self.corner_radius
@@ -263,7 +266,7 @@ class Tab:
         return min(side, corner)
 
     def hole_paths(self, width: float) -> tuple[Path, ...]:
-        """Return the holes as closed circles in the tab's frame; `width` is the same as in `corners`."""
+        """Return the holes as circles in the coordinates of the tab. `width` is the width of the strip, mm."""
         require_positive(width, "width")
         w = self.width or width
         for hole in self.holes:
@@ -292,13 +295,13 @@ class Tab:
 
 
 def lines_through(points: Sequence[tuple[float, float] | FloatArray]) -> tuple[Line, ...]:
-    """Return lines that join successive points (2,), mm; repeated points are skipped."""
+    """Return lines between successive points (2,), mm, without lines of zero length."""
     rows: list[FloatArray] = [np.array(p) for p in points]
     return tuple(Line(p, q) for p, q in pairwise(rows) if np.any(p != q))
 
 
 def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
-    """Return the tabs of both ends; a single tab serves both ends.
+    """Return the tabs of both ends. A single tab is used for both ends.
 
     Raises
     ------
@@ -319,20 +322,20 @@ USUAL_TABS: Any = (Tab(), Tab())
 """Tabs by default."""
 
 SHOULDER_MM = 1e-3
-"""Width, mm, below which a shoulder of a tab is omitted; no tool cuts it, and kernels fail."""
+"""Width, mm, below which the shoulder beside a tab is omitted, because it cannot be cut and CAD kernels fail."""
 
 MEETING_MM = 1e-9
-"""Distance, mm, below which ends meet."""
+"""Distance, mm, below which the ends of two segments meet."""
 
 EVEN = 1e-10
-"""Relative deviation of x from a linear function of the parameter that counts as rounding."""
+"""Relative deviation of x from a linear function of the parameter that counts as a rounding error."""
 
 
 def flat_rim(width: Profile, ends: Ends) -> Path:
     """Return the closed outer loop, anticlockwise, of a strip of full width `width` (mm) with its tabs.
 
-    Its long sides are B-splines whose x control points are the Greville abscissae of the knots, so that y(x)
-    is exactly half the width.
+    The long sides are B-splines. The x coordinates of their control points are the Greville abscissae of the
+    knots, so that y(x) is exactly half the width.
     """
     pieces = _pieces(width)
     lower = [_side(piece, -0.5) for piece in pieces]
@@ -344,14 +347,14 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
 
 
 def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:
-    """Return the lower and the upper long side from start to end, each split at jumps of the width."""
+    """Return the lower and the upper long side, each as splines between jumps of the width, from start to end."""
     pieces = _pieces(width)
     lower, upper = ([_side(piece, factor) for piece in pieces] for factor in (-0.5, 0.5))
     return lower, upper
 
 
 def end_holes(width: Profile, ends: Ends) -> tuple[Path, ...]:
-    """Return the round holes of both tabs as closed loops in the frame of the strip."""
+    """Return the round holes of both tabs as closed loops in the coordinates of the strip."""
     start, end = _end_widths(width)
     first = [path.transformed(_frame(0.0, -1)) for path in ends[0].hole_paths(start)]
     last = [path.transformed(_frame(width.length, 1)) for path in ends[1].hole_paths(end)]
@@ -359,14 +362,14 @@ def end_holes(width: Profile, ends: Ends) -> tuple[Path, ...]:
 
 
 def fix_tab_widths(width: Profile, ends: Ends) -> Ends:
-    """Return the tabs with explicit widths on a strip of full width `width`."""
+    """Return the tabs of a strip with their default widths replaced by numbers."""
     start, end = ends
     first, last = _end_widths(width)
     return replace(start, width=start.width or first), replace(end, width=end.width or last)
 
 
 def add_register_holes(width: Profile, ends: Ends, diameter: float) -> Ends:
-    """Return the tabs with a hole in the middle of each tab that has no hole and enough room."""
+    """Return the tabs with an additional hole in the middle of each tab that has no hole and is large enough."""
     start, end = (
         tab
         if tab.holes or tab.length < 2 * diameter or tab.depth_at(tab.length / 2, 0.0, wide) < diameter
@@ -377,23 +380,25 @@ def add_register_holes(width: Profile, ends: Ends, diameter: float) -> Ends:
 
 
 def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> Spline:
-    """Return the spline function with coefficients (m,) as a curve over x, directed from its start or from its
-    end."""
+    """Return the graph of the spline function y(x) with coefficients `values` (m,).
+
+    It is directed along x, or against x if `backward`.
+    """
     return graphs(knots, values[None], degree, backward=backward)[0]
 
 
 def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> list[Spline]:
-    """Return a `graph` for each row (n, m) of coefficients over clamped knots."""
+    """Return a `graph` for each row of `values` (n, m), with the same clamped knots."""
     points = np.empty((*values.shape, 2))
     points[..., 0], points[..., 1] = greville(knots, degree), values
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
     first = PlaneCurve(knots, points[0], degree)
-    return [Spline(curve) for curve in first.siblings(points)]  # all curves are graphs over x
+    return [Spline(curve) for curve in first.siblings(points)]  # with these knots, all curves are graphs y(x)
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:
-    """Return (offset, speed) if x = offset + speed * parameter along the whole segment, else None."""
+    """Return (offset, speed) if x = offset + speed * parameter on the whole segment, else None."""
     if isinstance(segment, Line):
         return float(segment.start[0]), float((segment.end[0] - segment.start[0]) / segment.length)
     if not isinstance(segment, Spline) or segment.curve.is_rational:
@@ -406,7 +411,7 @@ def pace(segment: Segment) -> tuple[float, float] | None:
 
 
 def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:
-    """Return the closed chain, with a line between neighbours that do not meet, as at a step of the width."""
+    """Return the segments as a closed chain, with lines in the gaps between successive segments."""
     chain: list[Segment] = []
     for segment in segments:
         if chain and not _meet(chain[-1], segment):
@@ -422,7 +427,7 @@ def _meet(before: Segment, after: Segment) -> bool:
 
 
 def _pieces(width: Profile) -> list[Profile]:
-    """Return the profile cut at its jumps (interior knots of multiplicity degree + 1)."""
+    """Return the parts of a profile between its jumps, which are interior knots of multiplicity degree + 1."""
     k = width.degree
     knots, counts = knot_runs(width.knots)
     cuts = knots[(counts > k) & (knots > knots[0]) & (knots < knots[-1])]
@@ -437,15 +442,12 @@ def _pieces(width: Profile) -> list[Profile]:
 
 
 def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
-    """Return a long side: the graph of `factor` times the width."""
+    """Return a long side as the graph of `factor` times the width."""
     return graph(width.knots, factor * width.coefficients, width.degree, backward=backward)
 
 
 def _flush(tab: Tab, width: float) -> Tab:
-    """Return the tab without shoulders that are too small to cut.
-
-    A tab without length has no shoulders. The ends of smaller shoulders would coincide in a file.
-    """
+    """Return the tab, with the width of the strip if its shoulders would be too small to cut."""
     small = tab.width is not None and min(abs(tab.width - width), tab.length) < SHOULDER_MM
     return replace(tab, width=None) if small else tab
 
@@ -455,7 +457,7 @@ def _end_widths(width: Profile) -> tuple[float, float]:
 
 
 def _placed(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | Arc]:
-    """Return a tab's rim in the frame of the strip (see `_frame`)."""
+    """Return the outline of a tab in the coordinates of the strip: see `_frame`."""
     placed: list[Line | Arc] = []
     for segment in rim:
         if isinstance(segment, Line):
@@ -467,5 +469,8 @@ def _placed(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | 
 
 
 def _frame(x: float, direction: int) -> FloatArray:
-    """Return the transformation from a tab's frame to the strip's; at the start it has a half turn."""
+    """Return the transformation from the coordinates of a tab to those of the strip.
+
+    For the tab at the start it includes a half turn.
+    """
     return np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])

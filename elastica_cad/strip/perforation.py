@@ -1,4 +1,4 @@
-"""Perforated strips: diamonds between ligaments that leave as much material as the stiffness requires."""
+"""Perforated strips: diamond holes that reduce the net width to the value that the stiffness requires."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -36,44 +36,44 @@ from elastica_cad.strip.styles import (
 )
 
 FIT_MM = 2e-5
-"""Largest error of width, material and full diamond along the strip, mm; sums of ligaments then have errors of 1e-4
-mm."""
+"""Largest error of the fitted outline width, net width and hole width, mm. The sum of all ligaments then has an
+error of 1e-4 mm."""
 
 FIT_ROUNDING = 1e-12
-"""Relative error of the widths that are fitted."""
+"""Relative rounding error of the widths that are fitted."""
 
 INSET = 1e-9
-"""Fraction of a stretch by which its spline is inset at both ends, so that it does not cross jumps."""
+"""Distance from a jump at which the fitted spline begins or ends, as a fraction of the length of the spline."""
 
 CLEAR_OF_SLOTS_MM = 0.02
-"""Flatness, mm, of the polylines for distances between holes and slots."""
+"""Chord error, mm, of the polylines that are used for distances between holes and slots."""
 
 
 @dataclass(frozen=True, eq=False)
 class DiamondPattern:
-    """Pattern of diamonds: full diamonds in `rows` along and `columns` across, diamonds in the gaps, halves at the
-    edges.
+    """Pattern of diamond holes: rows of full diamonds, diamonds in the gaps, and half diamonds at the edges.
 
-    Let H = width - material, n = `columns` and t = material / (2 n + 2), and let T(s) rise from 0 to 1 over half a
-    row and fall again. Full diamonds are T H / n wide across, diamonds in the gaps (1 - T) H / n, and halves along
-    both edges half of that. At every station the holes are H wide in all and every ligament is t wide across, or
-    2 t where two ligaments join. T stays at 0 and at 1 for a `bridge` between two rows, which keeps tips apart.
+    Let H = width - material be the total width of the holes, n = `columns`, and t = material / (2 n + 2). T(s)
+    rises from 0 to 1 over half a row and falls again. Full diamonds have the width T H / n, and diamonds in the
+    gaps (1 - T) H / n; the half diamonds at the edges have half that width. At every station the widths of all
+    holes add up to H. Every ligament has the width t, or 2 t where two ligaments join. T is constant over the
+    length `bridge` between two rows, which separates the tips of the holes.
 
     Parameters
     ----------
     width, material : Profile
-        Width of the outline and the summed width of the ligaments, mm.
+        Width of the outline, and total width of the ligaments, mm.
     columns, rows : int
-        Numbers of full diamonds across and along.
+        Numbers of full diamonds across the strip and along it.
     bridge : float
         Solid length along the strip between the tips of two holes, mm.
     corner_radius : float
-        Radius of the holes' corners, mm; 0 leaves them sharp.
+        Radius of the corners of holes, mm; 0 for sharp corners.
     clearance : float
-        Clearance between holes and a slot, mm. A hole at a slot ends before it, and a new hole begins after it. The
-        clearance also holds for an end whose tab is narrower than the strip.
+        Clearance between holes and slots, mm. A hole that a slot would cross is divided into a hole before and a
+        hole after the slot. The clearance also applies at an end whose tab is narrower than the strip.
     arcs : float, optional
-        Tolerance, mm, of sides that are approximated by arcs; by default sides are splines.
+        Tolerance, mm, for sides approximated by arcs; by default the sides are splines.
     """
 
     width: Profile
@@ -87,7 +87,7 @@ class DiamondPattern:
 
     @property
     def ligaments(self) -> int:
-        """Number of ligaments side by side, counting those that have joined."""
+        """Number of ligaments side by side. Two joined ligaments count as two."""
         return 2 * self.columns + 2
 
     @property
@@ -97,17 +97,17 @@ class DiamondPattern:
 
     @property
     def side_length(self) -> float:
-        """Length along the strip, mm, over which a diamond opens from its tip to its whole width."""
+        """Length along the strip, mm, from the tip of a diamond to its widest station."""
         return self.row_length / 2 - self.bridge
 
     def slopes(self, s: FloatArray) -> FloatArray:
-        """Return the slope (n,) of the diamonds' sides against the strip at stations `s` (n,)."""
+        """Return the slope (n,) of the sides of the diamonds relative to the strip at stations `s` (n,)."""
         holes = self.width(s) - self.material(s)
         return np.asarray(holes / (2 * self.columns * self.side_length), dtype=float)
 
     @cached_property
     def joints(self) -> FloatArray:
-        """Stations (2 rows + 1,), mm, of the diamonds' tips, where their neighbours are widest."""
+        """Stations (2 rows + 1,), mm, at the tips of diamonds. The neighbouring diamonds are widest there."""
         return np.linspace(0.0, self.width.length, 2 * self.rows + 1)
 
     def __post_init__(self) -> None:
@@ -119,9 +119,10 @@ class DiamondPattern:
             )
 
     def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
-        """Return the holes as closed anticlockwise loops in the order of the strip, clear of tabs and slots.
+        """Return the holes as closed anticlockwise loops in order along the strip, clear of tabs and slots.
 
-        If a slot leaves less than half of a hole, the rest is omitted if the corner radius does not fit it.
+        If less than half of a hole remains beside a slot, and the corner radius does not fit this part, the part
+        is omitted.
         """
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
         clear = [
@@ -142,7 +143,7 @@ class DiamondPattern:
         return tuple(loops)
 
     def _rows_within(self, ends: Ends) -> list["_Row"]:
-        """Return rows of holes between the tabs."""
+        """Return the rows of holes between the tabs."""
         length = self.width.length
         within = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
         return [row for whole in self._rows if (row := whole.within(*within)) is not None]
@@ -152,14 +153,14 @@ class DiamondPattern:
         return 0.0 if held and tab.length > 0 else self.clearance
 
     def _clear(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list["_Row"]:
-        """Return the row for its j-th hole, or the parts of the row on both sides of slots."""
+        """Return the row as a list, or the parts of the row on both sides of the slots that meet its hole j."""
         left = [row]
         for cut in cuts:
             left = [part for piece in left for part in self._beside(piece, j, cut)]
         return left
 
     def _beside(self, row: "_Row", j: int, cut: Path) -> list["_Row"]:
-        """Return the row if the slot does not meet its j-th hole, else the parts on both sides."""
+        """Return the row as a list, or its parts on both sides of the slot if the slot meets its hole j."""
         if self._apart(row.loop(j), cut):
             return [row]
         (low, _), (high, _) = cut.bounds
@@ -195,7 +196,7 @@ class DiamondPattern:
 
     @property
     def _stretches(self) -> list["_Stretch"]:
-        """Stretches between joints and jumps: width, material and T H / columns as splines over the same knots."""
+        """Parts of the pattern between the tips of holes and the jumps of the widths, as splines."""
         breaks = [*self.width.breaks, *self.material.breaks]
         jumps = np.array([s for s, continuity in breaks if continuity < 0])
         inner = self.joints[1:-1]
@@ -218,7 +219,10 @@ class DiamondPattern:
         return [_Stretch(knots, values) for knots, values in splines]
 
     def _values(self, s: FloatArray) -> FloatArray:
-        """Return columns at s, (n, 3), mm: outline width, width without holes, and width of one hole."""
+        """Return outline width, net width and width of a full diamond, mm, at stations `s` (n,).
+
+        They are the columns of an array (n, 3).
+        """
         w, m = self.width(s), self.material(s)
         half, last = self.row_length / 2, 2 * self.rows - 1
         k = np.clip(np.floor(s / half), 0, last)
@@ -230,12 +234,12 @@ class DiamondPattern:
 
 @dataclass(frozen=True, eq=False)
 class _Row:
-    """Holes side by side over some stretches: full diamonds, or diamonds in the gaps with halves at the edges."""
+    """Holes side by side: a row of full diamonds, or of diamonds in the gaps with half diamonds at the edges."""
 
     stretches: tuple["_Stretch", ...]
     columns: int
     full: bool
-    lost: float = 0.0  # length that is not available to holes because of ends and slots, mm
+    lost: float = 0.0  # length of the row that tabs and slots take away, mm
 
     @property
     def across(self) -> int:
@@ -244,11 +248,11 @@ class _Row:
 
     @property
     def length(self) -> float:
-        """Length along the strip, mm."""
+        """Length of the row along the strip, mm."""
         return float(self.stretches[-1].knots[-1] - self.stretches[0].knots[0])
 
     def within(self, low: float, high: float) -> "_Row | None":
-        """Return the part between two stations, or None if it is empty."""
+        """Return the part of the row between two stations, or None if it is empty."""
         if low <= self.stretches[0].knots[0] and self.stretches[-1].knots[-1] <= high:
             return self
         kept = tuple(part for stretch in self.stretches if (part := stretch.within(low, high)) is not None)
@@ -259,11 +263,11 @@ class _Row:
 
     @cached_property
     def sides(self) -> list[list[tuple[Spline, Spline]]]:
-        """Sides of the holes for every stretch: the lower from its start, the upper from its end."""
+        """Lower and upper sides of the holes for every part of the row; upper sides have the reverse direction."""
         return [stretch.sides(self.columns, self.across, full=self.full) for stretch in self.stretches]
 
     def loop(self, j: int) -> Path:
-        """Return the j-th hole, anticlockwise."""
+        """Return the outline of hole j, anticlockwise."""
         sides = [of_stretch[j] for of_stretch in self.sides]
         lower: list[Segment] = [side for side, _ in sides]
         upper: list[Segment] = [side for _, side in reversed(sides)]
@@ -272,7 +276,11 @@ class _Row:
 
 @dataclass(frozen=True, eq=False)
 class _Stretch:
-    """Knots and coefficients (m, 3) of width, material and full diamond; cubic."""
+    """Part of the pattern as cubic splines with common knots.
+
+    The columns of `values` (m, 3) are the coefficients of the outline width, the net width and the width of a full
+    diamond, mm.
+    """
 
     knots: FloatArray
     values: FloatArray
@@ -286,13 +294,16 @@ class _Stretch:
             return self
         inner = self.knots[(self.knots > a) & (self.knots < b)]
         knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
-        sites = np.clip(greville(knots, 3), a, b)  # the mean of equal knots may differ from them by rounding
+        sites = np.clip(greville(knots, 3), a, b)  # the mean of equal knots has a rounding error
         values = bezier_spans(self.knots, 3).basis(sites) @ self.values
         solved = np.linalg.solve(bezier_spans(knots, 3).basis(sites), values)
         return _Stretch(knots, np.asarray(solved, dtype=float))
 
     def sides(self, columns: int, across: int, *, full: bool) -> list[tuple[Spline, Spline]]:
-        """Return for each of the holes `across` its lower side from the start and its upper side from the end."""
+        """Return the lower and the upper side of each of `across` holes side by side.
+
+        Upper sides have the reverse direction.
+        """
         w, m, diamond = self.values.T
         t, pitch = m / (2 * columns + 2), (w - m) / columns
         gap = pitch - diamond
@@ -309,37 +320,39 @@ class _Stretch:
 
 
 STEEP_RAD = np.radians(30.0)
-"""Ligaments that lean more than this are reported, as they are stiffer than their width suggests."""
+"""Inclination of ligaments, rad, above which a warning is added, because inclined ligaments are stiffer than
+computed from their width."""
 
 TIP_SHARE = 0.03
-"""Fraction of extra material at rounded tips above which it is reported."""
+"""Extra material at rounded tips, as a fraction of the net width, above which a warning is added."""
 
 SLENDERNESS = 3.0
-"""Length divided by pitch of the diamonds if no number of rows is given."""
+"""Default length of a diamond, as a multiple of the spacing of the columns."""
 
 
 @dataclass(frozen=True, eq=False)
 class Perforated:
-    """An outline of given width with diamond holes; the ligaments' summed width is proportional to the stiffness.
+    """Style of a strip with an outline of given width and diamond holes.
 
-    The sum is taken straight across the strip and holds at every station of the free part (paper, section 8.1).
-    Only rounded corners leave more material, in the short `tip_zone` about the tips. The weight per length is
-    therefore proportional to K, as in a plain strip.
-    Without `max_width` as much material is left as the holes allow.
+    The total width of the ligaments is proportional to the stiffness.
+
+    This holds exactly at every station of the bent part (paper, section 8.1), except near rounded tips of holes
+    (`tip_zone`). The weight per length is therefore proportional to the stiffness, as in a solid strip. Without
+    `max_width`, the ligaments are as wide as the least size of the holes allows.
 
     Parameters
     ----------
     width : float, Profile or callable
-        Width of the outline, mm: a number, or a profile or function of arc length (as from `touching_widths`).
+        Width of the outline, mm: a number, or a profile or function of the arc length (such as `touching_widths`).
     columns, rows : int
-        Numbers of full diamonds across and along; more diamonds fill the gaps, with halves at edges and ends. By
-        default diamonds are three times as long as the spacing of their columns.
+        Numbers of full diamonds across the strip and along it. By default diamonds are three times as long as the
+        spacing of the columns.
     hole_ratio : float
-        Largest fraction of the width for holes at any station.
+        Largest total width of the holes at a station, as a fraction of the outline width.
     least_ligament, least_hole : float
-        Least width of a ligament, and of a hole at its widest place, mm.
+        Least width of a ligament, and least width of a hole at its widest station, mm.
     corner_radius : float
-        Radius of the holes' corners, against tearing, mm; 0 leaves them sharp.
+        Radius of the corners of holes, mm, which reduces tearing; 0 for sharp corners.
     sides : "spline" or "arc"
         Kind of curve for the sides of holes.
 
@@ -378,17 +391,17 @@ class Perforated:
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> Layout:
-        """Return outline, material and holes for a rod.
+        """Return the flat pattern of a rod.
 
         Parameters
         ----------
         max_width, min_width : float, optional
-            Bounds of the ligaments' summed width, mm.
+            Limits of the total width of the ligaments, mm.
 
         Raises
         ------
         InputError
-            No scale keeps ligaments and holes wide enough. The message gives the place and possible changes.
+            No bending stiffness gives ligaments and holes of sufficient width.
         """
         require_laid_out(rod, sheet, max_width, min_width)
         outer = width_profile(self.width, rod.length, "the width of the outline")
@@ -404,11 +417,14 @@ class Perforated:
         return Layout(sheet, outer, material, scale, pattern=pattern, warnings=warnings)
 
     def tip_zone(self, layout: Layout) -> float:
-        """Return half the length, mm, of the zones about `layout.pattern.joints` with extra material at corners."""
+        """Return half the length, mm, of the zones with extra material at rounded corners.
+
+        Their centres are `layout.pattern.joints`.
+        """
         if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
             return 0.0
         s = stations_of(layout.width.length, layout.width, layout.material)
-        # the half diamonds at the edges have the smallest angle
+        # half diamonds have the smallest angle
         return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
     def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:
@@ -434,11 +450,12 @@ class Perforated:
         return tuple(warnings)
 
     def _excess(self, pattern: DiamondPattern) -> FloatArray:
-        """Return the extra width (n,), mm, of rounded tips at the joints, at the worst station beside them.
+        """Return the extra net width (n,), mm, at the joints due to rounded tips.
 
-        A circle in a corner of half angle a ends where the corner is 2 r (sec a - tan a) wide. Half diamonds have
-        half the angle of full diamonds and end farther from the joint. At the ends of full diamonds, half diamonds
-        leave half the extra width.
+        It is the maximum near each joint.
+
+        A circle of radius r in a corner with half angle a ends where the corner is 2 r (sec a - tan a) wide. Half
+        diamonds have half the angle of full diamonds and end farther from the joint.
         """
         slope = pattern.slopes(pattern.joints)
         others, halves = (
@@ -450,7 +467,7 @@ class Perforated:
 
 
 class _Fit:
-    """Widths, section, and the scales of stiffness that meet all limits."""
+    """Range of the bending stiffness for which ligaments and holes meet all limits."""
 
     def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
         self.style, self.rod = style, rod
@@ -483,7 +500,7 @@ class _Fit:
         self.highest = self.by_ligaments.highest
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
-        """Return c, N mm2: the bending stiffness of the rod, or the largest value for `max_width`."""
+        """Return the bending stiffness, N mm2, at K = 1: that of the rod, or else the largest for `max_width`."""
         if self.lowest > self.highest * (1 + SEEN_APART):
             raise InputError(self._infeasible())
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
@@ -534,7 +551,10 @@ class _Fit:
         return scale
 
     def _infeasible(self) -> str:
-        """Return the error if no scale fits, with the place and possible changes."""
+        """Return the message for a pattern that is infeasible at any bending stiffness.
+
+        It gives the station with the conflict and possible changes.
+        """
         style, rigidity = self.style, self.section.rigidity
         i, need = self._least_outline()
         ways = []
@@ -567,10 +587,10 @@ class _Fit:
         )  # fmt: skip
 
     def _least_outline(self) -> tuple[int, float]:
-        """Return the index of the place where the outline is too narrow, and a width, mm, that fits there.
+        """Return the index of the station where the outline is too narrow, and a sufficient width, mm.
 
-        The width is infinite if none fits. A constant outline becomes wider everywhere, so the least material that
-        the holes leave increases too.
+        The width is infinite if no width is sufficient. An outline of constant width must be widened along its
+        whole length, which also increases the least net width.
         """
         rigidity = self.section.rigidity
         need = self.lowest * self.K / rigidity + self.holes
@@ -588,7 +608,7 @@ class _Fit:
         return section.scale_range(self.w - 2 * columns * self.style.least_hole, self.K).feasible
 
     def _too_little(self, scale: float) -> str:
-        """Return the limit that a scale violates, with the place."""
+        """Return a sentence on the limit that a bending stiffness violates, with the station."""
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             i = self.by_ratio.lowest_at
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])

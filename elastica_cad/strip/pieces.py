@@ -1,4 +1,4 @@
-"""Pieces to cut from sheets with their counts, and groups of equal strips and pieces."""
+"""Parts to be cut with their quantities, and detection of equal strips."""
 
 import re
 from bisect import bisect_left, bisect_right, insort
@@ -24,27 +24,33 @@ from elastica_cad.strip.slots import Cuts, Slot, end_numbers
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
 SAME_SIZE_MM, SIZE_STATIONS = 1e-3, 65
-"""Largest difference in thickness or diameter, mm, between strips that count as equal, and number of compared
-places."""
+"""Largest difference in thickness or diameter, mm, between strips that count as equal, and number of stations at
+which they are compared."""
 
 SIZE_TOLERANCE = 1e-6
-"""Largest difference in length, box and root of area between equal loops, as a fraction of their length."""
+"""Largest difference in length, bounding box and square root of area between parts that count as equal, as a
+fraction of the length of the outline."""
 
 SAME_BEND_RAD = 1e-4
-"""Largest difference in angle over the length of a strip, rad, between natural shapes that count as equal."""
+"""Largest difference between natural curvatures that count as equal, times the length of the strip, rad."""
 
 SLOT_DIGITS = 6
-"""Decimals of compared sizes of slots, mm; sizes of copies differ by rounding."""
+"""Number of decimals, mm, to which sizes of slots are compared, because sizes of copies differ by rounding
+errors."""
 
 SAMPLES = 6
-"""Number of points of a segment at which loops are compared."""
+"""Number of points on each segment at which loops are compared."""
 
 WAYS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
-"""Signs of x and y for the four positions: unchanged, turned over along the strip or across it, and rotated."""
+"""Signs of x and y for the four positions of a part: unchanged, turned over about either axis, or rotated by 180
+degrees."""
 
 
 def cut_key(strip: Strip) -> Hashable:
-    """Return a key that is equal for strips that are made and cut alike; labels and mates have no effect."""
+    """Return a key that is equal for strips with the same geometry and material.
+
+    Labels and the names of mating strips have no effect.
+    """
     slots = [
         (slot.side, slot.relief, slot.depth is None, *np.round(_sizes(slot), SLOT_DIGITS).tolist())
         for slot in strip.slots
@@ -59,25 +65,25 @@ def cut_key(strip: Strip) -> Hashable:
 
 
 def _sizes(slot: Slot) -> FloatArray:
-    """Return all sizes of a slot, mm, and its lean, rad."""
+    """Return all dimensions of a slot, mm, and its inclination, rad."""
     paths = [np.ravel(part) for part in (slot.path, slot.widths) if part is not None]
     return np.concatenate([[slot.at, slot.width, slot.depth or 0.0, slot.lean], *paths])
 
 
 @dataclass(frozen=True, eq=False)
 class EqualStrips:
-    """Equal strips of a model: a part that is cut once for each of its `members`.
+    """Equal strips of a model, which are cut from the same drawing.
 
     Attributes
     ----------
     strip : Strip
-        First of the strips, whose drawing is cut.
+        The first of the equal strips.
     name : str
-        Its label, or "strip 3" from its number in the model.
+        Label of this strip, or its number in the model as in "strip 3".
     members : tuple of int
         Indices of the strips in the model.
     shape : int
-        Number of its shape; parts with the same shape differ in engraving only.
+        Number of the shape. Groups with the same shape differ only in their engraving.
     """
 
     strip: Strip
@@ -92,13 +98,14 @@ class EqualStrips:
 
 
 def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
-    """Return the strips grouped by their part, in order of first appearance.
+    """Return groups of equal strips, in the order of their first members.
 
-    Strips are equal if sheet, label and all cut loops are equal after rotating the part or turning it over.
+    Strips are equal if sheet and label are equal, and all cut loops coincide after the part is rotated or turned
+    over.
     """
     shapes = DistinctShapes()
     groups: dict[tuple[int, Hashable], list[int]] = {}
-    known: dict[int, list[int]] = {}  # a strip in several places is compared only once
+    known: dict[int, list[int]] = {}  # a strip that occurs several times is compared only once
     for index, strip in enumerate(item.strip for item in placed):
         if id(strip) not in known:
             marks = strip.label, strip.engraved, *sorted(slot.mate for slot in strip.slots)
@@ -112,7 +119,7 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
 
 
 def _near(a: FloatArray | None, b: FloatArray | None, room: float) -> bool:
-    """Return True if both are None, or if both are arrays that differ by less than `room`."""
+    """Return True if both arrays are None or differ by less than `room`."""
     if a is None or b is None:
         return a is b
     return bool(np.abs(a - b).max() < room)
@@ -120,10 +127,11 @@ def _near(a: FloatArray | None, b: FloatArray | None, room: float) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class FlatShape:
-    """Cut loops of each layer of a part, for comparison with many other parts.
+    """Shape of a part for the detection of equal parts.
 
-    `size` (k,) is the thickness or diameter at even steps along a part that is planed or turned, else None.
-    `bent` (k,) is the natural curvature of a pre-bent strip there, rad over its length, else None.
+    `layers` has the cut loops of the part. `size` (k,) is the thickness or diameter, mm, of a planed or turned
+    part at evenly spaced stations, else None. `bent` (k,) is the natural curvature of a pre-bent strip times its
+    length, rad, else None.
     """
 
     layers: tuple[Layer, ...]
@@ -132,14 +140,14 @@ class FlatShape:
 
     @classmethod
     def of(cls, strip: Strip) -> "FlatShape":
-        """Return the flat shape of a strip."""
+        """Return the shape of a strip for comparison."""
         rod, size = strip.rod, strip.layout.worked_size
         s = np.linspace(0.0, rod.length, SIZE_STATIONS)
         bent = rod.length * rod.rest_at(s) if np.any(rod.natural_curvature) else None
         return cls(strip.layers, None if size is None else size(s), bent)
 
     def equals(self, other: "FlatShape") -> bool:
-        """Return True if the parts are equal except for engraving; sheets and all loops must be the same."""
+        """Return True if the parts have the same sheets and cut loops. Engraving has no effect."""
         if not (_near(self.size, other.size, SAME_SIZE_MM) and _near(self.bent, other.bent, SAME_BEND_RAD)):
             return False
         if len(self.layers) != len(other.layers) or any(
@@ -151,21 +159,24 @@ class FlatShape:
             (p.outline, *p.holes) == (q.outline, *q.holes)
             for p, q in zip(self.layers, other.layers, strict=True)
         ):
-            return True  # strips that are cut alike share their loops
+            return True  # a fast test, because copies share their loops
         if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False
-        ways = WAYS if self.bent is None else WAYS[:1]  # turning a pre-bent strip changes its bend
+        ways = WAYS if self.bent is None else WAYS[:1]  # turning a pre-bent strip reverses its curvature
         return any(self._covers(other, signs) for signs in ways)
 
     @cached_property
     def size_of_loops(self) -> FloatArray:
-        """Length, box and areas of the loops, which are cheap to compare."""
+        """Length and bounding box of the outline, and square roots of the areas of layers, for a fast test."""
         layers = self.layers
         width, height = np.diff(layers[0].outline.bounds, axis=0)[0]
         return np.array([layers[0].outline.length, width, height, *(np.sqrt(layer.area) for layer in layers)])
 
     def _covers(self, other: "FlatShape", signs: tuple[int, int]) -> bool:
-        """Return True if the other shape's loops, in this position and centred on this shape, coincide with it."""
+        """Return True if the loops of both shapes coincide.
+
+        The other shape is first mirrored by `signs` and centred on this shape.
+        """
         middles = [shape.layers[0].outline.bounds.mean(axis=0) for shape in (self, other)]
         shift = middles[0] - signs * middles[1]
         for layer, others in zip(self.layers, other.layers, strict=True):
@@ -184,13 +195,13 @@ class FlatShape:
 
 
 class DistinctShapes:
-    """Different shapes of parts, numbered from 0, in order of length."""
+    """List of the different shapes of parts, numbered from 0 and sorted by length for a fast search."""
 
     def __init__(self) -> None:
         self._found: list[tuple[float, int, FlatShape]] = []
 
     def number(self, shape: FlatShape) -> int:
-        """Return the number of the first equal shape; a new shape gets the next number."""
+        """Return the number of an equal shape, or the next number for a new shape."""
         length = float(shape.size_of_loops[0])
         low, high = ((length * (1 + side * 2 * SIZE_TOLERANCE),) for side in (-1, 1))
         near = self._found[bisect_left(self._found, low) : bisect_right(self._found, high)]
@@ -202,12 +213,12 @@ class DistinctShapes:
 
 
 def _samples(path: Path) -> FloatArray:
-    """Return points along every segment of a path."""
+    """Return points (n, 2) on all segments of a path."""
     return np.concatenate([segment.at(np.linspace(0.0, 1.0, SAMPLES + 1)[:-1]) for segment in path.segments])
 
 
 def _along(path: Path, points: FloatArray) -> bool:
-    """Return True if all points are within `SAME_MM` of a path."""
+    """Return True if the distances of all points from a path are at most `SAME_MM`."""
     left = points
     for segment in path.segments:
         low, high = segment.bounds
@@ -226,11 +237,11 @@ class Piece:
     drawing : Drawing
         Drawing with at least one closed outer cut.
     sheet : Sheet
-        Sheet of the part. `sheet.grain` is the direction of its grain relative to the drawing's x.
+        Sheet of the part. `sheet.grain` is the direction of its grain relative to the x axis of the drawing.
     count : int
         Number of copies.
     worked : float, optional
-        Mass of a piece after planing or turning, g; by default the mass as cut.
+        Mass of a piece after planing or turning, g; by default the mass of the flat part.
 
     Raises
     ------
@@ -267,12 +278,12 @@ class Piece:
 
     @cached_property
     def bounds(self) -> FloatArray:
-        """Exact box [[x_min, y_min], [x_max, y_max]] of the outer cuts, mm, which enclose the whole drawing."""
+        """Exact bounding box [[x_min, y_min], [x_max, y_max]] of the outer cuts, mm."""
         return box_around(np.array([path.bounds for path in self.drawing.on(CUT_OUTER)]))
 
     @property
     def size(self) -> tuple[float, float]:
-        """Length along x and height along y, mm."""
+        """Size of the bounding box along x and y, mm."""
         x, y = self.bounds[1] - self.bounds[0]
         return float(x), float(y)
 
@@ -299,13 +310,13 @@ class Piece:
 
 
 LONGEST_WORD = 60
-"""Largest number of characters of a label in a file name; file systems allow 255 bytes in all."""
+"""Largest number of characters of a label in a file name, because file systems limit names to 255 bytes."""
 
 _DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # devices of Windows
 
 
 def file_word(text: str) -> str:
-    """Return the text with only characters that file names may have on any system.
+    """Return the text with only characters that are valid in file names on all systems.
 
     Examples
     --------
@@ -319,7 +330,9 @@ def file_word(text: str) -> str:
 
 
 def distinct(names: Iterable[str]) -> list[str]:
-    """Return names with numbers appended to repeated names, without regard to case, as in some file systems.
+    """Return the names with numbers appended to repeated names.
+
+    Upper and lower case are not distinguished, because some file systems ignore case.
 
     Examples
     --------
@@ -340,10 +353,10 @@ def distinct(names: Iterable[str]) -> list[str]:
 
 
 def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tuple[Piece, ...]:
-    """Return each group of equal strips as a piece with its count; each layer of a laminate is a piece.
+    """Return a piece with its quantity for each layer of each group of equal strips.
 
-    Different parts with the same label get a number after it, on the part and in its name. With `numbered` the ends
-    are engraved 1 and 2, like the slots that hold them.
+    Different parts with the same label get a number after the label. With `numbered`, the ends are engraved 1 and
+    2, like the slots that hold them.
     """
     pieces: list[Piece] = []
     taken = {part.name for part in parts}
@@ -369,9 +382,9 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
 
 
 def _blank(strip: Strip, layer: Layer) -> tuple[Sheet, float | None]:
-    """Return the sheet of a layer, and the mass, g, of a strip that is planed or turned, else None.
+    """Return the sheet from which a layer is cut, and the mass, g, of a planed or turned strip, else None.
 
-    A strip that is planed or turned needs a sheet of its largest thickness.
+    The sheet for a planed or turned strip has its largest thickness.
     """
     size = strip.layout.worked_size
     if size is None:
