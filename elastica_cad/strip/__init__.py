@@ -1,4 +1,4 @@
-"""Strips as flat parts: styles, outlines, slots, drawings, bodies, and limits of fabrication."""
+"""Strips as flat parts: styles, outlines, slots, drawings, solids, and limits of fabrication."""
 
 from elastica_cad._exports import exports
 

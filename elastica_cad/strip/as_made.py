@@ -1,4 +1,4 @@
-"""Strip as made: effects of slots, tabs and curling on its stiffness, and its shape in the holders."""
+"""Model of the finished strip: effects of slots, tabs and curling, and its shape in its holders."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace

@@ -1,4 +1,4 @@
-"""Verdict on a curve, with changes that make it possible."""
+"""Check whether a strip can take a drawn curve, and changes that make an impossible curve possible."""
 
 from dataclasses import dataclass, field, fields
 from functools import cached_property
@@ -23,19 +23,19 @@ if TYPE_CHECKING:
     from elastica_cad.strip.suggestions import Suggestion
 
 TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
-"""Common sheets for a curve without a given sheet, thickest first: wood, plastic, card."""
+"""Sheets that are tried if no sheet is given, the thickest first."""
 
 WIDTHS_MM = (8.0, 120.0)
-"""Limits for the widths of a strip if no width is given."""
+"""Limits of the width, mm, that is assumed if no width is given."""
 
 THIN_SHARE = 12
-"""Length of a curve divided by the largest width of its strip if no width is given."""
+"""Length of a curve divided by the width that is assumed if no width is given."""
 
 
 def common_request(
     curve: PlaneCurve, supports: Supports | None = None, natural_curvature: NaturalCurvature = 0.0
 ) -> "StripSpec":
-    """Return the request for a strip of usual width from the first common sheet that is thin enough."""
+    """Return a request for a strip of default width from the first sheet of `TRIED_SHEETS` that is thin enough."""
     from elastica_cad.strip.strip_spec import StripSpec
 
     curvature = float(np.abs(curve.survey.curvature).max())
@@ -52,7 +52,7 @@ def common_request(
 
 @dataclass(frozen=True, repr=False)
 class CurveCheck(EquilibriumCheck):
-    """Verdict of Theorem 1 on a drawn curve; `cures` are changes that make it possible.
+    """Result of the check of a drawn curve by Theorem 1. `cures` are changes that make the curve possible.
 
     Attributes
     ----------
@@ -71,7 +71,8 @@ class CurveCheck(EquilibriumCheck):
     def cures(self) -> "tuple[Suggestion, ...]":
         """At most four changes that make an impossible curve possible.
 
-        Each was made for a strip of a common sheet, which is stable and strained within the limit of its sheet.
+        Each change was tested for a strip of a common sheet: it is stable, and strained within the limit of its
+        sheet.
 
         Examples
         --------
@@ -96,25 +97,25 @@ def check_equilibrium(
     *,
     tolerance: float = 1e-4,
 ) -> CurveCheck:
-    """Check whether a weightless flat strip of some admissible width can rest in a curve.
+    """Check whether a weightless flat strip, of a suitable width along its length, can be at rest in a curve.
 
-    Condition (1): a line meets the curve exactly at the zeros of its curvature and is not tangent to the curve.
-    Condition (2): the curvature changes sign at each zero with a finite slope. The curvature vanishes at a pinned
-    end, so the line passes through this end too. If an end is free to slide along x (y), the line is vertical
-    (horizontal). If
-    the ends carry no force, no line exists. A natural curvature is subtracted from the curvature. If a closed curve
-    begins at an inflection, its start is moved (`curve`) and a warning is added.
+    Condition (1): there is a line that meets the curve exactly at the zeros of its curvature and is not tangent to
+    the curve. Condition (2): the curvature changes sign at each zero with a finite slope. At a pinned end the
+    curvature is zero, so the line passes through this end too. If an end is free to slide along x, the line is
+    vertical; if it slides along y, the line is horizontal. If the ends carry no force, there is no line. A natural
+    curvature is subtracted from the curvature. If a closed curve begins at an inflection, its start is moved
+    (`curve`), and a warning is added.
 
     Parameters
     ----------
     supports : Supports
         By default both ends are clamped.
     natural_curvature : float or RestCurvature
-        kappa_0, 1/mm, or the curvature of a pre-bent strip.
+        Curvature of the unbent strip kappa_0, 1/mm.
     tolerance : float
-        Largest distance of inflections from a line, relative to the length; nearer inflections are moved onto it
-        (`moved`, `curve`). An end that is free to turn and almost unbent is made straight within the same
-        tolerance.
+        Largest distance of the inflections from a line, as a fraction of the length. Inflections within this
+        distance are moved onto the line (`moved`, `curve`). Within the same tolerance, the curvature at an end
+        that is free to turn is set to zero.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Slots of interlocking strips, and engraved marks that are clear of slots and holes."""
+"""Slots of interlocking strips, and positions of engraved texts clear of slots and holes."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -32,10 +32,10 @@ from elastica_cad.strip.lettering import (
 )
 
 QUARTER_TURN_DEG = 90.0
-"""Least lean, degrees, that no slot has."""
+"""Angle, degrees, that the inclination of a slot must not reach."""
 
 STRAIGHT_MM = 1e-7
-"""Largest bend of a side of a slot that is drawn as a line."""
+"""Largest deviation from a line, mm, of a side of a slot that is drawn as a line."""
 
 Side = Literal["upper", "lower"]
 Relief = Literal["square", "round"]
@@ -61,25 +61,27 @@ class Slot:
     width : float
         Width across the slot, mm; for a slot along a `path` the width at the inner end.
     depth : float, optional
-        Distance across the strip from its edge to the inner end, mm; by default to the strip's centre line.
+        Distance across the strip from its edge to the inner end of the slot, mm; by default to the centre line of
+        the strip.
     side : "upper" or "lower"
-        Edge on which it opens: y > 0 or y < 0 of the flat pattern.
+        Edge of the flat pattern at which the slot opens: y > 0 or y < 0.
     lean : float
-        Angle of the centre line to the strip's ruling; if positive, x increases outward. It is in rad, as all
-        angles in Python; strips of `elastica_cad.build123d` and `elastica_cad.cadquery` take it in degrees.
+        Inclination of the slot: the angle between its centre line and the direction across the strip, rad. If it
+        is positive, x increases towards the edge. Strips of `elastica_cad.build123d` and `elastica_cad.cadquery`
+        take it in degrees.
     relief : "square" or "round"
-        Form of the inner end: straight across, or a half circle beyond it.
+        Shape of the inner end: a straight line, or a semicircle beyond it.
     mate : str
-        Name of the part in the slot, written beside it.
+        Name of the part that is inserted in the slot, engraved beside it.
     path : (k, 2) array, optional
-        Centre line in the flat pattern from the inner end to the edge, mm, in place of depth and lean.
+        Centre line in the flat pattern from the inner end to the edge, mm. It replaces depth and lean.
     widths : (k,) array, optional
         Width at every point of `path`, mm.
 
     Raises
     ------
     InputError
-        Sizes are not positive, or a path has no widths.
+        A size is not positive, or a path has no widths.
 
     Examples
     --------
@@ -118,14 +120,14 @@ class Slot:
     def along(
         cls, path: ArrayLike, widths: ArrayLike, *, side: Side, relief: Relief = "square", mate: str = ""
     ) -> "Slot":
-        """Return a slot along a centre line (k, 2) from its inner end to the edge, with widths (k,)."""
+        """Return a slot with the centre line `path` (k, 2) from inner end to edge, and `widths` (k,), mm."""
         rows, across = _center_line(path, widths, "slot along a path")
         return cls(
             float(rows[0, 0]), float(across[0]), side=side, relief=relief, mate=mate, path=rows, widths=across
         )
 
     def require_rad(self) -> None:
-        """Refuse a lean beyond a quarter turn, which is in degrees."""
+        """Raise InputError for an inclination of 90 degrees or more, because it was probably given in degrees."""
         if abs(self.lean) >= np.pi / 2:
             raise InputError(
                 "The lean of the slot at {at} is {lean:g} rad, a quarter turn or more. Pass radians, such as "
@@ -135,12 +137,15 @@ class Slot:
             )
 
     def mirrored(self) -> "Slot":
-        """Return the slot of the strip turned over about its centre line (y to -y)."""
+        """Return the slot after the strip is turned over about its centre line (y to -y)."""
         path = None if self.path is None else self.path * (1.0, -1.0)
         return replace(self, side="lower" if self.side == "upper" else "upper", path=path)
 
     def center_line(self, width: Profile) -> tuple[FloatArray, FloatArray]:
-        """Return points (k, 2) from the inner end to the edge and widths (k,), mm, in a strip of this width."""
+        """Return points (k, 2) from the inner end to the edge, and widths (k,), mm.
+
+        `width` is the width of the strip.
+        """
         if self.path is not None and self.widths is not None:
             return self.path, self.widths
         sign = 1.0 if self.side == "upper" else -1.0
@@ -152,7 +157,7 @@ class Slot:
 
 
 def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
-    """Return the open path of the cutter: from outside the edge inward, around the inner end, and out again.
+    """Return the cut of a slot as an open path: inward from outside the edge, around the inner end, and out again.
 
     Parameters
     ----------
@@ -177,14 +182,17 @@ def _left_of(tangents: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class _Side:
-    """A side of a slot from its inner end: points (n, 2), direction at the end, and a spline if it is bent."""
+    """A side of a slot as points (n, 2), mm, from its inner end to the edge.
+
+    `direction` is the direction at the edge, and `bent` is a spline if the side is curved.
+    """
 
     points: FloatArray
     direction: FloatArray
     bent: Spline | None = None
 
     def drawn(self, beyond: float) -> list[Segment]:
-        """Return the side, extended straight by `beyond` mm."""
+        """Return the segments of the side, with a straight extension by `beyond` mm."""
         onward = self.points[-1] + self.direction * beyond / np.hypot(*self.direction)
         if self.bent is None:
             return [Line(self.points[0], onward)]
@@ -192,10 +200,10 @@ class _Side:
 
 
 def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
-    """Return the right and the left side, seen outward."""
+    """Return the right and the left side, as seen from the inner end towards the edge."""
     points, widths = slot.center_line(width)
     t = lengths_along(points)
-    degree = min(3, len(points) - 1)  # degree of a spline through the points
+    degree = min(3, len(points) - 1)
     tangents = spline_through(t, points, degree)(t, 1)
     normals = _left_of(tangents)
     right, left = (points + sign * widths[:, None] / 2 * normals for sign in (-1, 1))
@@ -206,7 +214,7 @@ def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
 
 
 def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
-    """Return a side through points in order; it is straight if they are on a line."""
+    """Return the side through points (n, 2), as a line if they are collinear."""
     chord = points[-1] - points[0]
     off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
     if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
@@ -217,21 +225,22 @@ def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
 
 
 FLAT_MM = 1e-3
-"""Flatness, mm, of the polylines for comparing loops; it is finer than any machine."""
+"""Chord error, mm, of polylines in tests for crossings. It is smaller than the errors of cutting machines."""
 
 SAME_POINT_MM = 1e-9
 """Distance, mm, below which points are equal."""
 
 SAME_PARAMETER = 1e-6
-"""Difference of parameters below which the distance decides whether two places are the same."""
+"""Difference of parameters below which two positions on a segment may coincide; their distance decides."""
 
 REACHES = (1.0, 4.0, 16.0)
-"""Extensions of the slot's sides, in widths of the slot, that are tried until they meet the edge."""
+"""Lengths by which the sides of a slot are extended, one after another, until they meet the edge, as multiples of
+the width of the slot."""
 
 
 @dataclass(frozen=True)
 class _Place:
-    """A place on a chain: segment and its u in [0, 1]."""
+    """A position on a chain of segments: the index of a segment and its parameter u in [0, 1]."""
 
     segment: int
     u: float
@@ -239,7 +248,11 @@ class _Place:
 
 @dataclass(frozen=True, eq=False)
 class _Opening:
-    """Opening of a slot: where its cut leaves the outline and returns, the cut in between, and points along it."""
+    """Opening of a slot in the outline.
+
+    `out` and `back` are the positions where the cut leaves the outline and returns to it. `points` are points
+    along the cut.
+    """
 
     slot: Slot
     out: _Place
@@ -266,7 +279,7 @@ def cut_slots(
     Raises
     ------
     InputError
-        A slot that does not open at the edge, cuts the strip through, or meets a hole or another slot.
+        A slot does not open at the edge, cuts through the strip, or meets a hole or another slot.
     """
     if not slots:
         return outline
@@ -283,7 +296,7 @@ def cut_slots(
 
 
 class _Edge:
-    """The outline, ready to be crossed by many slots."""
+    """The outline with its chords, to find the crossings with many slots."""
 
     def __init__(self, outline: Path) -> None:
         self.segments = outline.segments
@@ -295,7 +308,7 @@ class _Edge:
         self.owner = np.repeat(np.arange(len(self.chords)), [len(c.points) - 1 for c in self.chords])
 
     def opening(self, slot: Slot, width: Profile, name: str) -> _Opening:
-        """Find where the slot meets the edge, and extend its sides up to the edge."""
+        """Return the opening of a slot, with its sides extended up to the edge."""
         crossings: list[tuple[_Place, _Place]] = []
         chords: list[Chords] = []
         for reach in REACHES:
@@ -332,7 +345,7 @@ class _Edge:
         for k, chords in enumerate(cut):
             low, high = chords.points.min(axis=0) - FLAT_MM, chords.points.max(axis=0) + FLAT_MM
             near = ((self.low <= high) & (self.high >= low)).all(axis=1)
-            # chords of a segment follow one another
+            # each segment once, in order
             for i in dict.fromkeys(self.owner[near].tolist()):
                 for u, v in chord_crossings(self.chords[i], chords):
                     point = chords.segment.at(v)
@@ -344,7 +357,7 @@ class _Edge:
         return crossings
 
     def spliced(self, openings: Sequence[_Opening]) -> list[Segment]:
-        """Return the whole loop: the edge from each slot to the next, then the cut of the next slot."""
+        """Return the outline with all slots: the edge between successive slots, and the cuts of the slots."""
         chain: list[Segment] = []
         for before, after in zip([openings[-1], *openings[:-1]], openings, strict=True):
             chain += _between(self.segments, before.back, after.out)
@@ -353,7 +366,7 @@ class _Edge:
 
 
 def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segment]:
-    """Return the part of a chain from one place to another, across its end and start if necessary."""
+    """Return the part of a closed chain between two positions. It may continue past the end of the chain."""
     if start.segment == end.segment and start.u <= end.u:
         return _piece(chain[start.segment], start.u, end.u)
     following = range(start.segment + 1, end.segment + (len(chain) if end.segment <= start.segment else 0))
@@ -362,7 +375,7 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
 
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
-    """Return the segment between two parameters, or nothing if they differ only by rounding."""
+    """Return the part of a segment between two parameters, as a list that is empty if both are nearly equal."""
     if u1 - u0 < SAME_PARAMETER and np.hypot(*(segment.at(u1) - segment.at(u0))) < SAME_POINT_MM:
         return []
     return [trim_segment(segment, u0, u1)]
@@ -399,14 +412,14 @@ def _meeting(name: str, a: Slot, b: Slot) -> str:
 
 
 TEXT_DISTANCE_MM = 0.5
-"""Distance of letters from every cut, mm, so that no stroke is a notch."""
+"""Distance of letters from every cut, mm, because a stroke at an edge would act as a notch."""
 
 COARSE_MM = 0.02
-"""Flatness of the cuts when letters are placed; it is small beside their distance."""
+"""Chord error of the cuts, mm, when letters are placed. It is small compared with `TEXT_DISTANCE_MM`."""
 
 
 def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
-    """Return the corners (4, 2) of a text's box, anticlockwise, moved out by `distance` mm."""
+    """Return the corners (4, 2) of the bounding box of a text, anticlockwise, enlarged by `distance`, mm."""
     long = text.length
     low, high = text_span(text.text, text.height)
     flat = np.array([[0, low], [long, low], [long, high], [0, high]])
@@ -416,7 +429,7 @@ def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
 
 
 def _on_free_part(box: FloatArray, width: Profile) -> bool:
-    """Return True if a box is on the free part of a strip."""
+    """Return True if a box (4, 2) is inside the bent part of a strip."""
     x = np.linspace(box[:, 0].min(), box[:, 0].max(), 9)
     if x[0] < 0 or x[-1] > width.length:
         return False
@@ -424,19 +437,19 @@ def _on_free_part(box: FloatArray, width: Profile) -> bool:
 
 
 class Cut:
-    """A line that letters avoid; a loop also has a side without material, "inside" or "outside"."""
+    """A line that letters avoid. For a loop, `gone` is the side without material, "inside" or "outside"."""
 
     def __init__(self, line: Path, gone: str = "") -> None:
         self.line, self.gone = line, gone
 
     @cached_property
     def points(self) -> FloatArray:
-        """Points along the line; for a loop the first point is repeated at the end."""
+        """Points (k, 2) along the line; for a loop the first point is repeated at the end."""
         points = self.line.points(COARSE_MM)
         return _around(points) if self.gone or self.line.closed else points
 
     def reaches(self, box: FloatArray, edge: FloatArray) -> bool:
-        """Return True if the cut crosses a box or leaves no material there."""
+        """Return True if the cut crosses a box (4, 2), or if there is no material in the box."""
         low, high = box_about(box)
         if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
             return True
@@ -446,7 +459,7 @@ class Cut:
 
 
 class Cuts:
-    """Places that letters avoid: holes, slots, lines, and the outside of the outline."""
+    """Cuts and lines that letters avoid: holes, slots, marks, and the outline."""
 
     def __init__(
         self,
@@ -463,7 +476,7 @@ class Cuts:
         self._bounds = np.array([cut.line.bounds for cut in self._cuts]).reshape(-1, 2, 2)
 
     def clear_of(self, box: FloatArray) -> bool:
-        """Return True if a box is clear of all cuts."""
+        """Return True if a box (4, 2) is clear of all cuts and lines."""
         bounds = box_about(box)
         if self._rim and not boxes_meet(self._rim.line.bounds, bounds):
             return False
@@ -477,19 +490,22 @@ def _around(points: FloatArray) -> FloatArray:
 
 
 LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
-"""Heights of letters in the order of trial; engraved letters below 1 mm are not legible."""
+"""Heights of letters, mm, in the order in which they are tried. Engraved letters below 1 mm are not legible."""
 
 NUMBER_PLACES_MM = (2.0, 4.0, 7.0, 11.0)
-"""Distances of a number from the end of the free part, in the order of trial, to be visible beside a holder."""
+"""Distances of a number from the end of the bent part, mm, in the order in which they are tried. The number stays
+visible beside a holder."""
 
 LABEL_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25)
-"""Fractions of the usual height of a label, in the order of trial, if cuts leave too little room."""
+"""Heights of a label as fractions of the usual height, in the order in which they are tried."""
 
 LABEL_STEP_MM, LABEL_STEPS = 2.0, 100
-"""Least distance, mm, between the places that are tried for a label, and largest number of places on each side."""
+"""Least distance, mm, between positions tried for a label, and largest number of positions on each side of the
+middle."""
 
 LABEL_DISTANCES_MM = (TEXT_DISTANCE_MM, 0.0)
-"""Clearances in the order of trial; on a very narrow strip any label is near the edges."""
+"""Distances of a label from cuts, mm, in the order in which they are tried. Labels on very narrow strips need the
+second."""
 
 
 def mating_marks(
@@ -499,9 +515,10 @@ def mating_marks(
     marks: Sequence[Path] = (),
     taken: Sequence[Text] = (),
 ) -> tuple[Text, ...]:
-    """Return the names of the mates on the MARK layer, clear of all slots, holes, `marks` and other texts.
+    """Return the names of the inserted parts, engraved at their slots, clear of cuts, `marks` and other texts.
 
-    A name is at the inner end of its slot or beside the slot, as large as possible. If nothing fits, it is omitted.
+    A name is at the inner end of its slot or beside the slot, as large as possible. It is omitted if there is no
+    room.
     """
     cuts = Cuts(holes, marks, slots=[rim for _, rim in slots])
     boxes = [box_about(_text_box(text)) for text in taken]
@@ -519,10 +536,10 @@ def mating_marks(
 def end_numbers(
     width: Profile, cuts: Cuts, taken: Sequence[Text] = (), names: tuple[str, str] = ("1", "2")
 ) -> tuple[Text, ...]:
-    """Return the numbers "1" and "2" at the start and end of the free part, clear of cuts and texts.
+    """Return the texts "1" and "2" at the start and end of the bent part, clear of cuts and texts.
 
-    Slots of bases have the same numbers. Other `names` denote joints. Empty names, and names without room, are
-    omitted.
+    The slots that hold the ends have the same numbers. Other `names` denote joints. Empty names are omitted, and
+    so are names for which there is no room.
     """
     boxes, numbers = [box_about(_text_box(text)) for text in taken], []
     for number, end, direction in ((names[0], 0.0, 1.0), (names[1], width.length, -1.0)):
@@ -537,10 +554,10 @@ def end_numbers(
 
 
 def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, float] | None = None) -> Text:
-    """Return the label on the strip's middle line, as near to the middle as possible and clear of all cuts.
+    """Return the label on the centre line of a strip, as near to the middle as possible and clear of all cuts.
 
-    It is smaller if necessary, and in the middle without a free place. `span` is the allowed range, mm along
-    the strip; by default the whole free part.
+    If there is little room, the label is smaller. If no position is clear, it is in the middle. `span` is the
+    allowed range along the strip, mm; by default the whole bent part.
     """
     low, high = span or (0.0, width.length)
     length = high - low
@@ -561,10 +578,10 @@ def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, fl
 
 
 def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: Cuts) -> Text:
-    """Return the label across one of the `tabs` (start x, end x and width), clear of all cuts.
+    """Return the label across one of the `tabs` (start x, end x and width, mm), clear of all cuts.
 
-    If there is little room, the label is smaller, or beside the middle of the tab. If no place is clear, it is in
-    the middle of the first tab.
+    If there is little room, the label is smaller, or beside the middle of the tab. If no position is clear, it is
+    in the middle of the first tab.
     """
 
     def text(tab: tuple[float, float, float], share: float, place: float, side: float) -> Text:
@@ -587,14 +604,14 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
 
 
 def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: Cuts) -> bool:
-    """Return True if a box, given by its corners, is on the free part and clear of boxes (2, 2) and cuts."""
+    """Return True if a box (4, 2) is inside the bent part and clear of other boxes (2, 2) and of cuts."""
     if not _on_free_part(box, width) or (taken and boxes_meet(np.array(taken), box_about(box)).any()):
         return False
     return cuts.clear_of(box)
 
 
 def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
-    """Yield texts beyond the inner end, then on either side of the slot, the largest first."""
+    """Yield possible texts for a slot, the largest first: beyond its inner end, then on either side."""
     points, _ = slot.center_line(width)
     inward = -1.0 if slot.side == "upper" else 1.0
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()

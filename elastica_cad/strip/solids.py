@@ -1,4 +1,4 @@
-"""Records of solids for translation by a CAD kernel: flat parts, bent strips, and blocks made of prisms."""
+"""Solids that a CAD kernel can build: flat parts, bent strips, and blocks made of prisms."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -27,16 +27,20 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.tapered_solids import RoundSolid, side_view
 
 FLAT_CORNER = 1e-14
-"""Twice the least area of a corner of a convex outline, as a fraction of the square of the largest extent."""
+"""Twice the least area of the triangle at a corner of a convex hull, as a fraction of the square of the largest
+extent."""
 
 
 def centred_thickness(strip: Strip) -> float:
-    """Return the thickness, mm, of the layers centred on the curve: all layers, or the through ply of a stack."""
+    """Return the thickness, mm, of all layers of a strip, or of the full-length ply of a stack.
+
+    It is centred on the curve.
+    """
     return strip.layers[-1 if strip.layout.stack is None else 0].high
 
 
 def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
-    """Return the flat place (x, y) of every joint, and +1 if its x axis is along the strip, -1 if against it."""
+    """Return the position of every joint in the flat strip, mm, and 1 or -1 for the direction of its x axis."""
     places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
     for number, hole in enumerate(strip.holes, start=1):
         x, y = map(float, hole.bounds.mean(axis=0))
@@ -45,7 +49,7 @@ def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
 
 
 def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
-    """Return the joints, and for every hole two more on the strip's faces: "hole1:top", "hole1:bottom"."""
+    """Return the joints with two more for every hole: "hole1:top" and "hole1:bottom" on the faces of the strip."""
     frames = dict(joints)
     for name, frame in joints.items():
         if name.startswith("hole"):
@@ -56,31 +60,34 @@ def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Fram
 
 
 def turned(frame: Frame, sign: int) -> Frame:
-    """Return the frame, with half a turn about its z axis if `sign` is -1."""
+    """Return the frame, rotated by 180 degrees about its z axis if `sign` is -1."""
     return frame if sign == 1 else Frame(frame.origin, -frame.x_axis, -frame.y_axis)
 
 
 GLUE_MM = 5e-4
-"""Gap between the sheets of a body, mm; kernels lose parts of touching solids and fail with a gap of 1e-4 mm."""
+"""Gap between the sheets of a body, mm. CAD kernels lose parts of solids that touch, and fail with a gap of 1e-4
+mm."""
 
 JOINT_GAP_MM = 0.01
-"""Gap between the ends of a closed strip, mm: far above the tolerance of kernels."""
+"""Gap between the ends of a closed strip, mm. It is far larger than the tolerance of CAD kernels."""
 
 FEW_SPANS = 8
-"""Largest number of spans of a spline whose wall is extruded without a check of its area."""
+"""Largest number of spans of a spline that is extruded without a check of the area that the CAD kernel
+computes."""
 
 EVEN_SHARE = 1e-4
-"""Largest error of the area below a wall in a kernel, as a fraction of the part's area."""
+"""Largest error of the area of a face in a CAD kernel, as a fraction of the area of the part."""
 
 RULE = np.polynomial.legendre.leggauss(16)
-"""Points in -1..1 and weights of the rule that OpenCASCADE uses along an extruded wall with any number of spans."""
+"""Points in -1..1 and weights of the quadrature rule that OpenCASCADE uses along an extruded spline, for any
+number of spans."""
 
 BESIDE_MM = 20.0  # distance, mm, between the flat and the bent strip in a file
 
 
 @dataclass(frozen=True, eq=False)
 class FlatSolid:
-    """A plate: closed outline with holes, drawn in a frame and extruded along its z axis.
+    """A plate: a closed outline with holes in the xy plane of a frame, extruded along its z axis.
 
     Parameters
     ----------
@@ -93,7 +100,7 @@ class FlatSolid:
     frame : Frame
         Plane of the drawing in space.
     joints : mapping of str to Frame
-        Places to join other parts to.
+        Frames at which other parts are joined, by name.
 
     Raises
     ------
@@ -121,7 +128,9 @@ class FlatSolid:
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "FlatSolid | RoundSolid":
-        """Return the flat strip (for a laminate, its base): x = 0 at the start of the free part, z = 0 below.
+        """Return the flat strip, or the base of a laminate.
+
+        In its frame, x = 0 is the start of the bent part, and z = 0 is the lower face.
 
         The names of joints are the same as in `BentSolid`.
         """
@@ -129,7 +138,7 @@ class FlatSolid:
 
     @classmethod
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["FlatSolid | RoundSolid", ...]:
-        """Return every sheet of the strip, glued flat on each other; the base has the joints."""
+        """Return every sheet of the flat strip, stacked as glued. Only the base has joints."""
         require_record(strip, Strip, "what lies flat", "a Strip")
         frame = frame_or_plain(frame)
         if strip.layout.worked_size is not None:
@@ -162,7 +171,7 @@ class FlatSolid:
 
     @property
     def is_prism(self) -> bool:
-        """True if a kernel can extrude the face; programs misread walls along splines with many spans."""
+        """True if the plate can be extruded. CAD kernels misread extruded splines with many spans."""
         segments = (segment for loop in (self.outline, *self.holes) for segment in loop.segments)
         splines = [
             spline for spline in segments if isinstance(spline, Spline) and not spline.curve.is_rational
@@ -172,13 +181,13 @@ class FlatSolid:
 
     @cached_property
     def boundary(self) -> Boundary:
-        """Closed boundary: planes, cylinders, and a ruled B-spline face along each spline of its loops."""
+        """Closed boundary of planes, cylinders, and a ruled B-spline face along each spline."""
         pattern = cut_across(self.outline, self.holes, ())
         return BoundaryMaker(pattern.points, (self.frame,), (0.0, self.thickness)).solid(pattern.regions)
 
 
 def _misread_area(sides: Sequence[Spline]) -> float:
-    """Return the error of the areas below sides, mm2, if a single rule integrates all spans of a side."""
+    """Return the error of the areas below splines, mm2, if one quadrature rule covers all spans of a spline."""
     points, weights = RULE
     off = 0.0
     for side in sides:
@@ -192,12 +201,12 @@ def _misread_area(sides: Sequence[Spline]) -> float:
 
 
 def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | RoundSolid":
-    """Return a tapered strip or a round rod: flat on the frame's xy plane, or bent with its curve in that plane.
+    """Return a planed strip or a round rod, flat on the xy plane of `frame`, or bent with its curve in that plane.
 
     Raises
     ------
     InputError
-        A radius below half the thickness.
+        A radius of curvature is less than half the thickness.
     """
     section, size, width = strip.layout.section, strip.layout.size, strip.layout.width
     assert size is not None
@@ -225,25 +234,26 @@ def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | Ro
 
 @dataclass(frozen=True, eq=False)
 class BentSolid:
-    """A strip bent into its rod's curve, with half its thickness on either side of the curve.
+    """A strip bent into the curve of its rod, with half of its thickness on either side of the curve.
 
-    The flat pattern's x is along the curve and its y is across (the frame's z). Its upper side is on the right of
-    the curve. Tabs continue straight along the end tangents.
+    The x axis of the flat pattern is along the curve, and its y axis is the z axis of `frame`. The upper face of
+    the flat pattern is on the right of the curve. Tabs continue straight along the end tangents.
 
     Attributes
     ----------
     pattern : CutPattern
-        Flat pattern, cut where tabs begin and where the curvature jumps.
+        Flat pattern, divided where tabs begin and where the curvature jumps.
     maps : tuple
-        Map of each interval into space: a `BentMap`, or the plane of a tab as a `Frame`.
+        Map of each interval of the pattern into space: a `BentMap`, or the plane of a tab as a `Frame`.
     heights : (lower, upper)
-        Heights of the two faces over the curve, mm.
+        Heights of the two faces above the curve, mm.
     frame : Frame
         Plane in which the curve is drawn.
     places : mapping of str to (x, y, way)
-        Flat places of the joints at the height of the curve; way is 1 if x is along the strip, else -1.
+        Positions of the joints in the flat pattern, mm. `way` is 1 if the x axis of the joint is along the strip,
+        else -1.
     between : float
-        Thickness of the strip, mm, if its holes have joints on both faces, else 0.
+        Thickness of the strip, mm, if holes have joints on both faces, else 0.
     """
 
     pattern: CutPattern
@@ -255,11 +265,11 @@ class BentSolid:
 
     @cached_property
     def joints(self) -> Mapping[str, Frame]:
-        """Frames by name.
+        """Frames at which other parts are joined, by name.
 
-        "start" and "end" of the free part, "hole1", "hole2", ... are in the middle of the thickness. Their z points
-        away from the upper side and their x along the strip (outward at the ends). "hole1:top" and "hole1:bottom"
-        are on the strip's faces, z outward.
+        "start" and "end" of the bent part and "hole1", "hole2", ... are at mid-thickness. Their z axis is the
+        normal of the strip. Their x axis is along the strip, and points outward at the ends. "hole1:top" and
+        "hole1:bottom" are on the faces of the strip, with z outward.
         """
         stations = [0.0, *(float(part.knots[-1]) for part in self.maps if isinstance(part, BentMap))]
         frames = {}
@@ -271,23 +281,23 @@ class BentSolid:
 
     @cached_property
     def boundary(self) -> Boundary:
-        """Closed boundary: B-spline faces on the free part, planes and cylinders on the tabs."""
+        """Closed boundary: B-spline faces on the bent part, planes and cylinders on the tabs."""
         return BoundaryMaker(self.pattern.points, self.maps, self.heights).solid(self.pattern.regions)
 
     @cached_property
     def middle(self) -> Boundary:
-        """Open surface in the middle of the thickness; its area is the flat area."""
+        """Open surface at mid-thickness; its area is the area of the flat strip."""
         half_way = (self.heights[0] + self.heights[1]) / 2
         return BoundaryMaker(self.pattern.points, self.maps, (half_way,)).sheet(self.pattern.regions)
 
     @classmethod
     def of(cls, strip: Strip, frame: Frame | None = None) -> "BentSolid":
-        """Bend a strip (for a laminate, its base); the curve is drawn in `frame`, by default the xy plane.
+        """Return the bent strip, or the bent base of a laminate. The curve is in the xy plane of `frame`.
 
         Raises
         ------
         InputError
-            A radius below half the thickness, or loops of the flat pattern that cross.
+            A radius of curvature is less than half the thickness, or loops of the flat pattern cross.
         NotConvergedError
             The curve could not be approximated to 1e-6 mm.
         """
@@ -296,11 +306,13 @@ class BentSolid:
 
     @classmethod
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BodyRecord", ...]:
-        """Return every sheet of the strip, the whole centred on the curve; the base has the joints.
+        """Return every sheet of the bent strip.
 
-        In a stack of glued plies, the through ply is centred on the curve and the others are on its upper side. A
-        strip of tapered thickness is its side view, extruded by its width; a rod is round. The lap of a closed
-        strip is a separate body on the inside, where it is glued. Errors are the same as in `of`.
+        All sheets together are centred on the curve. Only the base has joints.
+
+        In a stack of glued plies, the full-length ply is centred on the curve, and the other plies are on its
+        upper face. A planed strip is an extruded side view, and a rod is round. The lap of a closed strip is a
+        separate body on the inside, where it is glued. The errors are the same as in `of`.
         """
         require_record(strip, Strip, "what is bent", "a Strip")
         frame = frame_or_plain(frame)
@@ -332,7 +344,10 @@ class BentSolid:
 
     @classmethod
     def _ring(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
-        """Return a closed strip without its lap, with a small gap, because kernels fail on bodies that touch."""
+        """Return a closed strip without its lap.
+
+        It has a small gap, because CAD kernels fail on bodies that touch.
+        """
         half, layer = strip.sheet.thickness / 2, strip.layers[0]
         outline = clip_across(layer.outline, 0.0, strip.rod.length - JOINT_GAP_MM)
         return cls.wrapped(
@@ -347,7 +362,7 @@ class BentSolid:
 
     @classmethod
     def _lap(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
-        """Return the tab that closes a strip, behind its start."""
+        """Return the lap of a closed strip, which is glued to the inside of its start."""
         width, thickness = strip.end_widths[1], strip.sheet.thickness
         tab = fix_tab_widths(strip.width, strip.ends)[1]
         inside = -1.0 if strip.rod.curvature[0] > 0 else 1.0
@@ -367,23 +382,24 @@ class BentSolid:
         joints: Mapping[str, tuple[float, float, int]] | None = None,
         between: float = 0.0,
     ) -> "BentSolid":
-        """Wrap any flat pattern onto a rod's curve.
+        """Return a flat pattern bent along the curve of a rod.
 
         Parameters
         ----------
         rod : Rod
-            Rod whose curve is y = 0 of the pattern, with x as arc length; the pattern is plane beyond its ends.
+            Rod with the curve. The x axis of the pattern is mapped to the curve, with x as arc length. Beyond the
+            ends of the rod the pattern is plane.
         outline, holes : Path
             Closed loops, mm.
         heights : (lower, upper)
-            Heights of the two faces over the curve, mm; upward is the right side of the curve.
+            Heights of the two faces above the curve, mm. Up is the right side of the curve.
         frame : Frame, optional
             Plane of the curve.
         joints : mapping of str to (x, y, way), optional
-            Flat places at the height of the curve. The x axis of a joint is along the strip if way is 1, against it
-            if way is -1.
+            Positions of the joints in the flat pattern, mm. `way` is 1 if the x axis of the joint is along the
+            strip, else -1.
         between : float
-            Thickness of the strip, mm, to add joints of holes on both faces; 0 for none.
+            Thickness of the strip, mm, which adds joints of holes on both faces; 0 for none.
 
         Raises
         ------
@@ -409,16 +425,16 @@ class BentSolid:
 
 
 def glued(records: Sequence["BodyRecord | PrismSolid"]) -> "tuple[BodyRecord | PrismSolid, ...]":
-    """Return the sheets of a strip for one body, each `GLUE_MM` farther from the base than the sheet before it.
+    """Return the sheets of a strip for a single body, with gaps of `GLUE_MM` between them.
 
-    Booleans of OpenCASCADE expect that solids of one shape share faces or do not touch. A shared face cannot be
-    computed reliably, because the side of the backing touches the side of the base where both are equally wide.
+    Boolean operations of OpenCASCADE require that the solids of a shape share faces or do not touch. Shared faces
+    cannot be computed reliably where base and backing are equally wide.
     """
     return tuple(_lifted(record, number * GLUE_MM) for number, record in enumerate(records))
 
 
 def _lifted(record: "BodyRecord | PrismSolid", gap: float) -> "BodyRecord | PrismSolid":
-    """Return a sheet `gap` mm farther from the curve, or above its plane."""
+    """Return a sheet moved by `gap` mm, away from the curve or along z."""
     if not gap or isinstance(record, PrismSolid):
         return record
     if isinstance(record, BentSolid):
@@ -435,7 +451,7 @@ def bent_sheets(strip: Strip) -> tuple[Sheet, ...]:
 
 
 def bent_colors(strip: Strip, color: tuple[float, ...] | None = None) -> tuple[tuple[float, ...], ...]:
-    """Return the screen colour of each body of `BentSolid.layers`; `color` is for the base sheet."""
+    """Return the screen colour of each body of `BentSolid.layers`. `color` is the colour of the base sheet."""
     base = strip.layers[0].sheet
     return tuple(
         color if color is not None and sheet is base else sheet_color(sheet) for sheet in bent_sheets(strip)
@@ -443,11 +459,11 @@ def bent_colors(strip: Strip, color: tuple[float, ...] | None = None) -> tuple[t
 
 
 BodyRecord: TypeAlias = FlatSolid | BentSolid | RoundSolid
-"""A body of a strip: a plate or an extruded side view, a bent sheet, a round rod."""
+"""A body of a strip: a plate or extruded side view, a bent sheet, or a round rod."""
 
 
 def frame_beside(strip: Strip, frame: Frame) -> Frame:
-    """Return the frame of the flat strip on the xy plane, beside the strip bent in `frame`."""
+    """Return the frame on the xy plane in which the flat strip is beside the strip that is bent in `frame`."""
     outline = strip.outline.bounds
     reach = max(tab.length for tab in strip.ends) + sum(layer.sheet.thickness for layer in strip.layers)
     low, high = strip.rod.position.min(axis=0) - reach, strip.rod.position.max(axis=0) + reach
@@ -458,19 +474,19 @@ def frame_beside(strip: Strip, frame: Frame) -> Frame:
 
 @dataclass(frozen=True, eq=False)
 class PrismSolid:
-    """The union of the prisms `added`, less the prisms `removed`.
+    """The union of the prisms `added`, without the prisms `removed`.
 
     Attributes
     ----------
     added, removed : tuple of FlatSolid
-        Closed outlines with holes and thickness, each in its own frame.
+        Prisms, each in its own frame.
     joints : mapping of str to Frame
-        Places to join other parts to.
+        Frames at which other parts are joined, by name.
 
     Raises
     ------
     InputError
-        Nothing added.
+        `added` is empty.
     """
 
     added: tuple[FlatSolid, ...]
@@ -486,7 +502,7 @@ class PrismSolid:
 
 
 def convex_corners(points: FloatArray) -> FloatArray:
-    """Return the corners (n, 2) of the convex hull of points (m, 2), anticlockwise from the leftmost.
+    """Return the corners (n, 2) of the convex hull of points (m, 2), anticlockwise from the leftmost corner.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Strip: the flat part whose width gives a rod its stiffness, its ends, its report, and its place in space."""
+"""Flat strip with the stiffness of a rod: outline, strain, mass, reactions, warnings, and position in space."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -96,27 +96,26 @@ FILLETS = (
     (3.505, -2.109, 0.069),
 )
 DEEPEST, GRAIN = 20.0, 0.7
-"""Largest t / r of the chart for `corner_factor`, and exponent of sqrt(E / G) relative to a sheet without grain.
+"""Largest t / r of the chart for `corner_factor`, and exponent of sqrt(E / G) relative to an isotropic sheet.
 
 In `FILLETS`, row i is multiplied by (2 t / width)^i and column j by (t / r)^(j / 2). The exponent is fitted to
 finite elements (`tests/campaign/finite_elements/shoulders.py`)."""
 
 
 def corner_factor(sheet: Sheet, width: float, tab: float) -> float:
-    """Return the strain in the corners beside a tab over the mean strain across the tab.
+    """Return the strain in the corners beside a tab, divided by the mean strain across the tab.
 
-    Strip and tab are bent by the same moment. The factor is based on a flat bar in tension with shoulders t deep
-    and fillets of radius r (Pilkey, Peterson's Stress Concentration Factors, chart 3.1). In a bent plate its excess
-    over 1 is smaller by (1 + nu) / (3 + nu), as beside an elliptic hole (Goodier, Phil. Mag. 22, 1936). A corner
-    counts as rounded by the thickness of the sheet. A sharp corner has about the same mean strain over the nearest
-    quarter of the thickness, or less if the tab is
-    gripped up to its mouth. Solids in CalculiX agree within
-    15 %.
+    Strip and tab are bent by the same moment. The factor is based on a flat bar in tension with shoulders of depth
+    t and fillets of radius r (Pilkey, Peterson's Stress Concentration Factors, chart 3.1). In a bent plate its
+    excess over 1 is multiplied by (1 + nu) / (3 + nu), as beside an elliptic hole (Goodier, Phil. Mag. 22, 1936).
+    The fillet radius is assumed to be the thickness of the sheet. A sharp corner has about the same strain,
+    averaged over a quarter of the thickness, or less if the tab is clamped up to the shoulder. Solid elements in
+    CalculiX agree within 15 %.
 
     Parameters
     ----------
     width, tab : float
-        Widths of the strip's end and of its tab, mm.
+        Widths of the end of the strip and of its tab, mm.
 
     Examples
     --------
@@ -134,8 +133,8 @@ def corner_factor(sheet: Sheet, width: float, tab: float) -> float:
 class Shoulder:
     """An end of a strip with a narrower tab.
 
-    The end is `at` mm along the strip and `width` mm wide. The tab is `tab` mm wide with the mean skin strain
-    `strain`.
+    `at` is the arc length of the end, mm. `width` and `tab` are the widths of strip and tab, mm. `strain` is the
+    mean surface strain across the tab.
     """
 
     at: float
@@ -146,9 +145,10 @@ class Shoulder:
 
     @property
     def verdict(self) -> StrainVerdict:
-        """Result of the strain rule: a tab breaks at its mean strain; corners of a brittle tab may crack before.
+        """Verdict on the strain of the tab.
 
-        In a sheet that yields or creeps, the peak of the strain in a corner decreases.
+        The mean strain decides whether the tab breaks. In a brittle sheet, the higher strain in the corners causes
+        a warning. In other sheets, yielding or creep reduces that strain.
         """
         mean = judge_strain(self.sheet, self.strain, self.at)
         if mean.refused or self.sheet.kind not in BRITTLE:
@@ -159,7 +159,7 @@ class Shoulder:
 
     @property
     def least_tab(self) -> float:
-        """Least width of a tab, mm, that is not strained beyond the limit; else the width of the strip."""
+        """Least width of the tab, mm, for a strain within the limit; the width of the strip if there is none."""
         wider = np.linspace(self.tab, self.width, 100)[1:-1]
         tried = (
             replace(self, tab=float(width), strain=self.strain * self.tab / float(width)) for width in wider
@@ -187,8 +187,8 @@ class Shoulder:
 
 
 def _find_shoulders(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) -> tuple[Shoulder, ...]:
-    """Return the ends of a strip whose tabs are too narrow for the moment there."""
-    if layout.size is not None:  # a planed or turned strip has tabs of its own width
+    """Return the ends of a strip whose tabs are strained beyond their limit by the moment there."""
+    if layout.size is not None:  # the tabs of a planed or turned strip are as wide as the strip
         return ()
     shoulders = []
     for at, tab, station in zip((0.0, layout.width.length), ends, (0, -1), strict=True):
@@ -201,24 +201,24 @@ def _find_shoulders(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) 
         shoulders += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow)
             for layer in strains
-            # otherwise the strain of the end itself is reported, independent of the tab
+            # otherwise there is already a warning about the end itself
             if layer.strain[station] <= layer.limit
         ]
     return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
 
 
 LINEAR_CREEP_SHARE = 0.5
-"""Fraction of the strain limit above which creep grows faster than the stress."""
+"""Strain, as a fraction of the strain limit, above which creep grows faster than the stress."""
 
 STRAIGHT_SHARE = 1e-6
-"""Fraction of the largest curvature below which the strip counts as not bent."""
+"""Curvature, as a fraction of the largest curvature, below which the strip counts as straight."""
 
 UNEVEN_JOINT_MM = 0.05
-"""Difference between the widths of a closed strip's ends, mm, above which it is reported."""
+"""Difference between the widths at both ends of a closed strip, mm, above which a warning is added."""
 
 
 def _breadth_message(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
-    """Return the width of a strip in words, with the thickness if it varies."""
+    """Return a text with the width of a strip, and its thickness if it varies."""
     spans: dict[str, Any] = {
         name: Span.of(*size.extremes, digits) for name, size in {"width": width, **tapered}.items()
     }
@@ -228,10 +228,12 @@ def _breadth_message(width: Profile, tapered: dict[str, Profile], digits: str) -
 
 
 def _mark_on_backing(curvature: FloatArray) -> str:
-    """Return the word engraved on both sheets of a laminate: INSIDE or OUTSIDE, the side of their engraved faces.
+    """Return the word that is engraved on both sheets of a laminate.
 
-    The backing is on the right of the curve, seen from its start, so it is outside where the curve bends to the
-    left. If the sense of bending changes, the word describes the first bend and names the end.
+    INSIDE or OUTSIDE is the side of the bend to which the engraved faces point.
+
+    Seen from the start, the backing is on the right of the curve. It is therefore outside where the curve bends to
+    the left. If the sense of bending changes, the word is for the first bend, with "AT START".
     """
     small = STRAIGHT_SHARE * float(np.abs(curvature).max(initial=0.0))
     bent = curvature[np.abs(curvature) > small]
@@ -242,7 +244,7 @@ def _mark_on_backing(curvature: FloatArray) -> str:
 
 
 def _backing_message(mark: str) -> str:
-    """Return a sentence on the side of the bend with the backing; empty for a straight strip."""
+    """Return a sentence on the side of the bend on which the backing is; empty for a straight strip."""
     if not mark:
         return ""
     texts = {
@@ -261,7 +263,7 @@ def _backing_message(mark: str) -> str:
 
 
 def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str:
-    """Return a sentence on the joint of a closed strip, `width` mm wide, and its load."""
+    """Return a sentence on the joint of a closed strip and its load; `width` is the width there, mm."""
     how = (
         note("glue its tab of {lap}, bent as drawn, behind its start", lap=Length(lap))
         if lap
@@ -275,7 +277,7 @@ def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str
 
 
 def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
-    """Warn of layers strained beyond the limits of their sheets."""
+    """Yield warnings about layers that are strained beyond the limits of their sheets."""
     bend = bends.amount
     for layer in strains:
         at = layer.station
@@ -293,7 +295,7 @@ def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[s
 
 
 def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: bool) -> Iterator[str]:
-    """Warn of ends of a closed strip that do not match, and of strips wider than long."""
+    """Yield warnings about different widths at both ends of a closed strip, and about strips wider than long."""
     start, end = width([0.0, length]).tolist()
     if closed and abs(end - start) > UNEVEN_JOINT_MM:
         yield note(
@@ -312,7 +314,7 @@ def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: b
 
 
 def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
-    """Warn of plywood bent more sharply than its published radii, unless there is a warning about its strain."""
+    """Yield warnings about plywood bent to less than its published radius, unless its strain causes a warning."""
     bend = bends.amount
     tightest = int(np.argmax(bend))
     for cut, layer in zip(layers, strains, strict=False):
@@ -328,7 +330,7 @@ def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], be
 
 
 def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Creep | None]) -> Iterator[str]:
-    """Warn of places where creep of the most strained layer is not linear, and of a strip that does not stay."""
+    """Yield warnings if creep of the most strained layer is not linear, or if the strip snaps after creep."""
     if strained.largest > LINEAR_CREEP_SHARE * strained.limit:
         yield note(
             "The strain of {strain:.2f} % is more than {share:.0f} % of the sheet's limit, so creep there is "
@@ -349,7 +351,7 @@ def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Cre
 
 
 def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
-    """Return the sideways stability of a rod with a layout, without slots."""
+    """Return the sideways stability of a rod with the cross sections of a layout. Slots are ignored."""
     sheet, ratio = layout.sheet, layout.sheet.shear_ratio
     s = stations_of_sideways(rod)
     K, width = np.interp(s, rod.s, rod.flat_stiffness), layout.width(s)
@@ -372,12 +374,12 @@ def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
 
 
 FINE_EDGES = 1600
-"""Least number of edges of the rod that is bent as built, for a negligible error."""
+"""Least number of edges of the rod for the shape as built. The error is then negligible."""
 
 
 @dataclass(frozen=True, eq=False)
 class Strip:
-    """A flat strip that takes the shape of `rod` when its ends are held as the rod's are.
+    """A flat strip that takes the shape of `rod` when its ends are held like the ends of the rod.
 
     Parameters
     ----------
@@ -386,28 +388,27 @@ class Strip:
     sheet : Sheet
         Sheet from which the strip is cut.
     max_width, min_width : float, optional
-        Largest and least width, mm. One of them sets the scale. With both, `max_width` sets the scale, and a strip
-        that would be narrower than `min_width` is refused. A rod with a bending stiffness in N mm2 (a weight in
-        newtons) determines the width; the two are then limits.
+        Largest and least width, mm. At least one is required, because widths are otherwise known only up to a
+        factor. With both, `max_width` determines the widths, and `min_width` is a limit. If the rod has a bending
+        stiffness in N mm2, it determines the widths, and both are limits.
     style : Plain, Perforated or Laminated
-        Conversion of stiffness into material. The last two have a separate width of the outline. `max_width` and
-        `min_width` then limit the ligaments' summed width or the backing.
+        Style of the strip: solid, with holes, or with a glued backing. The last two have an outline of given
+        width. `max_width` and `min_width` are then limits of the total width of the ligaments, or of the backing.
     ends : pair of Tab
-        Tabs at the start and at the end. In a closed strip the second is the lap and the first is left out.
+        Tabs at the start and at the end. In a closed strip, the first is ignored, and the second is the lap.
     slots : tuple of Slot
-        Cuts for other strips; they become part of the outline.
+        Slots for other strips, which become part of the outline.
     label : str
         Name in messages, files and assemblies; empty for none.
     engrave : str, optional
-        Text engraved on the strip; empty for none. By default the label, in letters that can be engraved.
+        Text engraved on the strip; an empty string for none. By default the label is engraved.
     creep : float
-        Creep factor phi of the sheet in the long run, 0 for none: see `crept`.
+        Long-term creep factor phi of the sheet, 0 for none: see `crept`.
     correction : Profile, optional
-        Factor on the stiffness from which widths are computed, to compensate other effects: see
+        Factor on the stiffness from which the widths are computed. It compensates effects such as slots: see
         `compensate_widths`.
     plates : LapPlates, optional
         Plates that join the pieces of a strip that is longer than the stock.
-
     tolerance : MakingTolerance
         Assumed deviations of sheet, cut and clamps: see `held`.
 
@@ -418,9 +419,9 @@ class Strip:
 
     Notes
     -----
-    Flat pattern: x is arc length from the start of the free part, y = 0 the centre line. The long sides are cubic
-    B-splines whose x control points are the Greville abscissae of the knots, so that y(x) is exactly half the
-    spline width.
+    In the flat pattern, x is the arc length from the start of the bent part, and y = 0 is the centre line. The
+    long sides are cubic B-splines. The x coordinates of their control points are the Greville abscissae of the
+    knots, so that y(x) is exactly half the width.
 
     Examples
     --------
@@ -448,7 +449,7 @@ class Strip:
             raise InputError(
                 f"the rod is a {type(self.rod).__name__}: give a Rod, such as the result of optimal_rod"
             )
-        if self.rod.follows_bend:  # the widths belong to the stiffness in this shape
+        if self.rod.follows_bend:  # because the widths are computed from the stiffness in this shape
             object.__setattr__(self, "rod", as_bent(self.rod))
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))
         require_style(self.style)
@@ -492,7 +493,7 @@ class Strip:
         return self._repr_svg_() + rows_table(repr(self), summary.strip_rows(self))
 
     def table(self) -> dict[str, FloatArray]:
-        """Return the columns (n,) of `Rod.table` in N and N mm, with widths in mm and the largest skin strain."""
+        """Return the columns (n,) of `Rod.table` in N and N mm, with widths in mm and largest surface strains."""
         columns, B = self.rod.table(), self.bending_stiffness
         for name, physical in {
             "moment_1_per_mm": "moment_Nmm", "force_x_1_per_mm2": "force_x_N", "force_y_1_per_mm2": "force_y_N",
@@ -513,19 +514,19 @@ class Strip:
 
     @property
     def tapered(self) -> dict[str, Profile]:
-        """Profile of "thickness" or "diameter", mm along the free part, if it varies instead of the width."""
+        """Profile of "thickness" or "diameter", mm, if it varies instead of the width; else empty."""
         section, size = self.layout.section, self.layout.size
         if section is None or size is None or section.quantity not in ("thickness", "diameter"):
-            return {}  # in a stack the number of plies varies instead
+            return {}  # in a stack of plies, their number varies instead
         return {section.quantity: size}
 
     def breadth(self, digits: str = ".2f") -> str:
-        """Return the width in words, with the thickness if it varies: "20.00 mm wide, 2.00 to 3.00 mm thick"."""
+        """Return a text such as "20.00 mm wide, 2.00 to 3.00 mm thick"; the thickness is included if it varies."""
         return _breadth_message(self.width, self.tapered, digits)
 
     @cached_property
     def layout(self) -> Layout:
-        """Layout that the style makes of the rod."""
+        """Flat pattern of the rod in the style of the strip."""
         widths = {"max_width": self.max_width, "min_width": self.min_width}
 
         def laid_out(factor: Profile) -> Layout:
@@ -537,7 +538,7 @@ class Strip:
 
     @property
     def width(self) -> Profile:
-        """Full width (mm) along the free part [0, length]."""
+        """Full width, mm, along the bent part [0, length]."""
         return self.layout.width
 
     @cached_property
@@ -547,35 +548,37 @@ class Strip:
         return cut_layers(self.layout, self.ends, self.slots, holes, name=self.label or "strip")
 
     def cut_as(self, other: "Strip") -> "Strip":
-        """Return this strip with the layers of another strip that is cut alike (`cut_key`), so that they are
-        computed once."""
+        """Return this strip with the layers of an equal strip (`cut_key`), so that they are computed once."""
         vars(self)["layers"] = other.layers
         return self
 
     @property
     def outline(self) -> Path:
-        """Closed outer loop with its slots, anticlockwise; its long sides are B-splines."""
+        """Closed outline with slots, anticlockwise. Its long sides are B-splines."""
         return self.layers[0].outline
 
     @property
     def mass_text(self) -> str:
-        """Mass in words: in grams, or in kilograms from 1000 g on."""
+        """Text with the mass in g, or in kg from 1000 g on."""
         heavy = self.mass >= 1000
         return note("{mass:.3g} kg" if heavy else "{mass:.3g} g", mass=self.mass / (1000 if heavy else 1))
 
     @property
     def holes(self) -> tuple[Path, ...]:
-        """Closed inner loops."""
+        """Closed loops of the holes."""
         return self.layers[0].holes
 
     def labelled(self, label: str) -> "Strip":
-        """Return the strip with another label, or the strip itself, with its cached results, if it is the same."""
+        """Return the strip with another label.
+
+        If the label is the same, return the strip itself with its cached results.
+        """
         return self if label == self.label else replace(self, label=label)
 
     def mirrored(self) -> "Strip":
-        """Return the strip turned over about its centre line (y to -y); a symmetric strip is returned itself.
+        """Return the strip turned over about its centre line (y to -y).
 
-        It is bent into the same curve.
+        It bends into the same curve. A symmetric strip is returned itself.
         """
         start, end = (tab.mirrored() for tab in self.ends)
         if not self.slots and (start, end) == self.ends:
@@ -584,7 +587,10 @@ class Strip:
 
     @cached_property
     def is_closed(self) -> bool:
-        """True if the strip is closed; its second tab is then glued behind its start, and it has no first tab."""
+        """True if the strip is closed.
+
+        It then has only the second tab, which is glued to the inside of its start.
+        """
         return closes(self.rod)
 
     @property
@@ -597,12 +603,12 @@ class Strip:
 
     @cached_property
     def end_widths(self) -> tuple[float, float]:
-        """Width of the free part at its start and end, mm."""
+        """Widths of the bent part at its start and end, mm."""
         return float(self.width(0.0)), float(self.width(self.rod.length))
 
     @property
     def max_strain(self) -> float:
-        """Largest skin strain (dimensionless) of the layer nearest to its limit."""
+        """Largest surface strain (dimensionless) of the layer nearest to its limit."""
         return self.most_strained.largest
 
     @property
@@ -612,7 +618,7 @@ class Strip:
 
     @property
     def strain_limit(self) -> float:
-        """Strain limit of the sheet of the most strained layer."""
+        """Strain limit of the layer nearest to its limit."""
         return self.most_strained.limit
 
     @property
@@ -622,25 +628,25 @@ class Strip:
 
     @cached_property
     def strain_verdict(self) -> StrainVerdict:
-        """Result of the strain rule for the worst of the strip's layers, and of tabs too narrow for their ends."""
+        """Worst verdict on the strain of layers, tabs and cuts for cords."""
         judged = [layer.judged(self._bends.place(layer.station)) for layer in self.strains]
         judged += [shoulder.verdict for shoulder in self._shoulders]
         return max(judged, key=lambda verdict: (verdict.state, verdict.used))
 
     @property
     def strain_warnings(self) -> tuple[str, ...]:
-        """Sentences with place and consequence for each layer or tab strained beyond the limit of its sheet."""
+        """Warnings about each layer, tab or cut for a cord that is strained beyond its limit."""
         return (*_warn_of_strains(self.strains, self._bends), *map(str, self._shoulders))
 
     @cached_property
     def _shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
-        """Tabs and cuts for cords that are strained beyond a limit."""
+        """Tabs and cuts for cords that are strained beyond their limits."""
         shoulders = _find_shoulders(self.layout, self.ends, self.strains)
         return (*shoulders, *strained_cuts(self.rod, self.layout))
 
     @cached_property
     def strains(self) -> tuple[LayerStrain, ...]:
-        """Skin strain of each layer at stations along the strip, with the limit of its sheet."""
+        """Surface strain of each layer at stations along the strip, with the limit of its sheet."""
         return self.layout.strains(self._bends)
 
     @cached_property
@@ -654,7 +660,7 @@ class Strip:
 
     @cached_property
     def warnings(self) -> tuple[str, ...]:
-        """Warnings of the rod and the style, and strains beyond a limit."""
+        """All warnings about the strip."""
         warnings = (
             *self.rod.warnings,
             *self.layout.warnings,
@@ -669,7 +675,7 @@ class Strip:
 
     @cached_property
     def crept(self) -> Creep | None:
-        """Strip after creep with its ends held throughout, or None without a creep factor.
+        """Strip after creep with its ends held all the time, or None without a creep factor.
 
         Raises
         ------
@@ -684,12 +690,12 @@ class Strip:
 
     @property
     def area(self) -> float:
-        """Area of the flat part (the base of a laminate), mm2."""
+        """Area of the flat strip, or of the base of a laminate, mm2."""
         return self.layers[0].area
 
     @property
     def mass(self) -> float:
-        """Mass in g, of all layers."""
+        """Mass of all layers, g."""
         section, size = self.layout.section, self.layout.size
         if section is None or size is None or section.stack is not None:
             return sum(layer.mass for layer in self.layers)
@@ -701,7 +707,7 @@ class Strip:
 
     @property
     def end_thicknesses(self) -> tuple[float, float]:
-        """Thickness of all layers together at the start and end of the free part, mm."""
+        """Thickness of all layers together at the start and end of the bent part, mm."""
         if self.layout.size is not None:
             start, end = self.layout.size([0.0, self.rod.length]).tolist()
             return start, end
@@ -709,12 +715,15 @@ class Strip:
 
     @property
     def bending_stiffness(self) -> float:
-        """B, the E I where K = 1, N mm2; the rod's numbers times B are newtons."""
+        """Bending stiffness E I where K = 1, N mm2. Forces of the rod times this value are in N."""
         return self.layout.bending_stiffness
 
     @cached_property
     def as_built(self) -> Rod:
-        """Rod with the stiffness and weight of the cut strip, not yet bent: see `rod_as_built`."""
+        """Rod with the stiffness and weight of the strip as it is cut.
+
+        It is not in equilibrium: see `rod_as_built`.
+        """
         from elastica_cad.strip.as_made import rod_as_built
 
         kinks = cut_kinks(self.rod, self.width, self.sheet)
@@ -722,9 +731,10 @@ class Strip:
 
     @cached_property
     def deviation_as_built(self) -> float:
-        """Deviation of the strip as built from the design, bent and held as designed, mm.
+        """Largest deviation of the strip as it is cut from its design, mm, with its ends held as designed.
 
-        It is bent on finer nodes, because the nodes of the design may be too coarse for the stiffness as built.
+        It is computed with more nodes than the design has, because the stiffness as built varies more along the
+        strip.
         """
         edges = self.rod.s.size - 1
         finer = -(-FINE_EDGES // edges)
@@ -736,17 +746,17 @@ class Strip:
 
     @cached_property
     def rod_to_bend(self) -> Rod:
-        """Rod whose ends can be moved, with the curling of the cut strip as it bends: see `bend_strip`."""
+        """Rod for moving the ends of the strip, with the effect of curling across the strip: see `bend_strip`."""
         from elastica_cad.strip.as_made import rod_to_bend
 
         rod = rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
-        # loads are in newtons
+        # loads in N need a bending stiffness in N mm2
         own = rod.bending_stiffness is None
         return replace(rod, bending_stiffness=self.bending_stiffness) if own else rod
 
     @cached_property
     def as_made(self) -> "StripAsMade":
-        """Strip with all effects on its stiffness, for `held`."""
+        """Model of the strip with all effects on its stiffness, for `held`."""
         from elastica_cad.strip.as_made import StripAsMade
 
         return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole)
@@ -757,7 +767,7 @@ class Strip:
         return cut_layers(self.layout, self.ends, (), name="strip") if cut else self.layers
 
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
-        """Return the shape of the strip as made, in its holders; an end without a holder is held as designed.
+        """Return the shape of the finished strip in its holders. An end without a holder is held as designed.
 
         Raises
         ------
@@ -780,7 +790,7 @@ class Strip:
 
     @cached_property
     def held_deviation(self) -> float:
-        """Deviation of the strip as made from its design, mm, with its ends held as designed: see `held`."""
+        """Deviation of the finished strip from its design, mm, with its ends held as designed: see `held`."""
         return self.held().deviation
 
     @cached_property
@@ -791,21 +801,24 @@ class Strip:
     def reactions(self) -> Reactions:
         """Return the forces (N) and moments (N mm) that the supports exert on the strip.
 
-        The internal force is -lambda B (Eq. 2), so the start is pushed by lambda(0) B and the end by -lambda(L) B.
+        The internal force is -lambda B (Eq. 2), so the supports push the start by lambda(0) B and the end by
+        -lambda(L) B.
         """
         B, moment = self.bending_stiffness, self.rod.moment
         start, end = B * self.rod.support_forces
         return Reactions(start, float(-B * moment[0]), end, float(B * moment[-1]))
 
     def drawing(self) -> Drawing:
-        """Return the cut pattern (for a laminate, of its base) on layers: text, marks, inner cuts, outer cut."""
+        """Return the drawing of the strip, or of the base of a laminate, with texts, marks and cuts."""
         return self.drawings()[0]
 
     def drawings(self) -> tuple[Drawing, ...]:
-        """Return the cut pattern of each sheet, the base first; all have the same frame and holes in the tabs.
+        """Return the drawing of each sheet, the base first.
 
-        In a laminate, the position of the backing is marked on the base. Marks on both sheets tell
-        whether the engraved face is inside or outside the bend.
+        All have the same origin and the same holes in the tabs.
+
+        In a laminate, the position of the backing is marked on the base. An engraved word on both sheets gives the
+        side of the bend to which the engraved face points.
         """
         lap = self.ends[1].length if self.is_closed else 0.0
         engraved = f"{self.engraved} {self._backing_mark}".strip()
@@ -818,7 +831,7 @@ class Strip:
 
     @property
     def backing_side(self) -> str:
-        """Sentence on the side of the bend with a laminate's backing; empty for other strips."""
+        """Sentence on the side of the bend on which the backing of a laminate is; empty for other strips."""
         return _backing_message(self._backing_mark)
 
     @property
@@ -828,7 +841,9 @@ class Strip:
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """A strip in space: its curve is in the plane of x_axis and y_axis, its width at right angles to the plane.
+    """A strip in space.
+
+    Its curve is in the plane of `x_axis` and `y_axis`, and its width is perpendicular to that plane.
 
     Parameters
     ----------
@@ -836,14 +851,14 @@ class Placed:
     origin : (3,) array_like
         Origin of the curve's plane, mm.
     x_axis, y_axis : (3,) array_like
-        Directions of the curve's plane, at right angles; the rulings are parallel to x_axis cross y_axis.
+        Perpendicular directions in the plane of the curve. The width of the strip is along their cross product.
     color : (red, green, blue), optional
         Screen colour of the base sheet, each component in 0..1; by default the colour of the sheet.
 
     Raises
     ------
     InputError
-        The axes are not at right angles.
+        The axes are not perpendicular.
     """
 
     strip: Strip
@@ -872,16 +887,18 @@ class Placed:
         return Frame(self.origin, self.x_axis, self.y_axis)
 
     def with_strip(self, strip: Strip) -> "Placed":
-        """Return another strip in the same place."""
+        """Return another strip in the same position."""
         return Placed(strip, self.origin, self.x_axis, self.y_axis, self.color)
 
     def moved(self, turn: ArrayLike, shift: ArrayLike = (0.0, 0.0, 0.0)) -> "Placed":
-        """Return the placed strip after x -> turn @ x + shift; a mirror (determinant -1) turns the flat part over.
+        """Return the placed strip after the map x -> turn @ x + shift.
+
+        A reflection (determinant -1) turns the flat part over.
 
         Raises
         ------
         InputError
-            `turn` is not a 3x3 rotation or mirror.
+            `turn` is not a 3x3 rotation or reflection.
         """
         m = numbers(turn, "the turn of a strip")
         if m.shape != (3, 3) or not np.allclose(m @ m.T, np.eye(3), rtol=0, atol=1e-9):
@@ -897,17 +914,17 @@ PLACED_BY = "of a strip ec.Placed(strip), of a body in CAD its `placed`"
 
 
 def require_placed(placed: object) -> tuple[Placed, ...]:
-    """Return placed strips as a tuple; refuse other values."""
+    """Return placed strips as a tuple. Raise InputError for other values."""
     return several("placed", placed, Placed, "Placed", PLACED_BY)
 
 
 def strip_names(placed: Sequence[Placed]) -> tuple[str, ...]:
-    """Return the name of each strip in messages: its label, or its number from 1."""
+    """Return the name of each strip for messages: its label, or its number, counted from 1."""
     return tuple(item.strip.label or f"strip {i}" for i, item in enumerate(placed, start=1))
 
 
 def distinct_names(placed: Sequence[Placed]) -> tuple[str, ...]:
-    """Return the names, with the strip's number after each repeated name."""
+    """Return the names of `strip_names`, with the number of the strip after names that occur more than once."""
     names = strip_names(placed)
     count = Counter(names)
     return tuple(f"{name} (strip {i})" if count[name] > 1 else name for i, name in enumerate(names, start=1))

@@ -1,4 +1,4 @@
-"""Request for a strip, with its checks, and the strip that it makes."""
+"""Request for a strip: all its parameters, their checks, and the computation of the strip."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -52,14 +52,14 @@ from elastica_cad.strip.styles import NO_WIDTH, PLAIN, Plain, Style, require_sty
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 GravityOption: TypeAlias = Gravity | bool | Sequence[float] | None
-"""A `Gravity`, True for the sheet's own weight along -y, or the direction of the weight."""
+"""Gravity of a request: a `Gravity`, True for the weight of the sheet along -y, or a direction."""
 
 Loads: TypeAlias = "tuple[PointMass | PointForce, ...] | Weight"
-"""Masses and forces on a strip in addition to its own weight, or the whole weight in newtons."""
+"""Loads of a request: masses and forces in addition to the weight of the strip, or the whole weight in newtons."""
 
 
 def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> tuple[Gravity | None, float]:
-    """Return gravity in the plane of a strip's curve, and the fraction of a weight that acts in the plane.
+    """Return gravity in the plane of the curve of a strip, and the fraction of a weight that acts in this plane.
 
     Raises
     ------
@@ -85,7 +85,7 @@ def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> 
 
 
 def _lightened(loads: Loads, share: float) -> Loads:
-    """Return the masses multiplied by `share`; forces and a weight in newtons are not changed."""
+    """Return the loads with their masses multiplied by `share`. Forces and a weight in newtons are unchanged."""
     if isinstance(loads, Weight):
         return loads
     return tuple(
@@ -94,7 +94,10 @@ def _lightened(loads: Loads, share: float) -> Loads:
 
 
 def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight | None:
-    """Return the weight for `optimal_rod`; in an inclined plane only a fraction of a mass acts."""
+    """Return the weight for `optimal_rod`, or None.
+
+    `share` is the fraction of a mass that acts in the plane of the curve.
+    """
     felt = _lightened(loads, share)
     if isinstance(felt, Weight):
         return felt
@@ -103,7 +106,7 @@ def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight 
 
 
 def _direction(direction: object) -> tuple[float, ...]:
-    """Return the two or three numbers of the direction of gravity."""
+    """Return the direction of gravity as two or three numbers."""
     row = (
         tuple(direction)
         if isinstance(direction, Sequence | np.ndarray) and not isinstance(direction, str)
@@ -122,11 +125,11 @@ def _direction(direction: object) -> tuple[float, ...]:
 NEAREST_CALL = (
     "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve then is."
 )
-"""Note for programs that request a strip whose curve may not change."""
+"""Note in Python on refusals of a curve that may not change."""
 
 
 def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
-    """Refuse a seam that is not on the curve, or a seam on an open curve."""
+    """Raise InputError for a seam beyond the end of the curve or on an open curve."""
     if seam_position is not None and seam_position > curve.length:
         raise InputError(
             "{field} is {seam:g}: set a place along the curve from 0 to {length:.4g}, or leave it out",
@@ -147,7 +150,10 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
 def _check_law(
     law: BoundedLaw, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
 ) -> None:
-    """Refuse a law together with another style, widths (`sized`), slots or shaped tabs, or for another sheet."""
+    """Raise InputError if a section law cannot be combined with style, tabs, slots, sheet or widths.
+
+    `sized` is True if a width is given.
+    """
     shaped = bool(slots) or any(tab != Tab(tab.length) for tab in ends)
     shaped = shaped and getattr(law, "quantity", "") != "width"
     if not isinstance(style, Plain) or sized or shaped:
@@ -172,7 +178,7 @@ def _check_law(
 
 
 def _check_together(spec: RodSpec) -> None:
-    """Refuse requests for a rod that exclude each other."""
+    """Raise InputError for requests that exclude each other."""
     if spec.layers is not None and (spec.may_change or spec.natural_curvature != 0.0):
         raise InputError(
             "with {gravity}, a laminate can follow only a drawn curve, and only from flat sheets: leave out "
@@ -211,14 +217,15 @@ def _check_together(spec: RodSpec) -> None:
 def _limits_beside(
     limits: Limits, sheet: Sheet, style: Style, *, max_width: float | None, min_width: float | None
 ) -> Limits:
-    """Return the limits of a strip without a law, consistent with its sheet and widths.
+    """Return the limits of a strip without a section law, with the limits from its sheet and widths.
 
-    The width of a plain strip can be limited in two places; the narrower range is used.
+    The width of a solid strip can be limited by `limits.width` and by `max_width` and `min_width`. The result is
+    the intersection of both ranges.
 
     Raises
     ------
     InputError
-        Widths are outside the limits, or the limits are for a sheet of another thickness.
+        The widths are outside the limits, or the limits are for a sheet of another thickness.
     """
     if (
         limits.sheet is not None
@@ -248,13 +255,13 @@ def _limits_beside(
                 where={"field": (name, "limits.width")},
             )
     narrowest, widest = min_width or low, max_width or high
-    if narrowest > widest:  # refused later, when the widths are compared
+    if narrowest > widest:  # `_ratio_of_widths` refuses this case
         return limits
     return replace(limits, width=(narrowest, widest))
 
 
 def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: FabricationLimits) -> float:
-    """Return the largest ratio of a plain strip's widths that the workshop can cut from a sheet.
+    """Return the largest ratio of the widths of a solid strip that the workshop can cut from a sheet.
 
     Raises
     ------
@@ -288,9 +295,9 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
 
 @contextmanager
 def changes_suggested_in_python(curve: PlaneCurve, may_change: bool) -> Iterator[None]:
-    """Add a note to a refusal of the curve, with the argument that allows changing it.
+    """Add a note to refusals of the curve: the argument with which the curve may change.
 
-    The change is not tried, because a search may take longer than the program can wait.
+    The nearest curve is not computed, because this can take too long for the calling program.
     """
     try:
         yield
@@ -302,12 +309,12 @@ def changes_suggested_in_python(curve: PlaneCurve, may_change: bool) -> Iterator
 
 
 SAME_LENGTH = 1e-9
-"""Relative difference below which two gravity lengths belong to the same sheet."""
+"""Relative difference below which two elasto-gravity lengths are equal."""
 
 
 @dataclass(frozen=True, eq=False)
 class StripSpec(EqualByValue):
-    """Request for a strip; equal requests give equal strips.
+    """Request for a strip. Equal requests give equal strips.
 
     Parameters
     ----------
@@ -316,72 +323,74 @@ class StripSpec(EqualByValue):
     sheet : Sheet or str
         Sheet of the strip, or the name of a built-in sheet.
     frame : Frame, optional
-        Plane of the curve in space, for directions in space.
+        Plane of the curve in space. It is needed for directions in space.
     max_width, min_width : float, optional
         Largest and least width, mm: see `Strip`.
     style : Plain, Perforated or Laminated
-        Conversion of stiffness into material.
+        Style of the strip: solid, with holes, or with a glued backing.
     limits, keep : Limits, Keep, optional
-        If one is given, `nearest_rod` may change the curve; else the strip takes the curve exactly.
+        Limits of the strip, and properties of the curve to keep. If one of them is given, `nearest_rod` may change
+        the curve. Otherwise the strip takes the curve exactly.
     gravity : Gravity, bool or sequence of float, optional
-        True for the sheet's own weight along -y of the drawing, two numbers for its direction in the drawing, or
-        three for a direction in space. Of a direction in space, only the component in the plane of `frame` acts. A
-        `Gravity` is used
-        unchanged. A laminate carries the weight of both its layers.
+        True for the weight of the sheet along -y of the drawing. Two numbers are a direction in the drawing, and
+        three numbers are a direction in space, of which only the component in the plane of `frame` acts. A
+        `Gravity` is used unchanged. The weight of a laminate is that of both layers.
     loads : sequence of PointMass and PointForce, or Weight
-        Masses hung on the strip in addition to its own weight, and forces (N), or the whole weight in newtons.
-        Masses and a weight need gravity.
+        Masses hung on the strip in addition to its own weight, and forces (N). A `Weight` is the whole weight in
+        newtons. Masses and a `Weight` need gravity.
     between : sequence of Rail, Pin and Tie
-        Elements that hold the strip between its ends. Its accuracy is not computed with them.
+        Elements that hold the strip between its ends. The accuracy of the strip is not computed with them.
     supports : Supports
         Supports of the ends, clamped by default.
     natural_curvature : float or RestCurvature
-        Curvature before bending, 1/mm; along the length for a pre-bent strip.
+        Curvature of the unbent strip, 1/mm. A `RestCurvature` varies along the strip.
     samples : int, optional
         Number of nodes of the rod; chosen automatically by default.
     ends : pair of Tab
-        Tabs. In a closed strip the second is the lap, glued behind the start, and the first is left out.
+        Tabs at the start and at the end. In a closed strip, the first is ignored, and the second is the lap, which
+        is glued to the inside of the start.
     seam_position : float, optional
-        Place at which a closed strip begins and ends, mm along the drawn curve. All places along the strip are
-        measured from there. By default it is the place of least curvature, or the start of the drawn curve with
-        limits or keep. None for an open curve.
+        Arc length on the drawn curve, mm, at which a closed strip begins and ends. All positions along the strip
+        are measured from there. By default it is the point of least curvature, or the start of the drawn curve
+        with `limits` or `keep`. None for an open curve.
     straight_ends : bool
-        Turn straight first and last pieces of the curve into tabs if the direction of the end is held, and bend
-        only the part between them. The tabs are at least as long as drawn; circles drawn on them become holes.
-        All places along the strip are measured from there. False bends the whole curve.
+        If True, a straight first or last piece of the curve becomes a tab, if the direction of that end is held.
+        Only the part between the tabs is bent, and positions along the strip are measured from its start. The tabs
+        are at least as long as drawn, and circles drawn on them become holes. If False, the whole curve is bent.
     slots : sequence of Slot
     label : str
         Name in messages, files and assemblies; empty for none.
     engrave : str, optional
-        Text engraved on the strip; empty for none. By default the label, in letters that can be engraved.
+        Text engraved on the strip; an empty string for none. By default the label is engraved.
     smooth : float, optional
-        Largest distance, mm, by which the curve may be moved to make its curvature and the slope of the curvature
-        continuous; 0 keeps it as drawn. By default the limits are 0.1 mm and 5e-4 of its length, and the curve is
-        moved only if the outline would have a step: see `smooth_curve`.
+        Largest distance, mm, by which smoothing may move the curve; 0 keeps it as drawn. Smoothing makes the
+        curvature and its derivative continuous. By default, the curve is smoothed only if the outline would have a
+        step, by at most 0.1 mm and 5e-4 of the length: see `smooth_curve`.
     shop : FabricationLimits
-        Limits of the workshop: least widths and the largest sheet.
+        Limits of the workshop, such as least widths and the size of the stock.
     compensate : bool, optional
-        True changes the widths so that the strip as made takes the curve, with slots, narrow tabs, leaning
-        ligaments, anticlastic bending and its own weight: see `compensate_widths`. False makes widths proportional
-        to the stiffness. By default only anticlastic bending is compensated, for a plain strip without loads whose
-        sheet has a known Poisson's ratio (`Sheet.poisson_known`): see `WidthLaw`.
+        If True, the widths compensate all effects on the finished strip: slots, narrow tabs, inclined ligaments,
+        anticlastic bending and its weight (see `compensate_widths`). If False, the widths are proportional to the
+        stiffness. By default, only anticlastic bending is compensated, for solid strips without loads and with a
+        known Poisson's ratio (`Sheet.poisson_known`): see `WidthLaw`.
     creep : float
-        Creep factor phi of the sheet in the long run, 0 for none. It adds sag, forces and springback to the
-        report: see `Strip.crept`.
+        Long-term creep factor phi of the sheet, 0 for none. It adds sag, forces and springback to the report: see
+        `Strip.crept`.
     law : BoundedLaw, optional
-        Relation between stiffness and a quantity other than width. `ThicknessLaw` or `RoundLaw` use the sheet's
-        material. `LeavesLaw` is for glued plies of the sheet and needs limits or keep, because a stack only
-        approximates a curve. `WidthLaw` is for a plain strip that bends as a beam where it is narrow and as a plate
-        where it is wide, and carries its weight. The law's limits replace `max_width` and `min_width`.
+        Section law: the relation between stiffness and the quantity that varies along the strip. `ThicknessLaw`
+        and `RoundLaw` vary the thickness or the diameter. `LeavesLaw` is for glued plies and needs `limits` or
+        `keep`, because a stack can only approximate a curve. `WidthLaw` is for a solid strip that bends as a beam
+        where it is narrow and as a plate where it is wide. The limits of the law replace `max_width` and
+        `min_width`.
     ignore_limits : bool
-        Make a strip outside the workshop's limits too, with a warning.
+        If True, a strip outside the limits of the workshop is made with a warning.
     tolerance : MakingTolerance
         Assumed deviations of sheet, cut and clamps, for the expected deviation of the strip.
 
     Raises
     ------
     InputError
-        Values have a wrong type, are not positive or not finite, or exclude each other.
+        Values have a wrong type, are outside their range, or exclude each other.
 
     Examples
     --------
@@ -578,7 +587,7 @@ class StripSpec(EqualByValue):
             self._require_alone()
 
     def _require_alone(self) -> None:
-        """Refuse fields that do not take elements and point forces into account."""
+        """Raise InputError for fields that cannot be combined with elements and point forces."""
         curve = self._begun
         conflicts = {
             "a law": ("law", self.law is not None),
@@ -600,7 +609,7 @@ class StripSpec(EqualByValue):
 
     @property
     def material(self) -> Sheet:
-        """Sheet, also if only its name was given."""
+        """Sheet of the strip as a record."""
         return self.sheet if isinstance(self.sheet, Sheet) else Sheet.named(self.sheet)
 
     @cached_property
@@ -610,7 +619,7 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def _pulled(self) -> tuple[Gravity | None, float]:
-        """Gravity in the plane of the curve, and the fraction of a weight that acts in this plane."""
+        """Gravity in the plane of the curve, and the fraction of a weight that acts in it."""
         return pull_in_plane(self.gravity, self.material, self.frame)
 
     @property
@@ -628,8 +637,7 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def rod_spec(self) -> RodSpec:
-        """Request for the rod. Strips that differ only in ends, slots, label or unloaded widths have equal
-        requests."""
+        """Request for the rod. It does not depend on ends, slots and label, and without loads not on widths."""
         gravity, share = self._pulled
         layers: LaminateLayers | None = None
         weight = _hung_weight(self.loads, share, gravity)
@@ -655,20 +663,23 @@ class StripSpec(EqualByValue):
             smooth=self.smooth,
             section=self._section(share),
             widths=self._widths,
-            # the widths matter only if the outline may have a step; else the rod is the same for all widths
+            # smoothing depends on the widths only if the outline may have a step
             outline_widths=(self.max_width, self.min_width) if may_step(self._begun) else (None, None),
         )
 
     @cached_property
     def run_ins(self) -> StraightEnds:
-        """Drawn curve and its bent part between straight ends that become tabs."""
+        """Drawn curve, and its bent part between the straight ends that become tabs."""
         if not self.straight_ends or (self.curve.has_corners and not self.smooth):
             return StraightEnds(self.curve, self.curve)
         return StraightEnds.of(self.curve, self.supports, self.natural_curvature)
 
     @cached_property
     def tabs(self) -> tuple[Tab, Tab]:
-        """Tabs, at least as long as the drawn straight ends, with the holes drawn on them."""
+        """Tabs of the strip.
+
+        They are at least as long as the drawn straight ends and have the holes drawn on them.
+        """
         run_ins = self.run_ins
         holes: tuple[list[Hole], list[Hole]] = ([], [])
         drawn = self.curve.provenance
@@ -684,7 +695,7 @@ class StripSpec(EqualByValue):
 
     @property
     def tabs_message(self) -> Refusal | None:
-        """Note on straight ends that became tabs, and on circles on them; None without straight ends."""
+        """Note on straight ends that became tabs, and on circles that became holes; None without straight ends."""
         message = self.run_ins.message
         drilled = sum(
             len(tab.holes) - len(requested.holes) for tab, requested in zip(self.tabs, self.ends, strict=True)
@@ -700,7 +711,7 @@ class StripSpec(EqualByValue):
 
     @property
     def _widths(self) -> WidthRange | None:
-        """Widths of a plain strip whose stiffness depends on its loads, or None for other strips."""
+        """Limits of the width of a solid strip whose loads determine its stiffness, or None."""
         sized = self.max_width is not None or self.min_width is not None
         if not sized or not self.loads or self.law is not None or not isinstance(self.style, Plain):
             return None
@@ -711,9 +722,12 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def _begun(self) -> PlaneCurve:
-        """Curve to bend; a closed curve starts at the seam, or at its flattest place if it may not change."""
+        """Curve to which the strip is bent.
+
+        A closed curve starts at the seam, or by default at the point of least curvature if it may not change.
+        """
         curve = self.run_ins.bent
-        if not curve.is_closed or (curve.has_corners and not self.smooth):  # corners are refused later
+        if not curve.is_closed or (curve.has_corners and not self.smooth):  # the rod request refuses corners
             return curve
         if self.seam_position is not None:
             return begin_at(curve, self.seam_position)
@@ -722,28 +736,28 @@ class StripSpec(EqualByValue):
 
     @property
     def makes_up_for_curl(self) -> bool:
-        """True if the widths compensate anticlastic bending by default, that is without `compensate`."""
+        """True if the widths compensate anticlastic bending by default (`compensate` is None)."""
         sheet = self.material
         if self.compensate is not None or self.law is not None or not isinstance(self.style, Plain):
             return False
-        # loads determine the widths, and a section with weight does not take elements into account
+        # widths that follow from loads, and sections with weight and elements, are not supported
         free = not self.loads and not (self.between and self.gravity_in_plane is not None)
         return sheet.poisson_known and sheet.poisson_ratio > 0 and free
 
     @property
     def _width_law(self) -> WidthLaw:
-        """Law of a strip with the requested largest or else least width."""
+        """Section law of a solid strip with the requested largest width, or else the least width."""
         if self.max_width is not None:
             return WidthLaw(self.material, 0.0, self.max_width)
         return WidthLaw(self.material, self.min_width or 0.0, np.inf)
 
     def _section(self, share: float) -> BoundedLaw | None:
-        """Return the law with the weight that acts in the plane."""
+        """Return the section law with a density that gives the weight acting in the plane."""
         law: BoundedLaw | None = self.law
         felt = self.gravity_in_plane
         asks_for_margin = self.limits is not None and self.limits.margin is not None
         if law is None and self.makes_up_for_curl and (felt is not None or asks_for_margin):
-            # includes the weight of the sheet and the stability of a strip that bends as a plate
+            # the law includes the weight of the sheet, and the stability of a strip that bends as a plate
             law = self._width_law
             share = 1.0 if felt is None else (self.material.elasto_gravity_length / felt.length) ** 3
         if law is None and felt is None and isinstance(self.style, Laminated):
@@ -760,7 +774,7 @@ class StripSpec(EqualByValue):
 
     @property
     def _makeable_limits(self) -> Limits:
-        """Limits including those of sheet and widths, so that a nearest rod can be cut and bent."""
+        """Limits including those from sheet and widths, so that the nearest strip can be cut and bent."""
         limits = Limits() if self.limits is None else self.limits
         if self.ignore_limits:
             return limits
@@ -785,19 +799,19 @@ class StripSpec(EqualByValue):
         Raises
         ------
         NotRealizable
-            No strip takes the curve and neither limits nor keep allow it to change.
+            No strip takes the curve, and neither `limits` nor `keep` allows the curve to change.
         NotConvergedError
             No rod near the curve meets the limits; the message suggests changes.
         InputError
-            See `optimal_rod`, `optimal_laminate`, `nearest_rod` and `Strip`; or the strip cannot be cut or handled,
-            with place and cure of each fault.
+            The strip cannot be cut or handled. For other reasons see `optimal_rod`, `optimal_laminate`,
+            `nearest_rod` and `Strip`.
         StrainError
             The strip would break.
         """
         rod = accepted_rod(solve_rod(self.rod_spec) if found is None else found)
         if self.makes_up_for_curl and rod.section is None:
             rod = replace(rod, section=self._width_law)
-        if isinstance(self.style, Laminated):  # the style computes the section for the stiffness of the rod
+        if isinstance(self.style, Laminated):  # the style computes the section from the stiffness of the rod
             rod = replace(rod, section=None)
         tabs_note = self.tabs_message
         notes = (*([] if tabs_note is None else [tabs_note]), *self.rod_spec.smoothing.notes)
@@ -820,12 +834,12 @@ class StripSpec(EqualByValue):
         )  # fmt: skip
 
     def changed(self, **fields: Any) -> "StripSpec":
-        """Return the request with other values of some fields."""
+        """Return a copy of the request with other values of the given fields."""
         refuse_unknown(fields, {option.name for option in fields_of(self)}, "a strip")
         return replace(self, **fields)
 
     def with_change(self, change: Change) -> "StripSpec | None":
-        """Return the request with a change from a refusal, or None if the change does not apply to a strip.
+        """Return the request with a change that a refusal suggests, or None if the change does not apply.
 
         Examples
         --------
@@ -847,7 +861,10 @@ class StripSpec(EqualByValue):
         return self.changed(**{change.field: change.value})
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
-        """Return the layers from which a laminate's rod is computed; gravity must act fully in the plane."""
+        """Return the layers from which the rod of a laminate is computed.
+
+        Gravity must be in the plane of the curve.
+        """
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
             raise InputError(
                 "a laminate that carries its own weight must be upright and weigh as much as its sheets: "
@@ -869,7 +886,7 @@ def make_strip(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Strip:
     Raises
     ------
     NotRealizable, NotConvergedError, InputError
-        See `StripSpec` and its `make`; also for an unknown field.
+        See `StripSpec` and `StripSpec.make`. An unknown field raises InputError.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Styles, which convert stiffness into material: the plain style, and the layout that every style returns."""
+"""Styles of a strip, which convert the stiffness of a rod into a flat pattern: interface and solid style."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -31,47 +31,49 @@ from elastica_cad.strip.outline import Ends, long_sides
 from elastica_cad.strip.slots import Slot
 
 Width: TypeAlias = float | Profile | Callable[[FloatArray], FloatArray]
-"""Outer width: a number, or a profile or function of arc length, all in mm."""
+"""Width of an outline, mm: a number, a profile, or a function of the arc length, mm."""
 
 WIDTH_MM = 1e-6
-"""Largest error, mm, of a width given as a function."""
+"""Largest error, mm, of the profile that approximates a width given as a function."""
 
 
 SIZE_SHARE = 3e-6
-"""Relative error of a section's size, about equal to the error of the stiffness from which it is computed."""
+"""Largest relative error of the thickness or diameter of a section, about equal to the error of the stiffness."""
 
 CORRECTION_TOLERANCE = 1e-6
-"""Error of the corrected stiffness, relative to its largest value."""
+"""Largest error of the corrected stiffness, relative to its maximum."""
 
 CURVATURE_STATIONS = 2001
-"""Number of places on the curve's smooth panels for computing the strain."""
+"""Number of stations on a curve at which the strain is computed."""
 
-_RODS = 64  # number of rods with cached bends; equal strips of a model share them
+_RODS = 64  # number of rods in the cache of `bends_along`; equal strips of a model have the same rod
 
 MOST_EXTREMES = 200
-"""Largest number of local extremes with finer stations; more extremes are due to rounding."""
+"""Largest number of local extremes around which stations are added. Further extremes are due to rounding
+errors."""
 
 GUIDE_MM = 0.5
-"""Least distance, mm, between the edges of backing and base at which the backing is marked on the base."""
+"""Distance between the edges of backing and base, mm, from which on the edges of the backing are marked on the
+base."""
 
 
 NO_WIDTH = note(
     "a strip needs {max_width} or {min_width}, in mm, because its curve sets only the ratio of its widths",
     max_width=FieldName("max_width"), min_width=FieldName("min_width"),
 )  # fmt: skip
-"""Message for a plain strip without a width; other styles do not need `max_width`."""
+"""Message for a solid strip without a width."""
 
 
 @dataclass(frozen=True, eq=False)
 class Bends:
-    """Bend of a strip at stations along it.
+    """Change of the curvature by bending, at n stations along a strip.
 
     Attributes
     ----------
     amount : (n,) array
         |kappa - kappa_0|, 1/mm.
     places : (n,) array
-        Arc lengths, mm, or parameters of `curve`.
+        Arc lengths of the stations, mm, or their parameters on `curve`.
     curve : PlaneCurve, optional
         Curve that converts parameters into arc lengths when they are needed.
     """
@@ -81,7 +83,7 @@ class Bends:
     curve: PlaneCurve | None = None
 
     def arc_length(self, stations: int | slice) -> FloatArray:
-        """Return the arc length of stations by number or slice, mm."""
+        """Return the arc lengths, mm, of stations with the given index or slice."""
         places = np.asarray(self.places[stations])
         return places if self.curve is None else self.curve.arc_length(places)
 
@@ -91,27 +93,27 @@ class Bends:
         return self.arc_length(slice(None))
 
     def place(self, station: int) -> float:
-        """Return the arc length of a station, mm."""
+        """Return the arc length of the station with the given index, mm."""
         return float(self.arc_length(station))
 
 
 class Pattern(Protocol):
-    """Holes in the free part of a strip."""
+    """Pattern of holes in the bent part of a strip."""
 
     def paths(self, ends: Ends, slots: Sequence[Slot]) -> tuple[Path, ...]:
-        """Return the holes as closed loops, clear of the slots."""
+        """Return the holes as closed loops, clear of tabs and slots."""
         ...
 
 
 @dataclass(frozen=True, eq=False)
 class Backing:
-    """Narrower strip that is glued on.
+    """Narrower strip that is glued to the base of a laminate.
 
     Attributes
     ----------
     sheet : Sheet
     width : Profile
-        mm along the free part.
+        Width along the bent part, mm.
     """
 
     sheet: Sheet
@@ -120,30 +122,30 @@ class Backing:
 
 @dataclass(frozen=True, eq=False)
 class Layout:
-    """Layout of a strip by a style, from a rod and a sheet.
+    """Flat pattern of a strip, computed by a style from a rod and a sheet.
 
     Attributes
     ----------
     sheet : Sheet
         Sheet of the outline.
     width : Profile
-        Full width of the outline along the free part, mm.
+        Full width of the outline along the bent part, mm.
     material : Profile
         Intended net width of the sheet, mm.
     bending_stiffness : float
-        B, N mm2: bending stiffness E I where the relative stiffness K is 1.
+        Bending stiffness E I where the relative stiffness K is 1, N mm2.
     pattern : Pattern or None
-        Holes.
+        Pattern of holes.
     backing : Backing or None
-        Backing that is glued on.
+        Backing of a laminate.
     dots : float
-        Diameter of holes that align base and backing, mm; 0 for none.
+        Diameter of the holes that align base and backing, mm; 0 for none.
     warnings : tuple of str
-        Warnings for the maker.
+        Warnings about the pattern.
     section : BoundedLaw or None
-        Law of the stiffness, or None if the width is proportional to the stiffness with E.
+        Section law, or None if the width is proportional to the stiffness.
     size : Profile or None
-        Thickness or diameter of the section along the free part, mm, if it varies.
+        Thickness or diameter along the bent part, mm, if it varies, else None. For glued plies, their number.
     """
 
     sheet: Sheet
@@ -159,21 +161,24 @@ class Layout:
 
     @property
     def stack(self) -> LaidLeaves | None:
-        """Glued plies of the strip; None without plies."""
+        """Glued plies of the strip, or None for other strips."""
         return None if self.section is None else self.section.stack
 
     @property
     def worked_size(self) -> Profile | None:
-        """Thickness or diameter, mm, after planing or turning, or None for strips that are cut, and for plies."""
+        """Thickness or diameter of a planed or turned strip, mm, or None for other strips."""
         return self.size if self.stack is None else None
 
     def hole_paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
-        """Return closed loops to cut out of the free part, clear of the slots."""
+        """Return the holes in the bent part as closed loops, clear of tabs and slots."""
         return () if self.pattern is None else self.pattern.paths(ends, slots)
 
     @property
     def guides(self) -> tuple[Path, ...]:
-        """Lines on the base that mark the edges of the backing, unless the edges of the base are close to them."""
+        """Lines on the base that mark the edges of the backing.
+
+        Empty if the edges of both are close to each other.
+        """
         if self.backing is None:
             return ()
         s = stations_of(self.width.length, count=201)
@@ -182,19 +187,19 @@ class Layout:
         return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
 
     def law(self, material: FloatArray, backing: FloatArray | None) -> tuple[StiffnessLaw, FloatArray]:
-        """Return the stiffness law of a sheet `material` (n,) wide, mm, and the law's parameter at each station."""
+        """Return the stiffness law for net widths (n,), mm, of sheet and backing, and its parameter (n,)."""
         if self.backing is None or backing is None:
             return PlainSection(self.sheet), material
         return LaminatedSection(self.sheet, self.backing.sheet).on(material), backing
 
     def strains(self, bends: Bends) -> tuple[LayerStrain, ...]:
-        """Return the skin strain of each layer at stations along the strip."""
+        """Return the surface strain of each layer at stations along the strip."""
         if self.section is not None and self.size is not None:
             return self.section.strains(bends.amount, self.size(bends.s))
-        if self.backing is None:  # the strain of a solid sheet does not depend on its width
+        if self.backing is None:  # the strain of a single sheet does not depend on its width
             return PlainSection(self.sheet).strains(bends.amount)
         outer = self.width(bends.s)
-        # a backing as wide as the base may exceed it by the tolerance of its fit
+        # a backing as wide as the base may exceed it by the tolerance of its profile
         law, parameter = self.law(outer, np.minimum(self.backing.width(bends.s), outer))
         return law.strains(bends.amount, parameter)
 
@@ -204,7 +209,7 @@ class Layout:
         return law.bending_stiffness(parameter)
 
     def weight_per_length(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray | None:
-        """Return the weight (n,), N/mm, for net widths (n,), mm, or None for a single sheet.
+        """Return the weight per length (n,), N/mm, for net widths (n,), mm, or None for a single sheet.
 
         The weight of a single sheet is proportional to its stiffness.
         """
@@ -213,12 +218,12 @@ class Layout:
 
 
 class Style(Protocol):
-    """Interface of a style, which turns stiffness into material."""
+    """Interface of a style, which converts stiffness into a flat pattern."""
 
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> Layout:
-        """Return the layout for a rod, or raise `InputError` with the place that cannot be made."""
+        """Return the flat pattern of a rod, or raise `InputError` if it cannot be made."""
         ...
 
 
@@ -232,7 +237,10 @@ class Plain:
     def laid_out(
         self, rod: Rod, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> Layout:
-        """Return the layout; a width sets the scale, unless the rod has a bending stiffness."""
+        """Return the flat pattern of a rod.
+
+        The bending stiffness of the rod, or else a given width, determines the widths.
+        """
         require_laid_out(rod, sheet, max_width, min_width)
         if rod.section is not None:
             sized = _of_section(rod, rod.section, sheet)
@@ -252,12 +260,12 @@ class Plain:
 
 
 def outline_field(style: object) -> FieldName:
-    """Return the field that sets the width of the outline of a strip in a style."""
+    """Return the name of the field that determines the outline width in a style."""
     return FieldName("max_width" if isinstance(style, Plain) else "style.width")
 
 
 def require_style(style: object) -> None:
-    """Refuse a value that is not a style."""
+    """Raise InputError for a value that is not a style."""
     if not callable(getattr(style, "laid_out", None)):
         raise InputError(
             f"style is {style!r}: give Plain(), Perforated(width=...) or Laminated(width=..., backing=...)"
@@ -265,7 +273,7 @@ def require_style(style: object) -> None:
 
 
 def require_laid_out(rod: object, sheet: object, *widths: object) -> None:
-    """Refuse arguments of `Style.laid_out` of wrong types."""
+    """Raise InputError for arguments of `Style.laid_out` that have a wrong type."""
     require_record(rod, Rod, "what is laid out", "a Rod")
     require_record(sheet, Sheet, "the sheet", "a Sheet")
     for width in widths:
@@ -276,7 +284,7 @@ def require_laid_out(rod: object, sheet: object, *widths: object) -> None:
 def _within(
     width: Profile, rod: Rod, min_width: float | None, max_width: float | None, *, slack: float
 ) -> None:
-    """Refuse widths beyond their limits."""
+    """Raise InputError for a width outside its limits."""
     narrow, wide = width.extremes
     if min_width is not None and narrow * (1 + slack) < min_width:
         shown, limit = distinct_digits(narrow, min_width, ".4g")
@@ -302,7 +310,7 @@ def _within(
 
 
 def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
-    """Return the layout for a section: given width of a tapered strip, or computed width or diameter."""
+    """Return the flat pattern for a section law, which determines the width, thickness or diameter."""
     profile = rod.profile
     if (stack := section.stack) is not None:
         B = rod.bending_stiffness or 1.0
@@ -327,7 +335,10 @@ def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
 
 
 def _bend_between_steps(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return kappa - kappa_0 (n,), 1/mm, linear inside the ramps that represent steps of the stiffness."""
+    """Return kappa - kappa_0 (n,), 1/mm, at stations s.
+
+    It is interpolated linearly across steps of the stiffness.
+    """
     bend = rod.bend_at(s)
     for step in rod.profile.steps:
         inside = (s > step[0]) & (s < step[1])
@@ -340,12 +351,13 @@ PLAIN = Plain()
 
 
 def width_profile(width: Width, length: float, name: str) -> Profile:
-    """Return a width as a profile over [0, length], positive everywhere.
+    """Return a width as a profile over [0, length].
 
     Raises
     ------
     InputError
-        The width is not positive somewhere, the profile has another length, or the function returns no numbers.
+        The width is not positive everywhere, the profile has another length, or the function does not return
+        numbers.
     """
     if isinstance(width, Profile):
         if not np.isclose(width.length, length, rtol=1e-6):
@@ -378,7 +390,7 @@ def width_profile(width: Width, length: float, name: str) -> Profile:
 
 
 def refine_stations(s: FloatArray, *values: FloatArray) -> FloatArray:
-    """Return the stations (n,) with finer stations about the local extremes of `values` (n,)."""
+    """Return the stations `s` (n,) with additional stations near the local extremes of all `values` (n,)."""
     turns = [np.flatnonzero(np.diff(np.sign(np.diff(value)))) + 1 for value in values]
     extremes = np.unique(np.concatenate([[0, s.size - 1], *turns]).astype(int))[:MOST_EXTREMES]
     before, after = s[np.maximum(extremes - 1, 0)], s[np.minimum(extremes + 1, s.size - 1)]
@@ -386,7 +398,7 @@ def refine_stations(s: FloatArray, *values: FloatArray) -> FloatArray:
 
 
 def stations_of(length: float, *profiles: Profile, count: int = 2001) -> FloatArray:
-    """Return dense stations (n,) in [0, length], mm, including the knots of the profiles."""
+    """Return `count` evenly spaced stations in [0, length], mm, together with the knots of the profiles."""
     knots = [profile.knots[(profile.knots >= 0) & (profile.knots <= length)] for profile in profiles]
     return np.unique(np.concatenate([np.linspace(0.0, length, count), *knots]))
 
@@ -394,20 +406,20 @@ def stations_of(length: float, *profiles: Profile, count: int = 2001) -> FloatAr
 def correct_layout(
     style: Style, rod: Rod, sheet: Sheet, correction: Profile, **widths: float | None
 ) -> Layout:
-    """Return the layout of a style for a rod whose stiffness is multiplied by a correction."""
+    """Return the flat pattern in a style for a rod whose stiffness is multiplied by a correction."""
     drawn = rod.profile
     corrected = Profile.fit(
         lambda s: drawn(s) * correction(s), rod.length, breaks=drawn.breaks, knots=correction.knots,
         tolerance=CORRECTION_TOLERANCE * float(drawn.extremes[1]),
     )  # fmt: skip
     layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
-    # bending stiffness E I where K = 1 in the original rod; `with_stiffness` has divided K by its corrected minimum
+    # E I where K = 1 in the original rod, because `with_stiffness` divides K by the minimum of the corrected K
     return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
 
 
 @lru_cache(maxsize=_RODS)
 def bends_along(rod: Rod) -> Bends:
-    """Return the bend of a rod at stations on its curve's smooth panels and on both sides of jumps."""
+    """Return the change of curvature of a rod at stations along its curve and on both sides of jumps."""
     if rod.shape is None:
         return Bends(np.abs(rod.curvature - rod.natural_curvature), rod.s)
     curve, rest = rod.curve, rod.natural_curvature

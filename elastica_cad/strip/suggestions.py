@@ -1,4 +1,4 @@
-"""Changes that make a refused strip possible, each made before it is suggested."""
+"""Search for changes that make a refused strip possible. Every change is tested before it is suggested."""
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -30,35 +30,35 @@ MOST = 4
 """Largest number of suggestions."""
 
 FIRST = ("smooth", "split_corners", "nearest")
-"""Fields that are tried before others that a refusal names."""
+"""Fields whose changes are tested before those of other fields."""
 
 MOST_TRIED = 3
-"""Largest number of changes of one field that are tried; each takes as long as the request."""
+"""Largest number of changes of one field that are tested. Each test takes as long as the request."""
 
 WIDEST_SHARE = 0.5
-"""Largest width of a strip as a fraction of its length; a wider one bends as a plate."""
+"""Largest width of a strip as a fraction of its length. A wider strip bends as a plate."""
 
 MOST_PIECES = 8
-"""Largest number of strips into which a curve is split at its corners."""
+"""Largest number of strips into which a curve is divided at its corners."""
 
 
 @dataclass(frozen=True)
 class Suggestion:
-    """A change of a request that was made, and makes the strip possible, stable and strong enough.
+    """A tested change of a request that gives a possible, stable strip within its strain limit.
 
-    `str()` returns the change and its effect; `as_dict()` a table for reports.
+    `str()` returns the change and its effect, and `as_dict()` a table for reports.
 
     Attributes
     ----------
     change : Change
-        Field and value. In addition to fields of a request: "point" moves a control point, value (index from 0,
-        (x, y)); "size" is the scale of the drawing.
+        Field and value. Two fields are not part of a request. "point" moves a control point; its value is (index,
+        (x, y)), with indices from 0. "size" is a factor on the size of the drawing.
     requests : tuple of StripSpec
-        Requests with this change; several only if the curve is split at its corners.
+        Requests with this change. There are several if the curve is divided at its corners.
     deviation : float
         Largest distance from the drawn curve, mm.
     used : int
-        Strain, % of what the sheet allows for long.
+        Strain, % of the long-term strain limit of the sheet.
     strips : tuple of Strip
         The strips of the requests.
     """
@@ -71,12 +71,12 @@ class Suggestion:
 
     @property
     def title(self) -> Refusal:
-        """The change as an instruction, for a button or a line of text."""
+        """The change as an instruction."""
         return instruction(self.change, self.requests[0].curve.provenance)
 
     @property
     def effect(self) -> Refusal:
-        """Distance from the drawn curve and strain."""
+        """Sentence on the distance from the drawn curve and the strain."""
         return note(
             "within {distance} of the drawn curve, {used} % of the allowed strain of {sheet}"
             if self.deviation
@@ -99,7 +99,7 @@ class Suggestion:
         return {"kind": NOUNS[type(value)], **given}
 
     def as_dict(self) -> dict[str, Any]:
-        """Return field, value, deviation (mm), used strain (%) and text, for a report."""
+        """Return the field, value, deviation (mm), used fraction of the strain limit (%) and text."""
         return {
             "field": self.change.field, "value": self.table, "deviation": self.deviation, "used": self.used,
             "text": str(self),
@@ -135,20 +135,21 @@ def instruction(change: Change, drawn: Provenance | None = None) -> Refusal:
 def suggest(
     spec: StripSpec, problem: ElasticaError, fields: Collection[str] | None = None
 ) -> Iterator[Suggestion]:
-    """Yield at most four changes of a refused request, in a fixed order; each is made and holds.
+    """Yield at most four changes of a refused request that are tested and give a suitable strip.
 
     The order is: a moved control point, smoothing, separate strips between corners, the nearest curve, a rail, pin
-    or tie, other fields that the refusal names, another sheet, another size. A change holds if the strip is stable,
-    strained within its sheet's limit and at most 3 % of the curve's size from the drawn curve.
+    or tie, other fields that the refusal names, another sheet, another size. A strip is suitable if it is stable
+    and strained within the limit of its sheet. Its distance from the drawn curve is at most 3 % of the curve's
+    size.
 
     Parameters
     ----------
     spec : StripSpec
         The refused request.
     problem : ElasticaError
-        Its refusal.
+        The error that refused the request.
     fields : collection of str, optional
-        Fields that may change; all by default.
+        Fields that may change; by default all.
 
     Examples
     --------
@@ -174,7 +175,7 @@ def suggest(
 
 
 def _changes(spec: StripSpec, problem: ElasticaError) -> Iterator[Iterable[Change]]:
-    """Yield the changes of each field, the most promising first; the first that holds is suggested."""
+    """Yield the possible changes of each field. Of each group, the first suitable change is suggested."""
     named = problem.refusal.changes
     fields = dict.fromkeys((*FIRST, *(change.field for change in named)))
     exact = isinstance(problem, NotRealizable) and _is_bare(spec)
@@ -205,14 +206,15 @@ def _support(spec: StripSpec) -> Iterator[Change]:
 
 
 def _is_bare(spec: StripSpec) -> bool:
-    """Return True for a drawn curve without weight, loads and elements."""
+    """Return True for a request without weight, loads and elements whose curve may not change."""
     return not (spec.may_change or spec.between or spec.loads) and spec.gravity is None
 
 
 def _sheets(spec: StripSpec, share: float) -> Iterator[Change]:
-    """Yield the thickest sheet that withstands the curve, of the same kind first; `share` is the used strain.
+    """Yield a change to the thickest sheet that withstands the curve, preferably of the same kind.
 
-    For an unlisted sheet of the user only sheets of its kind are considered.
+    `share` is the strain divided by the limit of the present sheet. If that is a sheet of the user, only sheets of
+    its kind are considered.
     """
     own, listed = spec.material, sheet_names()
     bears = share * own.max_strain / own.thickness
@@ -224,7 +226,7 @@ def _sheets(spec: StripSpec, share: float) -> Iterator[Change]:
 
 
 def _requests(spec: StripSpec, change: Change) -> Sequence[StripSpec]:
-    """Return the requests after a change, or none if it does not apply."""
+    """Return the requests with a change, or an empty list if the change does not apply."""
     match change.field, change.value:
         case "point", (index, place):
             points = spec.curve.control_points.copy()
@@ -235,7 +237,7 @@ def _requests(spec: StripSpec, change: Change) -> Sequence[StripSpec]:
             return [spec.changed(curve=spec.curve.transformed(np.diag([scale, scale, 1.0])))]
         case "split_corners", _:
             pieces = split_at_corners(spec.curve)
-            drawn = spec.curve.degree > 1  # points of degree 1 are not intended as straight strips
+            drawn = spec.curve.degree > 1  # a polyline is not meant as a row of straight strips
             apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
     changed = spec.with_change(change)
@@ -243,7 +245,7 @@ def _requests(spec: StripSpec, change: Change) -> Sequence[StripSpec]:
 
 
 def _held(spec: StripSpec, change: Change) -> Suggestion | None:
-    """Return the suggestion, or None if a strip is impossible or unsuitable."""
+    """Return the suggestion for a change, or None if a strip is impossible or unsuitable."""
     away, used, strips = [0.0], [0], []
     try:
         requests = tuple(_requests(spec, change))
@@ -268,5 +270,5 @@ def _held(spec: StripSpec, change: Change) -> Suggestion | None:
 
 
 def _size(spec: StripSpec) -> float:
-    """Return the diagonal of the curve, mm."""
+    """Return the diagonal of the bounding box of the curve, mm."""
     return float(np.hypot(*np.ptp(spec.curve.bounds, axis=0)))

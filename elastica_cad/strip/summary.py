@@ -1,4 +1,4 @@
-"""Labelled rows that report a strip: the same in text, notebook, FreeCAD's panel and the page."""
+"""Report on a strip as labelled rows, for text, notebooks, FreeCAD and the web page."""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -19,7 +19,7 @@ from elastica_cad.strip.holding_template import distance_between, distance_of_ti
 from elastica_cad.strip.strip import Strip
 
 LATER = "…"
-"""Text of a row whose result is not known yet."""
+"""Text of a row whose result is still being computed."""
 
 
 def strip_rows(
@@ -35,11 +35,12 @@ def strip_rows(
     ----------
     strip : Strip
     near : NearestRod, optional
-        The nearest rod from which the strip was made, if the curve was allowed to change.
+        Nearest rod from which the strip was made, if the curve was allowed to change.
     verdict : Stability, optional
-        Stability of the strip's rod, if it is known already.
+        Stability of the rod of the strip; computed by default.
     quick : bool
-        Show "…" for stability and accuracy, and leave out creep, because their computation takes longest.
+        If True, the rows on stability and accuracy show "…", and the row on creep is omitted, because these
+        computations take longest.
 
     Examples
     --------
@@ -113,7 +114,7 @@ def _nearest(strip: Strip, near: NearestRod | None) -> Iterator[Row]:
 
 
 def strain_rows(strip: Strip) -> Iterator[Row]:
-    """Yield the warnings on strain, or a row on the largest strain and its limit."""
+    """Yield rows with the warnings about strain, or a row on the largest strain and its limit."""
     for warning in strip.strain_warnings:
         yield warning_row(warning, note("Strain"))
     if not strip.strain_warnings:
@@ -130,7 +131,7 @@ def strain_rows(strip: Strip) -> Iterator[Row]:
 
 
 def stability_row(strip: Strip, verdict: Stability) -> Row:
-    """Return the row on both stabilities of a strip: in its plane and sideways."""
+    """Return the row on the stability of a strip in its plane and sideways."""
     sideways = strip.sideways
     details = [note("The stability margin is {margin:.3g}; 5 is safe.", margin=verdict.margin)]
     if sideways.decided:
@@ -181,7 +182,7 @@ def hold_row(strip: Strip) -> Row:
 
 
 def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
-    """Yield the row on the forces of rails, pins and ties, if there are any; the stiffness is in N mm2."""
+    """Yield a row on the forces of rails, pins and ties, if there are any. `bending_stiffness` is in N mm2."""
     if not rod.between:
         return
     texts = [_element_text(action, rod, bending_stiffness * action.size) for action in rod.between]
@@ -193,11 +194,11 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
 
 
 MOUNTING_ERROR_MM = 0.5
-"""Error of the place of a rail or pin, or of the length of a cord, for which a report gives the displacement."""
+"""Error of the position of a rail or pin, or of the length of a cord, mm, for which displacements are reported."""
 
 
 def _mounting_rows(strip: Strip) -> Iterator[Row]:
-    """Yield the row on the displacement of the strip by errors in mounting rails, pins and ties."""
+    """Yield a row on the displacement of the strip by errors in mounting rails, pins and ties."""
     if not strip.rod.between:
         return
     texts = [
@@ -222,7 +223,7 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
 
 
 def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
-    """Return the place and the force (N) of an element in words."""
+    """Return a text with the position and the force (N) of an element."""
     if action.is_one_sided and force == 0:
         places = Listed(map(Length, np.round(action.s, 1).tolist()))
         return note("{element} at {places} is slack", element=noun_of(action.element), places=places)
@@ -249,7 +250,7 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
 
 
 def not_computed_row() -> Row:
-    """Return the row on accuracy of a strip with elements or point forces."""
+    """Return the row on accuracy of a strip with elements or point forces, which is not computed."""
     return Row(note("Accuracy"), note("not computed with rails, pins, ties or point forces"))
 
 

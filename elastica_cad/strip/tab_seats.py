@@ -1,4 +1,4 @@
-"""Seats of tabs in their holders, and the rest shape of a strip with play in them."""
+"""Contact of tabs with their holders, and the rest shape of a strip whose tabs have play."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,18 +16,19 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
 STEEPEST_RAD = np.radians(80.0)
-"""Least turn, rad, of a tab that counts as not held."""
+"""Angle, rad, at which a tab that can turn so far counts as not held."""
 
 STOP_RAD = np.radians(0.05)
-"""Step of the tried turns, rad."""
+"""Step of the search for the largest turn of a tab, rad."""
 
 WALL_PLACES = 17
-"""Number of places of a wall at which contact is checked; a bent tab may touch its pocket in the middle."""
+"""Number of points of a wall at which contact is checked. A bent tab may touch its pocket between the ends of the
+wall."""
 
 
 @dataclass(frozen=True)
 class EndPose:
-    """Rest position of an end: `shift` mm to the left of the design, `turn` rad anticlockwise."""
+    """Rest position of an end relative to the design: `shift` to the left, mm, and `turn` anticlockwise, rad."""
 
     shift: float = 0.0
     turn: float = 0.0
@@ -35,15 +36,15 @@ class EndPose:
 
 @dataclass(frozen=True, eq=False)
 class TabSeat:
-    """Edges of a holder on both sides of a tab, in the plane of the strip's curve.
+    """Points of a holder that a tab can touch, in the plane of the curve.
 
-    Places are (into, left), mm. The first is the distance into the tab from the end of the free part. The second is
-    the distance to the left of the tab's designed middle line, seen along the strip from start to end.
+    Points are (into, left), mm. `into` is the distance into the tab from the end of the bent part. `left` is the
+    distance from the designed centre line of the tab, to the left as seen along the strip from start to end.
 
     Parameters
     ----------
     left, right : (k, 2) array_like
-        Edges that the tab's left and right faces can touch.
+        Points that the left and the right face of the tab can touch.
     thickness : float
         Thickness of the tab, mm.
     name : str
@@ -70,12 +71,12 @@ class TabSeat:
 
     @classmethod
     def pocket(cls, length: float, thickness: float, play: float, *, name: str = "pocket") -> "TabSeat":
-        """Return a straight pocket around the tab with `play` mm on either face.
+        """Return a straight pocket around the tab, with the play `play`, mm, on either face.
 
         Raises
         ------
         InputError
-            Play below 0.
+            The play is negative.
         """
         require_positive(length, f"{name}: the length")
         require_positive(thickness, f"{name}: the thickness")
@@ -87,10 +88,7 @@ class TabSeat:
 
     @cached_property
     def edges(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Unit vectors into the seat and to its left for each edge, and the side of each face: 1 left, -1 right.
-
-        Edges of the left face are first.
-        """
+        """Coordinates `into` and `left` of all points (k,), and the face of the tab: 1 for left, -1 for right."""
         into, left = np.concatenate([self.left, self.right]).T.copy()
         return into, left, np.repeat([1.0, -1.0], [len(self.left), len(self.right)])
 
@@ -101,40 +99,42 @@ class TabSeat:
 
     @property
     def room(self) -> float:
-        """Clearance of the tab between the edges in its designed direction, mm; 0 if the edges press the tab."""
+        """Clearance of the tab in its designed direction, mm; 0 if the holder presses the tab."""
         return max(0.0, float(self.left[:, 1].min() - self.right[:, 1].max()) - self.thickness)
 
     @property
     def places(self) -> tuple[float, ...]:
-        """All edges, rounded; they are equal for equal seats."""
+        """Coordinates of all points, rounded, to compare holders."""
         return tuple(np.round([*self.left.ravel(), *self.right.ravel()], 9).tolist())
 
     def moved(self, shift: float, turn: float) -> "TabSeat":
-        """Return the holder after a shift, mm, and a turn, rad, to the left about the end of the free part."""
+        """Return the holder after a shift, mm, and a turn, rad, both to the left.
+
+        It turns about the end of the bent part.
+        """
         cos, sin = np.cos(turn), np.sin(turn)
         rotation = np.array([[cos, sin], [-sin, cos]])
         left, right = (side @ rotation + (0.0, shift) for side in (self.left, self.right))
         return TabSeat(left, right, self.thickness, self.name)
 
     def gaps(self, shift: float, turn: float, sign: int) -> FloatArray:
-        """Return the gap (k,), mm, between each edge and the tab's face; negative if they overlap.
+        """Return the gaps (k,), mm, between the points of the holder and the tab; negative for overlaps.
 
-        The end of the free part is `shift` mm to the left of the design, and the strip's tangent is turned by
-        `turn` rad anticlockwise. `sign` is +1 at the end of the strip and -1 at its start, where the tab points
-        backwards.
+        The end of the bent part is shifted to the left by `shift`, mm, and turned anticlockwise by `turn`, rad.
+        `sign` is 1 for the end of the strip, and -1 for its start.
         """
         cos, sin = np.cos(turn), np.sin(turn)
         into, left, side = self.edges
         return np.asarray(side * (-sign * into * sin + (left - shift) * cos) - self.thickness / 2)
 
     def slopes(self, shift: float, turn: float, sign: int) -> FloatArray:
-        """Return the derivatives (k, 2) of `gaps` by shift and turn."""
+        """Return the derivatives (k, 2) of `gaps` with respect to shift and turn."""
         cos, sin = np.cos(turn), np.sin(turn)
         into, left, side = self.edges
         return np.column_stack([-cos * side, side * (-sign * into * cos - (left - shift) * sin)])
 
     def bends(self, shift: float, turn: float, sign: int) -> FloatArray:
-        """Return the second derivatives (k, 2, 2) of `gaps` by shift and turn."""
+        """Return the second derivatives (k, 2, 2) of `gaps` with respect to shift and turn."""
         cos, sin = np.cos(turn), np.sin(turn)
         into, left, side = self.edges
         second = np.zeros((side.size, 2, 2))
@@ -144,17 +144,17 @@ class TabSeat:
 
     @cached_property
     def turning(self) -> tuple[float, float]:
-        """Largest turns of the tab, rad, to the right (negative) and to the left, seen outward."""
+        """Largest turns of the tab, rad, to the right (negative) and to the left, as seen outward."""
         return -self._stop(-1), self._stop(1)
 
     def _stop(self, sense: int) -> float:
-        # for way = +1 the outward direction is that of the strip, so turns have the same sign
+        # `sense` is 1 for turns to the left and -1 for turns to the right
         turn = np.arange(0.0, STEEPEST_RAD, STOP_RAD)
         cos, sin = np.cos(sense * turn)[:, None], np.sin(sense * turn)[:, None]
         (a, b), (c, d) = self.left.T, self.right.T
         most = (b - (a * sin + self.thickness / 2) / cos).min(axis=1)
         least = (d + (self.thickness / 2 - c * sin) / cos).max(axis=1)
-        # a larger angle may fit again, but the tab stops at the first contact
+        # the tab may fit again at larger angles, but it stops at the first contact
         room = most - least
         jams = np.flatnonzero(room[1:] < -1e-12)
         if not jams.size:
@@ -163,18 +163,19 @@ class TabSeat:
         return float(turn[k] + STOP_RAD * max(0.0, room[k]) / (max(0.0, room[k]) - room[k + 1]))
 
 
-STEP_SHARE = 0.05  # largest move of an end in a step, as a fraction of the length
-STEP_RAD = 0.15  # largest turn of an end in a step
-PRICE = 100.0  # price of an overlap relative to the forces, far above the multipliers of most contacts
-TAB_PIECES = 16  # number of pieces of a bending tab, for an error of 0.5 % of its turn at the mouth
+STEP_SHARE = 0.05  # largest shift of an end in a step, as a fraction of the length
+STEP_RAD = 0.15  # largest turn of an end in a step, rad
+# penalty for an overlap relative to the forces; larger than most Lagrange multipliers of contacts
+PRICE = 100.0
+TAB_PIECES = 16  # number of pieces of a tab; the error of its turn at the end of the bent part is 0.5 %
 
 
 @dataclass(frozen=True, eq=False)
 class SeatedEnd:
-    """End with clearance, whose tab is a chain of rigid pieces between bending joints.
+    """End of a strip with play, whose tab is a chain of rigid pieces with elastic joints.
 
-    The unknowns are its shift, its turn and the angles of its tab's pieces. Turn and angles are multiplied by the
-    length of the strip, so that all unknowns are in mm.
+    The unknowns are its shift, its turn and the angles of the m pieces of its tab. Turn and angles are multiplied
+    by the length of the strip, so that all unknowns are in mm.
 
     Attributes
     ----------
@@ -182,7 +183,7 @@ class SeatedEnd:
         0 for the start, 1 for the end.
     seat : TabSeat
     stiffness : float
-        E I of the tab over the rod's B; infinite for tabs that do not bend.
+        E I of the tab divided by the bending stiffness B of the rod; infinite for a rigid tab.
     """
 
     index: int
@@ -196,42 +197,45 @@ class SeatedEnd:
 
     @property
     def pieces(self) -> int:
-        """Number of pieces of the tab; 0 for a rigid tab."""
+        """Number m of pieces of the tab; 0 for a rigid tab."""
         return TAB_PIECES if np.isfinite(self.stiffness) else 0
 
     @cached_property
     def piece(self) -> float:
-        """Length of a piece, mm."""
+        """Length of a piece of the tab, mm."""
         return self.seat.depth / TAB_PIECES
 
     @property
     def bending(self) -> FloatArray:
-        """Hessian (m, m) of the tab's energy over B in the angles of its pieces, 1/mm."""
+        """Hessian (m, m) of the energy of the tab divided by B, for the angles of its pieces, 1/mm."""
         return np.asarray(self.stiffness / self.piece * _chain(self.pieces))
 
     @cached_property
     def sideways(self) -> FloatArray:
-        """Derivative (k, m), mm, of the gap at each edge by the angle of each piece."""
+        """Derivatives (k, m), mm, of the gaps with respect to the angles of the pieces."""
         into, _, side = self.seat.edges
         begins = self.piece * np.arange(self.pieces)
         covered = np.minimum(np.maximum(into[:, None] - begins, 0.0), self.piece)
         return np.asarray(-self.way * side[:, None] * covered)
 
     def left(self, design: Rod) -> FloatArray:
-        """Return the unit vector (2,) to the left of the design at this end."""
+        """Return the unit vector (2,) to the left of the designed direction at this end."""
         angle = float(design.angle[-self.index])
         return np.array([-np.sin(angle), np.cos(angle)])
 
     def load(self, rod: Rod, left: FloatArray, length: float) -> tuple[float, float]:
-        """Return force and moment of the holder on a rod along shift and turn, over B, 1/mm2.
+        """Return the derivatives of the energy divided by B with respect to shift and turn, 1/mm2.
 
-        `left` is a unit vector (2,).
+        They are force and moment of the holder on the rod. `left` is the result of `left`.
         """
         k, sign = -self.index, -1.0 if self.index else 1.0
         return sign * float(rod.force[k] @ left), -sign * float(rod.moment[k]) / length
 
     def walls(self, part: FloatArray, length: float) -> tuple[FloatArray, FloatArray]:
-        """Return slopes (k, 2 + m) by the unknowns and gaps (k,), mm, to the edges; overlaps are negative."""
+        """Return the derivatives (k, 2 + m) of the gaps with respect to `part`, and the gaps (k,), mm.
+
+        `part` (2 + m,) are the unknowns of this end.
+        """
         pose = float(part[0]), float(part[1]) / length
         gaps = self.seat.gaps(*pose, self.way)
         rows = np.empty((gaps.size, part.size))
@@ -244,8 +248,8 @@ class SeatedEnd:
 
 
 def _chain(pieces: int) -> FloatArray:
-    """Return the Hessian (m, m) of a chain of pieces whose joints have the stiffness 1."""
-    # the first piece turns about the mouth, half a piece from its middle
+    """Return the Hessian (m, m) of the energy of a chain of m pieces whose joints have the stiffness 1."""
+    # the first joint stands for the bending of half a piece, the others for that of a whole piece
     springs = np.ones(pieces)
     springs[:1] = 2.0
     joints = np.eye(pieces) - np.eye(pieces, k=-1)
@@ -263,22 +267,22 @@ def _step_within(
     price: float = PRICE,
     reach: float = np.inf,
 ) -> QuadraticSolution:
-    """Return the next step of sequential quadratic programming, mm.
+    """Return the next step of sequential quadratic programming for n unknowns and k contacts, mm.
 
     Parameters
     ----------
     hessian, gradient : (n, n), (n,) arrays
-        Hessian and gradient of the energy over B.
+        Hessian and gradient of the energy divided by B.
     walls : ((k, n), (k,)) arrays
-        Slopes and gaps of all edges.
+        Gradients of the gaps at all contacts, and the gaps, mm.
     length : float
-        Length of the strip, mm; the bounds of steps are fractions of it.
+        Length of the strip, mm. The largest steps are fractions of it.
     shifts : sequence of int
         Indices of the unknowns that are shifts; all others are angles.
     scale : float
-        Stiffness of the ends by which the energy is divided, 1/mm3.
+        Scale of the Hessian, 1/mm3: Hessian and gradient are divided by it.
     price : float
-        Price of a mm of overlap.
+        Penalty for an overlap, relative to the forces.
     reach : float
         Largest step of any unknown, mm.
     """
@@ -295,17 +299,17 @@ def _step_within(
 
 MOST_STEPS = 60
 RENEWED_SHARE = (
-    0.003  # fraction of the length: after longer steps the stiffness of the ends is computed again
+    0.003  # fraction of the length; after a longer step the stiffness of the ends is computed anew
 )
-SHORTER, LONGER = 0.5, 2.0  # factors on the largest step after a step back and after a step forward
+SHORTER, LONGER = 0.5, 2.0  # factors on the step limit after a reversal of direction, and otherwise
 DIFFERENCE_SHARE = 1e-5  # step of the finite differences of reactions, as a fraction of the length
-SETTLED_SHARE = 1e-9  # step that ends the search, as a fraction of the length
-LEAST_SHARE = 1e-6  # least stiffness of a direction, as a fraction of the largest eigenvalue
-DEARER = 10.0  # factor on the price of an overlap if a tab still overlaps
-DEAREST = 1e6  # price of an overlap at which the search ends, because the tab does not fit
-OVERLAP_SHARE = 1e-7  # largest overlap due to rounding, as a fraction of the length
+SETTLED_SHARE = 1e-9  # length of the step, as a fraction of the length of the strip, at which the search ends
+LEAST_SHARE = 1e-6  # least eigenvalue of a stiffness matrix as a fraction of the largest eigenvalue
+DEARER = 10.0  # factor on the penalty if a tab still overlaps its holder
+DEAREST = 1e6  # penalty at which the search ends, because the tab does not fit
+OVERLAP_SHARE = 1e-7  # largest overlap that counts as a rounding error, as a fraction of the length
 SEATING_STEPS = 3
-SEATING = 1e4  # factor on the stiffness of the ends while tabs bend into their seats
+SEATING = 1e4  # factor on the stiffness of the ends during the first steps, in which only the tabs bend
 
 
 def rest_in_seats(
@@ -314,28 +318,28 @@ def rest_in_seats(
     seats: tuple[TabSeat | None, TabSeat | None],
     tab_stiffness: tuple[float, float] = (np.inf, np.inf),
 ) -> tuple[Rod, tuple[EndPose, EndPose]]:
-    """Return the shape of least energy whose tabs stay within their seats, and the positions of its ends.
+    """Return the rest shape of a strip whose tabs have play in their holders, and the positions of its ends.
 
-    Tabs may shift across, turn and bend, but not slide along. Contacts have no friction. Sequential quadratic
-    programming on shift and turn of each end and the angles of each tab minimizes the energy under inequalities.
-    Forces and moments of the rod (Eq. 2) are the gradient. Their differences and the turning of the contact forces
-    are the Hessian.
+    Tabs can shift across, turn and bend, but not slide along the strip. Contacts have no friction. Sequential
+    quadratic programming minimizes the energy under the condition that tabs do not overlap their holders. The
+    gradient consists of forces and moments of the rod (Eq. 2). The Hessian consists of their finite differences
+    and the change of the contact forces with the angles.
 
     Parameters
     ----------
     rod : Rod
-        Rod to hold.
+        Rod of the finished strip.
     design : Rod
         Rod with the designed positions of the ends.
     seats : pair of TabSeat or None
-        Seats at start and end, or None for an end that its support holds without play.
+        Holders at start and end, or None for an end that is held without play.
     tab_stiffness : pair of float
-        E I of the tabs over the rod's B; infinite for tabs that do not bend.
+        E I of the tabs divided by the bending stiffness B of the rod; infinite for rigid tabs.
 
     Raises
     ------
     NotConvergedError
-        A tab does not fit into its seat, or no rest shape was found.
+        A tab does not fit into its holder, or no rest shape was found.
     """
     seated = [
         SeatedEnd(k, seat, stiffness)
@@ -349,7 +353,7 @@ def rest_in_seats(
     rod = problem.bent(q, rod)
     stiffness = problem.end_stiffness(q, rod)
     firm = _made_definite(stiffness)
-    # first bend the tabs into their seats, else walls that a straight tab meets move the strip far away
+    # first bend the tabs into their holders, because overlaps of straight tabs would move the strip too far
     for _ in range(SEATING_STEPS):
         q = q + problem.step(q, rod, SEATING * firm).x
     rod = problem.bent(q, rod)
@@ -362,7 +366,7 @@ def rest_in_seats(
         before, step, pushes = step, solution.x, solution.row_multipliers * np.abs(firm).max()
         moved = np.abs(step).max()
         settled = moved <= SETTLED_SHARE * design.length and moved < reach
-        # take shorter steps after a step back, because shape and contacts change more than a step can predict
+        # after a reversal of direction steps are shorter, because shape and contacts changed more than predicted
         reach = SHORTER * moved if step @ before < 0 else LONGER * reach
         q = q + step
         rod = problem.bent(q, rod)
@@ -387,9 +391,9 @@ def rest_in_seats(
 
 @dataclass(frozen=True, eq=False)
 class _Held:
-    """Problem in the unknowns q of each seated end: shift, turn, and angles of the tab's pieces.
+    """Problem for the vector q (n,) of the unknowns of all ends with play, described in `SeatedEnd`.
 
-    Turn and angles are multiplied by the length, so that all unknowns are in mm.
+    `made` is the rod of the finished strip.
     """
 
     made: Rod
@@ -398,7 +402,7 @@ class _Held:
 
     @cached_property
     def slices(self) -> list[slice]:
-        """Slices of q with the unknowns of each end."""
+        """Slices of q for each end."""
         ends = np.cumsum([2 + seated_end.pieces for seated_end in self.seated]).tolist()
         return [
             slice(end - 2 - seated_end.pieces, end) for seated_end, end in zip(self.seated, ends, strict=True)
@@ -409,7 +413,7 @@ class _Held:
 
     @cached_property
     def poses(self) -> list[int]:
-        """Indices in q of shifts and turns."""
+        """Indices of the shifts and turns in q."""
         return [columns.start + k for columns in self.slices for k in (0, 1)]
 
     def pose(self, part: FloatArray) -> tuple[float, float]:
@@ -427,12 +431,12 @@ class _Held:
         return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
 
     def reactions(self, rod: Rod) -> FloatArray:
-        """Return forces and moments of the holders on the strip along shift and turn of each end, over B, 1/mm2."""
+        """Return the derivatives of the energy divided by B with respect to the shifts and turns, 1/mm2."""
         loads = [end.load(rod, end.left(self.design), self.design.length) for end in self.seated]
         return np.array(loads).ravel()
 
     def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
-        """Return the derivatives of the reactions, 1/mm3."""
+        """Return the derivatives of `reactions` with respect to the shifts and turns, 1/mm3."""
         reactions, difference = self.reactions(rod), DIFFERENCE_SHARE * self.design.length
         moves = difference * np.eye(q.size)[self.poses]
         ends = np.array([self.reactions(self.bent(q + move, rod)) - reactions for move in moves]) / difference
@@ -453,7 +457,10 @@ class _Held:
         )  # fmt: skip
 
     def wall_bends(self, q: FloatArray, pushes: FloatArray) -> FloatArray:
-        """Return the second derivatives, 1/mm3, of the gaps times the contact forces (k,) over B."""
+        """Return the sum of the second derivatives of the gaps times the contact forces, 1/mm3.
+
+        `pushes` (k,) are the contact forces divided by B.
+        """
         blocks, at, scale = [], 0, np.array([1.0, 1 / self.design.length])
         for end, part in self.parts(q):
             bends = end.seat.bends(*self.pose(part), end.way) * np.outer(scale, scale)
@@ -462,7 +469,10 @@ class _Held:
         return _block_diagonal(blocks)
 
     def walls(self, q: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return slopes (k, n) by q and gaps (k,), mm, between tabs and edges; overlaps are negative."""
+        """Return the derivatives (k, n) of all gaps with respect to q, and the gaps (k,), mm.
+
+        Overlaps are negative.
+        """
         rows, room = zip(*(end.walls(part, self.design.length) for end, part in self.parts(q)), strict=True)
         return _block_diagonal(rows), np.concatenate(room)
 
@@ -475,9 +485,12 @@ class _Held:
         price: float = PRICE,
         reach: float = np.inf,
     ) -> QuadraticSolution:
-        """Return the next step of sequential quadratic programming, at most `reach` mm in each unknown."""
+        """Return the next step of sequential quadratic programming.
+
+        `reach` is the largest change of an unknown, mm.
+        """
         length = self.design.length
-        # energy of the tabs over B in q, 1/mm3, then energy of the rod in the poses
+        # Hessian of the tabs, 1/mm3, then that of the rod at the shifts and turns
         H = _block_diagonal(
             [_block_diagonal([np.zeros((2, 2)), end.bending / length**2]) for end in self.seated]
         )
@@ -491,37 +504,38 @@ class _Held:
 
 
 def _block_diagonal(blocks: Sequence[FloatArray]) -> FloatArray:
-    """Return a matrix with blocks (k, m) along the diagonal and zeros elsewhere."""
+    """Return the block diagonal matrix of the blocks (k, m)."""
     from scipy.linalg import block_diag
 
     return np.asarray(block_diag(*blocks), dtype=float)
 
 
 def _made_definite(stiffness: FloatArray) -> FloatArray:
-    """Return the symmetric positive definite matrix (n, n) with the same eigenvectors and absolute eigenvalues."""
+    """Return the symmetric matrix (n, n) with its eigenvalues replaced by their absolute values."""
     values, vectors = np.linalg.eigh(stiffness)
     values = np.maximum(np.abs(values), LEAST_SHARE * np.abs(values).max())
     return np.asarray(vectors @ np.diag(values) @ vectors.T)
 
 
 SHORTENING = (1.0, 0.1, 0.01)
-"""Stiffness of the springs over load / length in the first steps, which keeps these steps short."""
+"""Spring stiffness in the first steps, as a multiple of load / length. Stiff springs limit these steps."""
 
 FREE = 1e-4
-"""Stiffness of the springs over load / length in all later steps, which converge by this factor."""
+"""Spring stiffness in all later steps, as a multiple of load / length. The error decreases by about this factor in
+each step."""
 
 MOST_LEANS = 36
-"""Largest number of iterations; about six are usual."""
+"""Largest number of iterations; usually about six are needed."""
 
 LEANED_SHARE = 1e-7
-"""Largest move of the last step, as a fraction of the length, when the contacts have been found."""
+"""Length of the step, as a fraction of the length of the strip, at which the iteration ends."""
 
 
 @dataclass(frozen=True)
 class Lean:
-    """Shift, mm, and turn, rad, of a holder to the left.
+    """Displacement of a holder: `shift` to the left, mm, and `turn` to the left, rad.
 
-    `slopes` are the slopes to the left of the tab's pieces at rest; each piece is `piece` mm long.
+    `slopes` are the slopes of the pieces of the tab at rest, to the left. `piece` is the length of a piece, mm.
     """
 
     shift: float
@@ -530,12 +544,14 @@ class Lean:
     piece: float
 
     def touched(self, wall: FloatArray) -> tuple[float, float]:
-        """Return the place, mm into the tab at rest, nearest to a wall of the moved holder, and the slope there.
+        """Return where the tab at rest touches a wall of the displaced holder, and its slope there.
+
+        The position is in mm into the tab.
 
         Parameters
         ----------
         wall : (n, 2) array
-            Places of the wall before the move, into the tab and to its left, mm.
+            Points of the wall before the displacement, as in `TabSeat`, mm.
         """
         (into, left), (slopes, places, bent) = wall.T, self._at_rest
         gaps = left + self.shift + self.turn * into - np.interp(into, places, bent)
@@ -544,18 +560,19 @@ class Lean:
 
     @cached_property
     def _at_rest(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Slopes of the tab's pieces (k,), and ends of the pieces (k + 1,) along the tab and to its left, mm."""
-        slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # a stiff tab is a single straight piece
+        """Slopes of the pieces of the tab (k,), and the two coordinates of their ends (k + 1,), mm."""
+        slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # a rigid tab is a single straight piece
         bent = np.append(0.0, np.cumsum(slopes)) * self.piece
         return slopes, np.asarray(self.piece * np.arange(slopes.size + 1), dtype=float), bent
 
 
 def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = np.inf) -> Lean:
-    """Return the shift and turn of a holder for which the loaded tab has its designed position.
+    """Return the displacement of a holder for which the loaded tab has its designed position.
 
-    The strip's force and moment press the tab against some edges of the holder. After the move these edges touch
-    the designed tab, and all play is on the other sides. Because the load is constant, a free end would move as far
-    as a step allows. A spring holds the end, and its stiffness is reduced.
+    Force and moment of the strip press the tab against some points of the holder. In the displaced holder, these
+    points touch the tab in its designed position, and the play is on the other sides. Under the constant load, an
+    end without contact would move without limit. Springs hold the end, and their stiffness is reduced from step to
+    step.
 
     Parameters
     ----------
@@ -565,7 +582,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
     seat : TabSeat
         Holder in its designed position.
     tab_stiffness : float
-        E I of the tab over the rod's B; a rigid tab by default.
+        E I of the tab divided by the bending stiffness B of the rod; by default the tab is rigid.
     """
     end, length = SeatedEnd(index, seat, tab_stiffness), design.length
     load, piece, sign, n = end.load(design, end.left(design), length), end.piece, end.way, 2 + end.pieces
@@ -583,7 +600,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
             g[2:] = H[2:, 2:] @ q[2:]
         step = _step_within(H, g, end.walls(q, length), length, [0], scale=H[0, 0]).x
         q[2:] += step[2:]
-        # move the holder instead of the tab
+        # the holder is displaced by the opposite of the step
         shift, turn = shift - float(step[0]), turn - sign * float(step[1]) / length
         if np.abs(step).max() <= LEANED_SHARE * length:
             break

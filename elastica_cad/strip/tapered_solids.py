@@ -1,4 +1,4 @@
-"""Bodies of strips of varying thickness: extruded side views, and round rods and tubes."""
+"""Solids of strips of varying thickness (extruded side views), and of round rods and tubes."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -30,19 +30,19 @@ from elastica_cad.strip.outline import lines_through
 from elastica_cad.strip.strip import Strip
 
 FACE_MM = 1e-4
-"""Error, mm, of the faces at half the thickness from the curve."""
+"""Largest error, mm, of the faces at half the thickness from the curve."""
 
 
 def side_view(strip: Strip, *, bent: bool = False) -> Path:
-    """Return the side view of a tapered strip, anticlockwise; its tabs continue straight.
+    """Return the side view of a strip of varying thickness, anticlockwise, with straight tabs.
 
-    If it is flat, x is the arc length from the start of the free part and y = 0 is the middle of the thickness. If
-    it is bent, it follows the strip's curve.
+    If it is flat, x is the arc length from the start of the bent part, and y = 0 is mid-thickness. If it is bent,
+    it follows the curve of the strip.
 
     Raises
     ------
     InputError
-        The strip is not tapered, or bent to a radius below half its thickness.
+        The thickness does not vary, or a radius of curvature is less than half the thickness.
 
     Examples
     --------
@@ -77,7 +77,7 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
 
 
 def _frames(strip: Strip, bent: bool) -> tuple[FloatArray, FloatArray]:
-    """Return positions and directions (2, 2) of the two ends of the free part."""
+    """Return the positions (2, 2), mm, and unit directions (2, 2) of the two ends of the bent part."""
     if not bent:
         return np.array([[0.0, 0.0], [strip.rod.length, 0.0]]), np.array([[1.0, 0.0], [1.0, 0.0]])
     nodes = strip.rod.curve.at(np.array([0.0, strip.rod.curve.length]))
@@ -85,13 +85,13 @@ def _frames(strip: Strip, bent: bool) -> tuple[FloatArray, FloatArray]:
 
 
 def _flat_face(size: Profile, side: int) -> PlaneCurve:
-    """Return a face of the flat strip: half the thickness is exactly a spline over its Greville abscissae."""
+    """Return the upper (`side` 1) or lower (-1) face of the flat strip, which is exactly a spline."""
     points = np.column_stack([size.greville, side * size.coefficients / 2])
     return PlaneCurve(size.knots, points, size.degree)
 
 
 def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
-    """Return the curve at half a thickness from the strip's curve."""
+    """Return the left (`side` 1) or right (-1) face of the bent strip, at half the thickness from its curve."""
     curve, length = strip.rod.curve, strip.rod.length
     tight = np.abs(strip.rod.curvature) * size(strip.rod.s) / 2
     if tight.max() >= 1:
@@ -113,25 +113,27 @@ def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
 
 
 HALF_TURN_SPANS = 8
-"""Number of spans of the spline of degree 5 that represents half a circle, to 1e-8 of its radius."""
+"""Number of spans of the spline of degree 5 that approximates half a circle. The error is 1e-8 of its radius."""
 
 DEGREE = 5
 
 
 @dataclass(frozen=True, eq=False)
 class RoundSolid:
-    """A rod of varying diameter, or a tube, along a strip's curve or along x; its tabs continue straight.
+    """A round rod or tube of varying diameter along the curve of a strip or along x, with straight tabs.
 
     Attributes
     ----------
     strip : Strip
         Strip whose law is a `RoundLaw`.
     frame : Frame
-        Plane of the curve, or plane whose x axis is the axis of the straight rod.
+        Plane of the curve. The axis of a straight rod is the x axis.
     bent : bool
+        True for a rod along the curve of the strip, False for a straight rod.
     bore : float
-        Inner over outer diameter; 0 for a rod.
+        Inner diameter divided by outer diameter; 0 for a solid rod.
     joints : mapping of str to Frame
+        Frames at which other parts are joined, by name.
     """
 
     strip: Strip
@@ -142,7 +144,7 @@ class RoundSolid:
 
     @cached_property
     def boundary(self) -> Boundary:
-        """Closed boundary: two halves for each of tab, free part and tab, also for a bore, and the two ends."""
+        """Closed boundary: half surfaces of the bent part, the tabs and a bore, and the two end faces."""
         first, last = (tab.length for tab in self.strip.ends)
         length = self.strip.rod.length
         stations = [*([-first] if first else []), 0.0, length, *([length + last] if last else [])]
@@ -155,7 +157,10 @@ class RoundSolid:
         return Boundary(np.array(skins.vertices), tuple(skins.edges), tuple(skins.faces))
 
     def _at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return axis (n, 2), normal (n, 2) and radius (n,); the ends are extended as straight cylinders."""
+        """Return points on the axis (n, 2), unit normals (n, 2) and radii (n,) at arc lengths s (n,).
+
+        Tabs are straight cylinders.
+        """
         length, size = self.strip.rod.length, self.strip.layout.size
         assert size is not None
         within = np.clip(s, 0.0, length)
@@ -170,7 +175,7 @@ class RoundSolid:
         return axis, np.column_stack([-tangent[:, 1], tangent[:, 0]]), size(within) / 2
 
     def _spine(self, start: float, end: float) -> tuple[FloatArray, FloatArray]:
-        """Return knots and rows (m, 5) of a spline of axis, radius times normal, and radius."""
+        """Return the knots and coefficients (m, 5) of a spline: axis (2), radius times normal (2), and radius."""
         size, curve, length = self.strip.layout.size, self.strip.rod.curve, self.strip.rod.length
         breaks = [] if size is None else list(size.breaks)
         if self.bent:
@@ -186,13 +191,13 @@ class RoundSolid:
         return adaptive_spline(spine, (start, end), degree=DEGREE, tolerance=FACE_MM, breaks=inner)
 
     def _cross(self, s: float) -> Frame:
-        """Return the cross-section at s: x along the normal in the plane, y along the plane's z."""
+        """Return the plane of the cross section at arc length s. Its x axis is the normal of the curve."""
         axis, normal, _ = self._at(np.array([s]))
         return Frame(self.frame.point(axis[0]), self.frame.direction(normal[0]), self.frame.z_axis)
 
 
 class _Skins:
-    """Builder of vertices, edges and faces."""
+    """Builder of the vertices, edges and faces of a round solid."""
 
     def __init__(self) -> None:
         self.vertices: list[FloatArray] = []
@@ -202,12 +207,15 @@ class _Skins:
     def skin(
         self, pieces: list[tuple[FloatArray, FloatArray]], share: float, frame: Frame, *, outward: bool
     ) -> list[list[int]]:
-        """Add faces around the axis at a fraction of the radius, and return the two ring edges at each station."""
+        """Add the faces around the axis at the fraction `share` of the radius.
+
+        Return the two edges of the circle at each station.
+        """
         around, cosines, sines = _half_turn()
         z = frame.z_axis
 
         def net(rows: FloatArray, sign: float) -> FloatArray:
-            """Return control points (around, along, 3)."""
+            """Return the control points (around the axis, along it, 3) of a half surface."""
             axis, across = frame.point(rows[:, :2]), share * frame.direction(rows[:, 2:4])
             up = share * rows[:, 4, None] * z
             return np.asarray(axis + sign * (cosines[:, None, None] * across + sines[:, None, None] * up))
@@ -241,7 +249,7 @@ class _Skins:
         return rings
 
     def cap(self, rings: list[list[int]], cross: Frame, *, at_start: bool) -> None:
-        """Add the plane end inside the first ring and outside the other rings."""
+        """Add the plane end face between the first circle and the second, if there is a bore."""
         frame = Frame(cross.origin, cross.y_axis, cross.x_axis) if at_start else cross
         loops = []
         for i, ring in enumerate(rings):
@@ -257,14 +265,14 @@ class _Skins:
 
 
 def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return knots over 0..1 and coefficients of the cosine and the sine of half a turn."""
+    """Return knots over 0..1 and coefficients of splines that approximate cosine and sine over half a turn."""
     from scipy.interpolate import make_lsq_spline
 
     inner = np.linspace(0.0, 1.0, HALF_TURN_SPANS + 1)
     knots = np.pad(inner, DEGREE, mode="edge")
     u = np.linspace(0.0, 1.0, 40 * HALF_TURN_SPANS + 1)
     weights = np.ones(u.size)
-    weights[[0, -1]] = 1e6  # the halves meet
+    weights[[0, -1]] = 1e6  # so that both halves meet
     fitted = make_lsq_spline(
         u, np.column_stack([np.cos(np.pi * u), np.sin(np.pi * u)]), knots, DEGREE, w=weights
     )

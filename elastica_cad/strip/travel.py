@@ -1,4 +1,4 @@
-"""Strip whose ends move along a path, with forces, moments, energy, strain and safety at each step."""
+"""Bending of a strip by moving its ends along a path: forces, moments, energy, strain and safety at each step."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -28,7 +28,8 @@ from elastica_cad.strip.strip import Strip, strip_sideways
 from elastica_cad.strip.styles import Bends
 
 RESOLUTION_SHARE = 1e-4
-"""Tolerance, as a fraction of a step, of places at which a shape snaps, is overstrained or crosses itself."""
+"""Tolerance of the positions in the movement at which the strip snaps, is overstrained or crosses itself, as a
+fraction of a step."""
 
 FALL_SHARE = 1e-4
 """Largest decrease of a force in a step, as a fraction of the largest force, that counts as constant."""
@@ -38,23 +39,22 @@ TITLES = {
     "deg": " turn deg   force N  strain %    margin",
     "%": " change %   force N  strain %    margin",
 }
-"""Titles of the printed table by the unit of the movement."""
+"""Header of the printed table for each unit of the movement."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Travel:
     """States of a strip at k positions of its ends, in physical units.
 
-    `stable` and `snaps_at` hold for prescribed positions of the ends. An end under a constant load is unstable
-    where
-    the force decreases with the travel (`force_falls_at`).
+    `stable` and `snaps_at` are for prescribed positions of the ends. Under a constant load, an end is unstable
+    where the force decreases with the travel (`force_falls_at`).
 
     Attributes
     ----------
     strip : Strip
         Strip before its ends are moved.
     path : tuple of dict
-        Keywords of `bend` for each step.
+        Keyword arguments of `bend` for each step.
     side : {+1, -1} or None
         Side to which a straight strip bulges.
     rods : tuple of Rod
@@ -62,25 +62,25 @@ class Travel:
     end : (k, 2) array
         Position of the end relative to the start, mm.
     travel : (k,) array
-        Length of the end's path relative to the start up to each step, mm, from the strip's designed end.
+        Length of the path of the end relative to the start, from its designed position up to each step, mm.
     turn : (k,) array
-        Turn up to each step of the held end that turns most, rad.
+        Angle by which the held end that turns most has turned up to each step, rad.
     start_force, end_force : (k, 2) array
         Forces of the supports on the strip, N.
     start_moment, end_moment : (k,) array
         Moments of the supports on the strip, N mm, positive anticlockwise.
     force_along : (k,) array
-        Force on the end in the direction of its path, N; negative if the strip pulls the end forward.
+        Component along the path of the force on the end, N. It is negative if the strip pulls the end forward.
     energy : (k,) array
         Bending energy, N mm (mJ).
     strain, stress : (k,) array
-        Strain of the most strained skin (dimensionless), and its elastic stress, MPa.
+        Surface strain of the layer nearest to its limit (dimensionless), and the elastic stress there, MPa.
     safety : (k,) array
-        Strain limit over strain of the layer nearest to its limit.
+        Strain limit divided by strain, for the layer nearest to its limit.
     verdicts : tuple of Stability
         Stability in the plane of the curve.
     sideways : tuple of SidewaysStability
-        Stability out of the plane.
+        Stability against leaving the plane of the curve.
     """
 
     strip: Strip
@@ -120,29 +120,29 @@ class Travel:
 
     @property
     def is_turn(self) -> bool:
-        """True if the ends turn without travel."""
+        """True if the ends only turn."""
         return self._movement.is_turn
 
     @property
     def is_still(self) -> bool:
-        """True if the ends stay, and only loads or elements between the ends change."""
+        """True if the ends do not move, so that only loads or elements between them change."""
         return self._movement.is_still
 
     @property
     def unit(self) -> str:
-        """Unit of `path_length`: "mm" of travel, "deg" of turn if the ends only turn, or "%" if they stay."""
+        """Unit of `path_length`: "mm" of travel, "deg" if the ends only turn, or "%" if they do not move."""
         return "deg" if self.is_turn else "%" if self.is_still else "mm"
 
     @property
     def path_length(self) -> FloatArray:
-        """Travel (k,), mm; turn, degrees, if the ends only turn; or percent of the steps, if the ends stay."""
+        """Travel (k,), mm; turn, degrees, if the ends only turn; or percent of the steps, if they do not move."""
         if self.is_still:
             return 100 * self._movement.progress[1:]
         return np.degrees(self.turn) if self.is_turn else self.travel
 
     @property
     def displacement(self) -> FloatArray:
-        """Largest displacement (k,) of a place of the strip from its design, mm."""
+        """Largest displacement (k,) of a point of the strip from its design, mm."""
         moves = [rod.position - self.strip.rod.position for rod in self.rods]
         return np.array([np.hypot(*move.T).max() for move in moves])
 
@@ -154,7 +154,7 @@ class Travel:
         return self.start_moment if start > end else self.end_moment
 
     def place_message(self, at: float) -> Refusal:
-        """Return the words for a place on the movement, mm of travel or degrees of turn."""
+        """Return a text for the position `at` in the movement, given in `unit`."""
         at = require_number(at, "the place", self.unit)
         if self.is_still:
             return note("{percent:.3g} % of the change", percent=at)
@@ -164,7 +164,7 @@ class Travel:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Sentences on places where the force falls or the strip snaps, crosses itself or is overstrained."""
+        """Warnings that the force decreases, or that the strip snaps, crosses itself or is overstrained."""
         warnings = []
         if self.force_falls_at is not None:
             warnings.append(note(
@@ -201,24 +201,24 @@ class Travel:
 
     @cached_property
     def strained_at(self) -> float | None:
-        """First place of `path_length` at which the strain exceeds the sheet's limit, or None."""
+        """First value of `path_length` at which the strain exceeds the limit of the sheet, or None."""
         return self._first(lambda rod: _most_strained(self.strip, rod)[2] < 1)
 
     @cached_property
     def snaps_at(self) -> float | None:
-        """First place of `path_length` at which the strip snaps, or None if every step is stable."""
+        """First value of `path_length` at which the strip snaps, or None."""
         return self._first(lambda rod: has_snapped(rod) or not stability(rod).stable)
 
     @cached_property
     def crosses_at(self) -> float | None:
-        """First place of `path_length` at which the strip crosses itself, or None."""
+        """First value of `path_length` at which the strip crosses itself, or None."""
         return self._first(_crosses_itself)
 
     @cached_property
     def force_falls_at(self) -> float | None:
-        """Travel, mm, after which the force on the end along its path first decreases.
+        """Travel, mm, from which on the force along the path of the end first decreases.
 
-        None if it increases in every step, or until the strip snaps, or if the ends only turn.
+        None if the force increases in every step or until the strip snaps, or if there is no travel.
         """
         if self.is_turn or self.is_still:
             return None
@@ -231,11 +231,14 @@ class Travel:
 
     @cached_property
     def _at_rest(self) -> Rod:
-        """Rod in balance before its ends are moved; its weight may differ from that of the design."""
+        """Rod in equilibrium before its ends are moved. Its weight may differ from the weight in the design."""
         return bend(self.strip.rod_to_bend)
 
     def _first(self, fails: Callable[[Rod], bool]) -> float | None:
-        """Return the first place of `path_length` at which a shape fails; between steps the ends move straight."""
+        """Return the first value of `path_length` at which `fails` is True, or None.
+
+        Between steps the ends move straight.
+        """
         rods = (self._at_rest, *self.rods)
         k = next((k for k, rod in enumerate(rods) if fails(rod)), None)
         if not k:
@@ -245,7 +248,7 @@ class Travel:
         changed: dict[str, Any] = {name: step.pop(name) for name in ("loads", "between") if name in step}
         course = Course.of(replace(good, **held), [step])
         before, after = np.append(0.0, self.path_length)[k - 1 : k + 1]
-        # elements that are removed or added act at once
+        # the effect of elements that are added or removed does not increase gradually
         at_once = "between" in changed and len(require_elements(changed["between"])) != len(start.between)
         low, high = 0.0, 0.0 if at_once else 1.0
         while high - low > RESOLUTION_SHARE:
@@ -289,19 +292,19 @@ class Travel:
 def bend_strip(
     strip: Strip, path: "ArrayLike | Sequence[Mapping[str, Any]]", *, side: int | None = None
 ) -> Travel:
-    """Move the ends of a strip along a path, and return forces, energy, strain and stability at each step.
+    """Return forces, energy, strain and stability of a strip whose ends are moved along a path.
 
-    Forces follow from the internal force -lambda B (Eq. 2), where B is the bending stiffness for K = 1. The
-    anticlastic stiffening of sheets with a known Poisson ratio, and the curling borders of laminates, follow the
-    bend of each step. If the widths do not compensate them, the strip deviates from its design from the start, as
-    `Strip.held` reports. Other causes of `Strip.held`, such as slots, are left out.
+    Forces are computed from the internal force -lambda B (Eq. 2), where B is the bending stiffness for K = 1. The
+    stiffness of each step includes anticlastic bending of sheets with a known Poisson's ratio, and the curling of
+    the borders of laminates. If the widths do not compensate these effects, the strip deviates from its design
+    before its ends are moved, as `Strip.held` reports. Other effects of `Strip.held`, such as slots, are ignored.
 
     Parameters
     ----------
     strip : Strip
-        Strip to bend. Its rod may be straight, for a strip that is cut to a width profile and then bent.
+        Strip to bend. Its rod may be straight.
     path : (k, 2) array_like or sequence of mappings
-        Positions of the end at each step, mm, or keywords of `bend` for it.
+        Positions of the end at each step, mm, or keyword arguments of `bend` for each step.
     side : {+1, -1}, optional
         Side to which a straight strip bulges, as in `bend`.
 
@@ -312,7 +315,7 @@ def bend_strip(
     Raises
     ------
     InputError, NotConvergedError
-        See `bend`; the message gives the step.
+        See `bend`. The message gives the step.
 
     Examples
     --------
@@ -351,7 +354,10 @@ def bend_strip(
 
 
 def _directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
-    """Return unit vectors (k, 2) along the path of the end relative to the start; 0 if it does not move."""
+    """Return unit vectors (k, 2) along the path of the end relative to the start.
+
+    They are zero where it does not move.
+    """
     first = end[0] if len(end) > 1 else first_direction
     before = np.concatenate([[first], end[:-1]])
     after = np.concatenate([end[1:], end[-1:]])
@@ -361,7 +367,7 @@ def _directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
 
 
 def _crosses_itself(rod: Rod) -> bool:
-    """Return True if a rod crosses itself, which needs more than half a turn."""
+    """Return True if a rod crosses itself."""
     return bool(np.ptp(rod.angle) > np.pi and rod.curve.self_intersections().size)
 
 

@@ -22,40 +22,43 @@ from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import PLAIN, Plain, outline_field
 
-LEAST_STRIP_MM = 3.0  # narrower strips of any sheet break when they are lifted out
-THICKNESSES = 3.0  # a strip narrower than this many thicknesses bends sideways and twists rather than flat
-LEAST_BRIDGE_MM = 2.0  # least material between two cuts of a plate that withstands the heat of two passes
-LEAST_LIGAMENT_MM = 0.5  # material between closer laser cuts may burn away
-LARGEST_PANEL_MM = (3050.0, 1525.0)  # the largest sheet of plywood and board on sale
-WIDEST_SLOT_THICKNESSES = 6.0  # width of a vertical slot, in thicknesses of the tab, that cannot hold the tab
-FILLED_SLOT_MM = 1.6  # widest slot that holds a thin tab with glue on both sides
-SLENDEREST = 600.0  # length over least width, beyond which a loose strip cannot be handled flat
+LEAST_STRIP_MM = 3.0  # narrower strips break when they are lifted out, whatever the sheet
+THICKNESSES = 3.0  # least width as a multiple of the thickness; a narrower strip bends sideways and twists
+LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because of the heat of both cuts
+LEAST_LIGAMENT_MM = 0.5  # least width of material between two laser cuts; less may burn away
+LARGEST_PANEL_MM = (3050.0, 1525.0)  # largest sheet of plywood or board that is sold
+# width of a vertical slot, as a multiple of the tab's thickness, above which it cannot hold the tab
+WIDEST_SLOT_THICKNESSES = 6.0
+FILLED_SLOT_MM = 1.6  # widest slot that holds a thin tab, with glue on both sides
+SLENDEREST = 600.0  # length divided by least width, above which a flat strip cannot be handled
 
 
 @dataclass(frozen=True)
 class FabricationLimits:
-    """Limits of the workshop; by default they depend on the sheet.
+    """Limits of a workshop. By default they depend on the sheet.
 
     Parameters
     ----------
     least_width : float, optional
-        Least width of a strip, a tab or a tongue, mm. By default the sheet's own, or 3 thicknesses and at least
-        3 mm.
+        Least width of a strip, a tab or a tongue, mm. By default that of the sheet record, or else 3 times the
+        thickness and at least 3 mm.
     least_ligament : float, optional
-        Least material between the holes of a perforated strip, mm. By default the sheet's own, or 0.5 mm.
+        Least width of material between the holes of a perforated strip, mm. By default that of the sheet record,
+        or else 0.5 mm.
     least_bridge : float, optional
-        Least material between the cuts of a ring or a plate, mm. By default the sheet's own, or its thickness and
-        at least 2 mm.
+        Least width of material between the cuts of a ring or a plate, mm. By default that of the sheet record, or
+        else the thickness and at least 2 mm.
     stock : (float, float), optional
-        Longer and shorter side of the largest sheet, mm. By default the sheet's own, or 3050 by 1525 mm.
+        Longer and shorter side of the largest sheet, mm. By default those of the sheet record, or else 3050 by
+        1525 mm.
     lap : float, optional
-        Length of the plates that join the pieces of a strip longer than the stock, mm. Without it such strips are
+        Length of the plates that join the pieces of a strip longer than the stock, mm. By default such strips are
         refused.
 
     Raises
     ------
     InputError
-        A limit that is not positive.
+        A limit is not positive.
 
     Examples
     --------
@@ -105,12 +108,12 @@ class FabricationLimits:
         return self.least_width or sheet.least_width or max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness)
 
     def ligament_for(self, sheet: Sheet) -> float:
-        """Return the least material between the holes of a perforated strip, mm."""
+        """Return the least width of material between the holes of a perforated strip, mm."""
         sheet = Sheet.of(sheet)
         return self.least_ligament or sheet.least_ligament or LEAST_LIGAMENT_MM
 
     def bridge_for(self, sheet: Sheet) -> float:
-        """Return the least material between two cuts of a plate, mm."""
+        """Return the least width of material between two cuts of a plate, mm."""
         sheet = Sheet.of(sheet)
         return self.least_bridge or sheet.least_bridge or max(LEAST_BRIDGE_MM, sheet.thickness)
 
@@ -122,7 +125,7 @@ class FabricationLimits:
 
 
 def limits_or_default(shop: FabricationLimits | None) -> FabricationLimits:
-    """Return the shop, or `DEFAULT_LIMITS` for None; refuse other values."""
+    """Return the limits, or `DEFAULT_LIMITS` for None. Raise InputError for other values."""
     if shop is None:
         return DEFAULT_LIMITS
     require_record(shop, FabricationLimits, "the shop", "a FabricationLimits record")
@@ -133,21 +136,24 @@ DEFAULT_LIMITS = FabricationLimits()
 """Limits for parts whose workshop is unknown."""
 
 
-SAMPLES_PER_WIDTH = 12  # points along a cut for each least width; the error of a width is then a percent
-LONGEST_PART = 2.0  # length of the parts of cuts in the first search, as a multiple of the least width
+# number of points on a length of cut equal to the least width; widths then have an error of 1 %
+SAMPLES_PER_WIDTH = 12
+LONGEST_PART = 2.0  # length of chords in the first search, as a multiple of the least width
 FACING = (
-    0.9  # least cosine between a width and both inward normals, so corners above 50 degrees are not necks
+    # least cosine between a width and both inward normals; material in corners above 50 degrees is not thin
+    0.9
 )
-STEEPEST = 1.0  # slope of the width: cuts at most 26 degrees from the centre line face each other across it
-_REACHES = np.array([1 / 16, 1 / 4, 1])  # search distances in order, as fractions of the least width
-FLAT_SHARE = 0.02  # flatness of the sampled cuts, as a fraction of the least width
+STEEPEST = 1.0  # largest slope of the width, at which both long edges are inclined by 26 degrees
+# search distances, as fractions of the least width, in the order of the search
+_REACHES = np.array([1 / 16, 1 / 4, 1])
+FLAT_SHARE = 0.02  # chord error of the cuts as a fraction of the least width
 
 
 @dataclass(frozen=True)
 class ThinPlace:
-    """Place with too little material: its middle (x, y) and width, mm, and the numbers of the cuts beside it.
+    """Place with too little material between two cuts: its middle (x, y), mm, and its width, mm.
 
-    `loops` counts outlines before holes.
+    `loops` are the indices of the two cuts; outlines are counted before holes.
     """
 
     x: float
@@ -157,9 +163,9 @@ class ThinPlace:
 
 
 def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: float) -> tuple[ThinPlace, ...]:
-    """Return places where the material between two cuts is narrower than `least` mm, the narrowest first.
+    """Return the places where the material between two cuts is narrower than `least`, the narrowest first.
 
-    Each place is the narrowest of a group of places within `least` of each other.
+    Of places that are closer to each other than `least`, only the narrowest is returned.
 
     Parameters
     ----------
@@ -193,7 +199,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
 
 
 def _near_others(chords: "_Chords", least: float) -> IntArray:
-    """Return the numbers (n,) of chords that face another chord within `least` mm."""
+    """Return the indices (n,) of chords that face another chord across less than `least` mm of material."""
     i, j = near_pairs(chords.middle, chords.middle, (1 + LONGEST_PART) * least)
     inward = chords.inward
     opposed = np.sum(inward[i] * inward[j], axis=1) < 1 - 2 * FACING**2
@@ -205,11 +211,12 @@ def _near_others(chords: "_Chords", least: float) -> IntArray:
 def _opposed(
     points: FloatArray, normals: FloatArray, searching: IntArray, reach: float, least: float
 ) -> tuple[IntArray, IntArray]:
-    """Return pairs (k,) of points at most `reach` apart with opposite normals, the first among those `searching`.
+    """Return pairs (k,) of indices of points that are at most `reach` apart and have nearly opposite normals.
 
-    The angle between the normals is limited by adding the direction to the coordinates, scaled by `least`.
+    The first point of each pair is among `searching`. To compare positions and normals in one search, the normals
+    times `least` are appended to the coordinates.
     """
-    # compare places and directions together: normals of facing points sum to at most 2 sin(acos(FACING))
+    # the sum of the normals of points that face each other is at most 2 sin(acos(FACING))
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
     radius = np.hypot(reach, 2 * least * np.sqrt(1 - FACING**2))
     i, j = near_pairs(here, there, float(radius))
@@ -219,10 +226,10 @@ def _opposed(
 def _widths_across(
     points: FloatArray, normals: FloatArray, least: float
 ) -> tuple[IntArray, IntArray, FloatArray]:
-    """Return pairs of points (k,) that face each other straight across the material, and their distances, mm.
+    """Return pairs (k,) of indices of points that face each other across the material, and their distances, mm.
 
-    Only the narrowest pair of a point is returned. Narrow widths are searched first. A point with a narrow width
-    needs no wider search, which would find very many pairs between slots that are close together.
+    Only the closest pair of each point is returned. Short distances are searched first, because a search for long
+    distances would return very many pairs between slots that are close together.
     """
     pairs: list[tuple[IntArray, IntArray, FloatArray]] = []
     searching = np.arange(len(points))
@@ -249,11 +256,14 @@ def _widths_across(
 
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
-    """Return the narrowest place of each group of places (k, 2) that are linked by distances below `least`."""
+    """Return the index of the narrowest place of each group.
+
+    Places `middle` (k, 2) closer than `least` are in the same group.
+    """
     order = np.argsort(width, kind="stable")
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
-    thinnest, known = ranks.copy(), None  # rank of the thinnest known place of each group
+    thinnest, known = ranks.copy(), None  # rank of the thinnest place that is known for each group
     while known is None or not np.array_equal(thinnest, known):
         known = thinnest.copy()
         np.minimum.at(thinnest, i, known[j])
@@ -262,14 +272,14 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
 
 
 def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
-    """Return the index of the least of all widths (k,) across each point."""
+    """Return the index of the smallest of the widths (k,) that belong to the same `point` (k,)."""
     order = np.lexsort((width, point))
     return order[np.diff(point[order], prepend=-1) > 0]
 
 
 @dataclass(frozen=True, eq=False)
 class _Chords:
-    """Chords (m) of cuts: their middles and vectors (m, 2), and the numbers of their cuts.
+    """Chords of cuts: midpoints and vectors (m, 2), mm, and the indices of their cuts (m,).
 
     The material is on the left of the chords.
     """
@@ -280,7 +290,7 @@ class _Chords:
 
     @classmethod
     def of(cls, outlines: Sequence[Path], holes: Sequence[Path], flat: float) -> "_Chords":
-        """Return the chords of closed cuts with the flatness `flat`, mm."""
+        """Return the chords of closed cuts. `flat` is their largest distance from the cuts, mm."""
         lines = [anticlockwise(path.points(flat)) for path in (*outlines, *holes)]
         lines[len(outlines) :] = [line[::-1] for line in lines[len(outlines) :]]
         vectors = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
@@ -289,12 +299,12 @@ class _Chords:
         return chords.at(np.flatnonzero(chords.length))
 
     def at(self, numbers: IntArray) -> "_Chords":
-        """Return the chords with these numbers (n,)."""
+        """Return the chords with these indices (n,)."""
         return _Chords(self.middle[numbers], self.vector[numbers], self.loop[numbers])
 
     @property
     def length(self) -> FloatArray:
-        """Lengths (m,), mm."""
+        """Lengths of the chords (m,), mm."""
         return np.hypot(self.vector[:, 0], self.vector[:, 1])
 
     @property
@@ -303,7 +313,7 @@ class _Chords:
         return np.column_stack([-self.vector[:, 1], self.vector[:, 0]]) / self.length[:, None]
 
     def divided(self, longest: float) -> "_Chords":
-        """Return equal parts of the chords at most `longest` mm long."""
+        """Return the chords divided into equal parts that are at most `longest` mm long."""
         parts = np.maximum(1, np.ceil(self.length / longest - 1e-9)).astype(np.int64)
         count = np.repeat(parts, parts)[:, None]
         whole = self.at(np.repeat(np.arange(parts.size), parts))
@@ -311,8 +321,9 @@ class _Chords:
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
-        """Return True (m,) for chords whose partner (m) is in the direction of the material, at most `least` mm
-        away."""
+        """Return True (m,) for chords that have their partner in `others` (m chords) in front of them.
+
+        In front means across the material, at most `least` mm away."""
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
         ahead = np.sum(ends * normals, axis=2)
@@ -323,15 +334,17 @@ class _Chords:
 
 
 FAR_LARGER = 2.0
-"""Size of a part, in lengths of the stock, above which it is refused without a search for thin places."""
+"""Size of a part, as a multiple of the length of the stock, above which it is refused without a search for thin
+places."""
 
 TIMES_AS_LONG = 4.0
-"""Least ratio of length to width of a suggested narrower strip; at half this ratio it would bend as a plate."""
+"""Least ratio of length to width of a suggested strip. At half this ratio it would bend as a plate."""
 
 LAP_THICKNESSES = 20
-"""Length of the plates that join pieces, in thicknesses; from about 12 on, glue is as strong as the sheet."""
+"""Suggested length of the plates that join pieces, as a multiple of the thickness. From about 12 on, the glue
+joint is as strong as the sheet."""
 
-MOST_LISTED = 3  # thin places of a part that are listed; the rest are counted
+MOST_LISTED = 3  # number of thin places of a part that are listed; the others are only counted
 
 
 @dataclass(frozen=True)
@@ -343,9 +356,9 @@ class Fault:
     part : str
         Name of the part.
     what : str
-        Fault with its place, mm.
+        Description of the fault with its position.
     cure : str
-        Suggested change in words.
+        Sentence that suggests a change.
     changes : tuple of Change
         Suggested changes of the request.
     """
@@ -360,7 +373,7 @@ class Fault:
 
 
 def _faults_message(faults: Iterable[Fault]) -> str:
-    """Return sentences that name each cure once."""
+    """Return the faults as sentences, in which each suggestion occurs only once."""
     by_cure: dict[tuple[str, str], list[str]] = {}
     for fault in faults:
         by_cure.setdefault((fault.part, fault.cure), []).append(fault.what)
@@ -369,12 +382,12 @@ def _faults_message(faults: Iterable[Fault]) -> str:
 
 
 def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
-    """Refuse a part with faults; with `ignore_limits` return its warnings instead.
+    """Return warnings about the faults of a part if `ignore_limits` is set.
 
     Raises
     ------
     InputError
-        Faults, without `ignore_limits`: each with its place and cure.
+        There are faults, and `ignore_limits` is False.
     """
     if faults and not ignore_limits:
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
@@ -391,10 +404,10 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
 def find_strip_faults(
     strip: Strip, shop: FabricationLimits | None = None, *, noisy: bool = False
 ) -> tuple[Fault, ...]:
-    """Return all faults that prevent a strip from being cut and handled, the base first.
+    """Return all faults that prevent a strip from being cut and handled, those of the base first.
 
-    Widths are measured on the cut loops: free part, tabs, necks beside slots and holes. `noisy` is True if the
-    curve passes through noisy measured points, so that smoothing helps.
+    Widths are measured between all cuts. `noisy` is True if the curve passes through noisy measured points, so
+    that smoothing helps.
 
     Examples
     --------
@@ -403,16 +416,16 @@ def find_strip_faults(
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
     A: only 1.5 mm wide at ... mm from the start of the curve (birch-plywood-0.8 needs 3 mm). ...
     """
-    if strip.layout.size is not None:  # the section law of a planed or turned strip has limits of its own
+    if strip.layout.size is not None:  # the section law of a planed or turned strip already limits its size
         return ()
     shop = shop or FabricationLimits()
     name = strip.label or "strip"
-    joined = shop.lap is not None  # a longer strip may be joined from pieces
+    joined = shop.lap is not None  # strips longer than the stock are joined from pieces
     backing = strip.layout.backing
     sheets = (strip.sheet,) if backing is None else (strip.sheet, backing.sheet)
     stocks = [shop.stock_for(sheet) for sheet in sheets]
     leasts = [shop.width_for(sheet) for sheet in sheets]
-    if isinstance(strip.style, Laminated):  # a glued backing needs no strength by itself
+    if isinstance(strip.style, Laminated):  # a backing need not be strong, because it is glued to the base
         leasts[1:] = [min(least, strip.style.least_backing) for least in leasts[1:]]
     ligament = shop.ligament_for(strip.sheet)
     faults: list[Fault] = []
@@ -455,7 +468,9 @@ def find_plate_faults(
     shop: FabricationLimits | None = None,
     called: Sequence[str] = (),
 ) -> tuple[Fault, ...]:
-    """Find faults of a ring, a base or a rail: thin bridges between cuts, and size; `called` names first holes."""
+    """Return the faults of a ring, a base or a rail: thin bridges between cuts, and excessive size.
+
+    `called` are the names of the first holes."""
     shop = limits_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
@@ -472,7 +487,7 @@ def find_plate_faults(
 
 
 def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
-    """Return the fault of slots that are far wider than their tabs: (name, slot width, tab thickness), mm."""
+    """Return a fault if slots are too wide for their tabs. Each slot is (name, slot width, tab thickness), mm."""
     wide = [each for each in slots if each[1] > max(FILLED_SLOT_MM, WIDEST_SLOT_THICKNESSES * each[2])]
     if not wide:
         return ()
@@ -488,7 +503,10 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
 
 
 def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
-    """Find strips wider than their tabs that hit the plate; each is (tab, depth, strip thickness), mm."""
+    """Return faults of strips that would penetrate the plate beside their tabs.
+
+    Each shoulder is (name of the strip, depth in the plate, strip thickness), mm.
+    """
     return tuple(
         Fault(
             name,
@@ -505,14 +523,17 @@ def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]
 
 
 def _is_plainly_wide(strip: Strip, least: float) -> bool:
-    """Return True if the strip has two gently sloping long edges, at least `least` mm apart, and no other cuts."""
+    """Return True if a strip is obviously wide enough.
+
+    Its long edges have small slopes and are at least `least` mm apart, and there are no other cuts.
+    """
     layout, width = strip.layout, strip.width
     if strip.slots or element_cuts(strip.rod) or layout.backing is not None or layout.pattern is not None:
         return False
     for tab in strip.ends:
         if tab.width or tab.corner_radius or tab.chamfer or tab.taper or tab.holes or tab.t_slot is not None:
             return False
-    # the slope of a spline is between its coefficients
+    # the slope of a spline is between the slopes of its control polygon
     rises, runs = np.abs(np.diff(width.coefficients)), width.greville[1:] - width.greville[:-1]
     return min(width.extremes[0], strip.rod.length) >= least and bool((rises < STEEPEST * runs).all())
 
@@ -520,9 +541,12 @@ def _is_plainly_wide(strip: Strip, least: float) -> bool:
 def _thin_strip(
     name: str, strip: Strip, layer: Layer, least: float, web: float, *, noisy: bool
 ) -> Iterator[Fault]:
-    """Yield faults of necks of the strip and its tabs below `least` mm, and of webs beside holes below `web` mm."""
+    """Yield the faults of a layer that is too narrow.
+
+    The least width is `least`, mm, and beside holes `web`, mm.
+    """
     pattern = strip.layout.pattern is not None
-    holes = () if pattern else layer.holes  # ligaments have a separate limit
+    holes = () if pattern else layer.holes  # `ligament` is the limit for perforated strips
     places = find_thin_places([layer.outline], holes, least)
     necks = [place for place in places if place.loops == (0, 0) and place.width < least * (1 - SEEN_APART)]
     free: list[ThinPlace] = []
@@ -547,7 +571,10 @@ def _thin_strip(
 
 
 def _cures_of_necks(strip: Strip, times: float, least: float, noisy: bool) -> tuple[str, tuple[Change, ...]]:
-    """Return suggestions for a strip that must be `times` as wide to have no neck below `least` mm."""
+    """Return suggestions for a strip that is too narrow at some places.
+
+    `times` is the factor that makes them `least` mm wide.
+    """
     wider = _wider(strip, times)
     field = outline_field(strip.style)
     if not wider:
@@ -555,7 +582,7 @@ def _cures_of_necks(strip: Strip, times: float, least: float, noisy: bool) -> tu
             "Make it wider ({field}), or use the nearest curve with a smaller stiffness ratio", field=field
         )
     elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
-        wider = ()  # a wider strip has thinner tips of its bulges
+        wider = ()  # if the strip is wider, the tips of its bulges are still too thin
         cure = note("Use the nearest curve with a smaller stiffness ratio")
     else:
         cure = note(
@@ -572,7 +599,7 @@ def _cures_of_necks(strip: Strip, times: float, least: float, noisy: bool) -> tu
 
 
 def _place_on(strip: Strip, place: ThinPlace) -> str:
-    """Return the position of a place of the flat part in words: along the strip, or in a tab."""
+    """Return a text with the position of a place along the strip or in a tab."""
     length = strip.rod.length
     if place.x < 0:
         return note("in the tab at its start, {into} from the bent part", into=Length(-place.x))
@@ -582,7 +609,7 @@ def _place_on(strip: Strip, place: ThinPlace) -> str:
 
 
 def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) -> Fault:
-    """Return the fault of too little material beside a hole, with the distance to move the hole."""
+    """Return the fault that there is too little material beside a hole."""
     wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
     shift = Length(rounded_up(least - place.width, 2))
     if 0 in place.loops:
@@ -603,7 +630,7 @@ def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) 
 
 
 def _wider(strip: Strip, times: float) -> tuple[Change, ...]:
-    """Return the change of a plain strip's largest width by the factor `times`, unless its rod determines it."""
+    """Return the change that makes a solid strip `times` as wide. Empty if its rod determines the width."""
     if not isinstance(strip.style, Plain) or strip.rod.bending_stiffness is not None:
         return ()
     return (Change("max_width", rounded_up(times * float(strip.width.extremes[1]), 3)),)
