@@ -1,4 +1,4 @@
-"""Changes of a design: limits, the nearest rod within them, the methods of the paper, and curves from surfaces."""
+"""Changes of a drawn curve: the nearest rod within limits, the methods of the paper, and curves from surfaces."""
 
 from elastica_cad._exports import exports
 

@@ -19,18 +19,20 @@ MOST_ROWS = 56
 
 @dataclass(frozen=True, kw_only=True)
 class Constraint(ABC):
-    """Values that a search keeps at 0, or nonnegative if `one_sided`; a badly violated value is of order 1.
+    """Constraint of the search for the nearest rod, with k values that depend on the rod.
+
+    The values must be 0, or at least 0 if `one_sided`. They are scaled so that a large violation is of order 1.
 
     Attributes
     ----------
     name : str
         Name in messages.
     one_sided : bool
-        True if the values must be at least 0 instead of 0.
+        True if the values must be at least 0; False if they must be 0.
     price : float
-        Largest cost of violating one value by 1.
+        Largest penalty for violating one value by 1.
     near_balance_only : bool
-        True if the constraint is only meaningful near balance.
+        True if the constraint is only meaningful for rods nearly in equilibrium.
     """
 
     name: str
@@ -40,17 +42,19 @@ class Constraint(ABC):
 
     @abstractmethod
     def values(self, rod: MappedRod) -> FloatArray:
-        """All values (k,)."""
+        """Return all values (k,)."""
 
     @abstractmethod
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Indices (j,) and derivatives (j, p) of the values that a step from this rod may violate."""
+        """Return indices (j,) and derivatives (j, p) of the values that a step of p unknowns may violate."""
 
 
 def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
-    """Return at most MOST_ROWS of `indices`: peaks of `urgency` (n,), then the remaining ones at equal steps.
+    """Return at most MOST_ROWS of the `indices`.
 
-    A step may violate a row that was left out. The next program then includes it as a peak.
+    Local maxima of `urgency` (n,) have priority, and the rest is evenly spaced.
+
+    If a step violates an omitted row, the next quadratic program contains it as a local maximum.
     """
     if indices.size <= MOST_ROWS:
         return indices
@@ -64,74 +68,71 @@ def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
 
 
 def _all_rows(rows: FloatArray) -> tuple[IntArray, FloatArray]:
-    """Every row, with its index."""
     return np.arange(rows.shape[0]), rows
 
 
 @dataclass(frozen=True, kw_only=True)
 class EndPosition(Constraint):
-    """The last node is at `target`."""
+    """The last node of the rod is at `target`."""
 
     name: str = "end position"
     target: tuple[float, float] = (0.0, 0.0)
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Gap (2,)."""
+        """Return the offset from the target (2,)."""
         return np.asarray(rod.position[-1] - np.asarray(self.target))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Both."""
+        """Return both rows."""
         return _all_rows(sensitivities.position[-1])
 
 
 @dataclass(frozen=True, kw_only=True)
 class EndAngle(Constraint):
-    """The angle of the end is `target`."""
+    """The angle at the end of the rod is `target`, rad."""
 
     name: str = "end tangent"
     target: float = 0.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Difference (1,), rad."""
+        """Return the difference from the target (1,), rad."""
         return rod.all_angles[-1:] - self.target
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Row of the only value."""
+        """Return the row of the only value."""
         return _all_rows(sensitivities.angles[-1:])
 
 
 @dataclass(frozen=True, kw_only=True)
 class EndMoment(Constraint):
-    """No moment at an end that is free to turn."""
+    """The moment at an end that is free to turn is 0."""
 
     name: str = "free end angle"
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """M_n (1,)."""
+        """Return the moment at the last node divided by `scale` (1,)."""
         return rod.moments[-1:] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Row of the only value."""
+        """Return the row of the only value."""
         return _all_rows(sensitivities.moments[-1:] / self.scale)
 
 
 @dataclass(frozen=True, kw_only=True)
 class EndForce(Constraint):
-    """No force along an `axis` (0: x, 1: y) in which the end is free."""
+    """The force at the end is 0 along an `axis` (0: x, 1: y) along which the end can move."""
 
     name: str = "free end position"
     axis: int = 0
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """lambda after the last node (1,)."""
+        """Return the force after the last node along the axis, divided by `scale` (1,)."""
         return rod.all_forces[-1:, self.axis] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Row of the force of the last edge and the load of the last node.
-
-        Both are linear in z except in the length."""
+        """Return the row of the only value: the force in the last edge and the weight of the last node."""
         rod = sensitivities.rod
         n = rod.tangents.shape[0]
         weights = np.zeros((n, 2))
@@ -150,18 +151,21 @@ class Through(Constraint):
     place: float = 0.5
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Distance across the rod (1,)."""
+        """Return the distance of the target from the rod, along its normal (1,)."""
         share, nodes, normal = self._foot(rod)
         off = share @ rod.position[nodes] - np.asarray(self.target)
         return np.array([normal @ off])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Row of the only value."""
+        """Return the row of the only value."""
         share, nodes, normal = self._foot(sensitivities.rod)
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
     def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
-        """Return the nearest cubic through four nodes: its weights at the foot, the nodes, and the normal."""
+        """Return the point of the rod nearest to the target.
+
+        It is given by weights (4,) of four nodes, the slice of these nodes, and the unit normal (2,).
+        """
         foot: tuple[FloatArray, slice, FloatArray] = rod.remembered(
             self, lambda: self._find_foot(rod.position)
         )
@@ -189,7 +193,10 @@ class Through(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class InflectionLine(Constraint):
-    """M vanishes on the line through `point` along `direction`: without weight M = a + <b, gamma>."""
+    """The moment is 0 on the line through `point` along `direction`.
+
+    Without weight, the moment M = a + <b, gamma> is defined in the whole plane.
+    """
 
     name: str = "inflection line"
     point: tuple[float, float] = (0.0, 0.0)
@@ -197,12 +204,12 @@ class InflectionLine(Constraint):
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Moment at the point, and its change along the line (2,)."""
+        """Return the moment at the point, and its derivative along the line, as an array (2,)."""
         (fx, fy), (x, y), (u, v) = rod.all_forces[0], self.point - rod.position[0], self.direction
         return np.array([rod.moments[0] + fy * x - fx * y, fy * u - fx * v]) / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Both."""
+        """Return both rows."""
         rod = sensitivities.rod
         u = sensitivities.grid.unknowns
         rows = np.zeros((2, sensitivities.angles.shape[1]))
@@ -217,7 +224,11 @@ class InflectionLine(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class MiddleOfMirror(Constraint):
-    """Mirror symmetry: the middle crosses the axis at a right angle and carries no force along it."""
+    """Mirror symmetry of the rod.
+
+    The middle of the rod is on the axis and perpendicular to it, and the force there has no component along the
+    axis.
+    """
 
     name: str = "symmetry"
     centre: tuple[float, float] = (0.0, 0.0)
@@ -226,7 +237,7 @@ class MiddleOfMirror(Constraint):
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Distance from the axis, angle, force (3,)."""
+        """Return distance from the axis, angle, and force along the axis, as an array (3,)."""
         nodes, edges = _middle(rod)
         normal = left_of(self.axis)
         off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
@@ -234,7 +245,7 @@ class MiddleOfMirror(Constraint):
         return np.array([normal @ off, turn, rod.force[edges].mean(axis=0) @ self.axis / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """All three."""
+        """Return all three rows."""
         rod = sensitivities.rod
         nodes, edges = _middle(rod)
         normal = left_of(self.axis)
@@ -253,20 +264,20 @@ class MiddleOfMirror(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class MiddleOfTurn(Constraint):
-    """Symmetry under half a turn: the middle is at the centre and carries no moment."""
+    """Symmetry under rotation by 180 degrees: the middle is at the centre, and the moment there is 0."""
 
     name: str = "symmetry"
     centre: tuple[float, float] = (0.0, 0.0)
     scale: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Distances and moment (3,)."""
+        """Return the offset from the centre (2) and the moment, as an array (3,)."""
         nodes, _ = _middle(rod)
         off = rod.position[nodes].mean(axis=0) - np.asarray(self.centre)
         return np.append(off, rod.moments[nodes].mean() / self.scale)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """All three."""
+        """Return all three rows."""
         rod = sensitivities.rod
         nodes, _ = _middle(rod)
         moment = sensitivities.moments[nodes].mean(axis=0) / self.scale
@@ -281,23 +292,25 @@ def _middle(rod: MappedRod) -> tuple[Sequence[int], Sequence[int]]:
 
 
 _CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
-"""Coefficients of the cubic through values at 0, 1, 2, 3."""
+"""Matrix (4, 4) that maps values at 0, 1, 2, 3 to the coefficients of the cubic through them."""
 
 
 def _cubic_shares(u: float) -> tuple[FloatArray, FloatArray]:
-    """Shares (4,) of the nodes 0, 1, 2, 3 in their cubic's value at u, and in its slope."""
+    """Return weights (4,) for the value at u of the cubic through values at 0, 1, 2, 3, and for its derivative."""
     return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
 
 
-_NEAR = 0.6  # fraction of a limit; nearer values enter the quadratic program, because a step may reach them
-_STEP = 1e-5  # relative step of K for derivatives of strain
-_ROOM = 0.01  # reserve for a sharp bend between nodes, as a fraction of the largest stiffness
-_TANGENT_STEP = 1e-3  # relative step of K and bend for derivatives of dM/dkappa; it smooths kinks
+# fraction of a limit above which a value enters the quadratic program, because a step may reach the limit
+_NEAR = 0.6
+_STEP = 1e-5  # relative step of K in finite differences of the strain
+_ROOM = 0.01  # reserve for larger curvatures between nodes, as a fraction of the largest stiffness
+# relative step of K and curvature in finite differences of dM/dkappa; it is large, to smooth kinks
+_TANGENT_STEP = 1e-3
 
 
 @dataclass(frozen=True, kw_only=True)
 class MarginLimit(Constraint):
-    """Stability margin, for least stiffness 1, at least `limit`."""
+    """The stability margin, for a least stiffness of 1, is at least `limit`."""
 
     limit: float
     name: str = "margin"
@@ -307,20 +320,20 @@ class MarginLimit(Constraint):
 
     @property
     def scale(self) -> float:
-        """Difference from the required margin that counts as a large violation."""
+        """Difference from the required margin that is scaled to 1."""
         return max(10.0, abs(self.limit))
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
-        """Return the rod with the stiffness dM/dkappa for small disturbances, which is K for Hooke's law."""
+        """Return the rod with the stiffness dM/dkappa for small disturbances. For Hooke's law, this is K."""
         return rod
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the margin above its limit, (mu - limit min K) / scale, as an array (1,)."""
+        """Return (mu - limit min K) / scale for the margin mu, as an array (1,)."""
         mu = self.disturbed(rod).margin.value
         return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Chain rule from K, angles, forces and length to z."""
+        """Return the row of the only value."""
         rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
@@ -333,25 +346,28 @@ class MarginLimit(Constraint):
         return _all_rows(row[None] / self.scale)
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives by dM/dkappa (n+1,) to derivatives by K and, if M has an effect, by M (n+1,)."""
+        """Return the derivatives with respect to K (n+1,) and M (n+1,), from those with respect to dM/dkappa.
+
+        The latter are None if M has no effect.
+        """
         _ = rod
         return by_tangent.copy(), None
 
 
 @dataclass(frozen=True, kw_only=True)
 class FollowedMarginLimit(MarginLimit):
-    """Limit of the stability margin for sections that change as the strip bends.
+    """Limit of the stability margin for sections whose stiffness depends on the curvature.
 
-    K is M / (kappa - kappa_0). A strip that stiffens as it bends resists a disturbance more than K, and a pre-bent
-    strip that is bent straight resists less.
+    The stiffness K is M / (kappa - kappa_0), but a disturbance is resisted by dM/dkappa. This is more than K for a
+    strip that stiffens as it bends, and less for a pre-bent strip that is bent straight.
 
     Attributes
     ----------
     section : SectionScale
     rest : float or (n+1,) array
-        kappa_0 in lengths of the target.
+        kappa_0 times the length of the target.
     size : float
-        Length of the target, mm.
+        Length of the target, the unit of length of the search, mm.
     """
 
     section: SectionScale
@@ -369,7 +385,7 @@ class FollowedMarginLimit(MarginLimit):
         return rod_felt
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Use finite differences: K and bend determine the width, and width and bend determine dM/dkappa."""
+        """Return the derivatives with respect to K and M by finite differences."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
@@ -383,7 +399,7 @@ class FollowedMarginLimit(MarginLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class LargestSection(Constraint):
-    """No node of the bent strip exceeds the largest section, at the fixed scale for which a margin was computed."""
+    """No section of the bent strip exceeds the largest section. The scale of the sections is fixed."""
 
     section: SectionScale
     rest: float | FloatArray
@@ -393,12 +409,12 @@ class LargestSection(Constraint):
     price: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Largest possible stiffness over the stiffness of each node, minus 1 and a reserve, (n+1,)."""
+        """Return the largest stiffness at each node over its stiffness, minus 1 and a reserve (n+1,)."""
         most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
         return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _ROOM)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """The nodes whose section is nearly as large as allowed."""
+        """Return the rows of nodes whose section is nearly as large as allowed."""
         rod = sensitivities.rod
         values, K, bend = self.values(rod), rod.stiffness, _bend(rod, self.size)
         near = thin_rows(np.flatnonzero(values < _NEAR), -values)
@@ -412,34 +428,37 @@ class LargestSection(Constraint):
 def _nodal_rows(
     sensitivities: Sensitivities, near: IntArray, by_moment: FloatArray, by_stiffness: FloatArray
 ) -> FloatArray:
-    """Rows (j, p) of values at nodes, from their derivatives (n+1,) by the M and K of the same node."""
+    """Return the rows (j, p) of values at the nodes `near` (j,).
+
+    `by_moment` and `by_stiffness` (n+1,) are their derivatives with respect to M and K of the same node.
+    """
     grid, rows = sensitivities.grid, by_moment[near, None] * sensitivities.moments[near]
     rows[:, grid.unknowns.stiffness] += by_stiffness[near, None] * grid.basis[near]
     return np.asarray(rows)
 
 
 def _bend(rod: MappedRod, size: float) -> FloatArray:
-    """kappa - kappa_0 (n+1,), 1/mm, of a rod in lengths of `size` mm."""
+    """Return kappa - kappa_0 (n+1,), 1/mm, of a rod whose unit of length is `size`, mm."""
     return np.asarray(rod.moments / rod.stiffness / size)
 
 
 @dataclass(frozen=True, kw_only=True)
 class BendLimit(Constraint):
-    """The bend |M / K| of every node is within its limit."""
+    """The change of curvature |M / K| at every node is within its limit."""
 
     one_sided: bool = True
     price: float = 1.0
 
     @abstractmethod
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """Return 1 / limit of the bend (n+1,), mm, at nodes with K (n+1,)."""
+        """Return the inverse of the limit of |M / K| (n+1,), mm, for the stiffness K (n+1,)."""
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """1 - bend / limit, (n+1,)."""
+        """Return 1 - |M / K| / limit (n+1,)."""
         return np.asarray(1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """The nodes that are bent most."""
+        """Return the rows of nodes that are close to the limit."""
         rod = sensitivities.rod
         values = self.values(rod)
         near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
@@ -452,19 +471,19 @@ class BendLimit(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class CurvatureLimit(BendLimit):
-    """|M / K| at most `limit`, node by node."""
+    """|M / K| is at most `limit` at every node."""
 
     limit: float
     name: str = "curvature"
 
     def share(self, stiffness: FloatArray) -> FloatArray:
-        """See `BendLimit`; here for all kinds of sections."""
+        """See `BendLimit`."""
         return np.full(stiffness.shape, 1 / self.limit)
 
 
 @dataclass(frozen=True, kw_only=True)
 class StrainLimit(BendLimit):
-    """The strain of every node is within its limit, for all kinds of sections."""
+    """The strain at every node is within its limit, for all kinds of sections."""
 
     section: SectionScale
     strain: float | None
@@ -478,9 +497,10 @@ class StrainLimit(BendLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class KeepOut(Constraint):
-    """All nodes are outside a region; the region is in mm, the rod in units of `size` from `origin`.
+    """All nodes are outside a region, which is given in mm.
 
-    Ends with a kept position are left out, because on the border both constraints would conflict.
+    Positions of the rod are relative to `origin`, in units of `size`, mm. Ends with a fixed position are omitted,
+    because on the border of the region both constraints would conflict.
     """
 
     region: HalfPlane | Box
@@ -491,11 +511,11 @@ class KeepOut(Constraint):
     one_sided: bool = True
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Clearances (n+1,)."""
+        """Return the distances from the region (n+1,), in lengths of the target."""
         return self._clearance(rod)[0]
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Nodes that one step may bring near the region."""
+        """Return the rows of nodes that a step may bring into the region."""
         rod = sensitivities.rod
         value, gradient = self._clearance(rod)
         near = thin_rows(np.flatnonzero(value < 0.1), -value)
@@ -511,18 +531,18 @@ class KeepOut(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class LeastStiffness(Constraint):
-    """The least stiffness is 1. It is the unit of the lower bounds along the strip."""
+    """The least stiffness along the rod is 1, which is the unit of the stiffness bounds."""
 
     name: str = "stiffness bounds"
     one_sided: bool = True
     price: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """1 - min K, (1,); the box keeps it from growing."""
+        """Return 1 - min K (1,). The bounds of the coefficients prevent negative values."""
         return np.array([1 - rod.stiffness.min()])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """The softest node."""
+        """Return the row of the node with the least stiffness."""
         grid, rod = sensitivities.grid, sensitivities.rod
         row = np.zeros((1, sensitivities.angles.shape[1]))
         row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]

@@ -1,4 +1,4 @@
-"""Table of the drawn curve in units of its length, and distances of a rod from the curve."""
+"""Drawn curve in units of its length, and measures of the distance of a rod from the curve."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -21,24 +21,24 @@ if TYPE_CHECKING:
     from scipy.interpolate import CubicHermiteSpline
 
 
-SPANS = 1000  # spans of the table; its cubics follow a drawn curve within 1e-9 lengths
-_WINDOW_LENGTHS = 0.08  # largest arc length between a foot and its node
-_SYMMETRIC_LENGTHS = 1e-4  # largest distance of a symmetric curve from its mirror image, in lengths
+SPANS = 1000  # number of spans; the interpolation error is 1e-9 lengths
+_WINDOW_LENGTHS = 0.08  # half width of the window in which the nearest point is searched, in lengths
+_SYMMETRIC_LENGTHS = 1e-4  # largest distance of a symmetric curve from its image, in lengths
 
 
 @dataclass(frozen=True, eq=False)
 class TargetCurve:
-    """Points at equal distances along the curve, and cubic Hermite pieces between them.
+    """The drawn curve as evenly spaced points, with cubic Hermite interpolation between them.
 
     Attributes
     ----------
     position : (spans + 1, 2) array
-        Relative to `origin`, divided by `size`.
+        Points relative to `origin`, divided by `size`.
     angle, curvature : (spans + 1,) arrays
     size : float
-        The unit of length, mm.
+        Length of the curve, which is the unit of length, mm.
     origin : (2,) array
-        mm.
+        Mean of the points of the curve, mm.
     """
 
     position: FloatArray
@@ -49,23 +49,23 @@ class TargetCurve:
 
     @classmethod
     def of(cls, curve: PlaneCurve) -> "TargetCurve":
-        """The table of a curve."""
+        """Return the target for a curve."""
         samples = curve.sample(SPANS + 1)
         origin = samples.position.mean(axis=0)
         size = curve.length
         return cls((samples.position - origin) / size, samples.angle, samples.curvature * size, size, origin)
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Positions and unit-speed derivatives, each (n, 2), at arc lengths s (n,) in 0..1."""
+        """Return positions (n, 2) and their derivatives (n, 2) at arc lengths s (n,) in 0..1."""
         spline = self._spline
         return spline(s), spline(s, 1)
 
     def angles(self, s: FloatArray) -> FloatArray:
-        """Angles (n,) at arc lengths s (n,) in 0..1."""
+        """Return the angles (n,) at arc lengths s (n,) in 0..1."""
         return np.interp(s, even_steps(self.angle.size), self.angle)
 
     def feet(self, points: FloatArray, near: FloatArray) -> FloatArray:
-        """Arc lengths (n,) of the nearest points within a window about `near` (n,)."""
+        """Return the arc lengths (n,) nearest to `points` (n, 2), in a window around `near` (n,)."""
         offsets = np.linspace(-_WINDOW_LENGTHS, _WINDOW_LENGTHS, 17)
         tries = np.clip(near[:, None] + offsets, 0, 1)
         spots = np.rint(tries * (self.position.shape[0] - 1)).astype(int)
@@ -98,19 +98,18 @@ class TargetCurve:
 
     @cached_property
     def diagonal(self) -> float:
-        """Diagonal of the bounding box, in lengths."""
+        """Diagonal of the bounding box, in units of the length."""
         x, y = self.position.T
         return hypot(x.max() - x.min(), y.max() - y.min())
 
 
 def even_steps(count: int) -> FloatArray:
-    """0..1 in equal steps (count,)."""
+    """Return `count` evenly spaced numbers from 0 to 1."""
     return np.linspace(0, 1, count)
 
 
 def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, FloatArray]:
-    """Centre and axis direction, both (2,), of the symmetry of the curve ("mirror" or "turn"), in units of the
-    target.
+    """Return the centre and the axis direction, both (2,), of the symmetry of the curve, in units of the target.
 
     Raises
     ------
@@ -139,32 +138,35 @@ def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, Flo
 
 
 class Distance(Protocol):
-    """A distance measure: its value, and a convex model around a rod."""
+    """Interface of a measure of the distance of a rod from the target."""
 
     def value(self, rod: MappedRod) -> float:
-        """Value to minimise, in lengths of the target or in squares of lengths."""
+        """Return the value to minimise, in lengths of the target or squares of lengths."""
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Gauss-Newton model in the steps of the unknowns; the last column of the derivatives closes the rod."""
+        """Return a convex model (Gauss-Newton) for steps of the unknowns.
+
+        The last column of the sensitivities brings the rod into equilibrium.
+        """
 
 
 @dataclass(frozen=True, eq=False)
 class MeanDistance:
-    """Half the weighted mean square distance between points of equal relative arc length.
+    """Half the weighted mean square distance between points at the same fraction of the length.
 
     Attributes
     ----------
     targets : (n+1, 2) array
         Desired position of each node.
     shares : (n+1,) array
-        Weights, sum 1.
+        Weights with the sum 1.
     """
 
     targets: FloatArray
     shares: FloatArray
 
     def value(self, rod: MappedRod) -> float:
-        """Half the mean square distance."""
+        """Return half the weighted mean square distance."""
         value: float = rod.remembered(self, lambda: self._value(rod.position))
         return value
 
@@ -173,71 +175,75 @@ class MeanDistance:
         return 0.5 * float(self.shares @ (off**2).sum(axis=1))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Gauss-Newton: J^T W J and J^T W r."""
+        """Return the Gauss-Newton model, which is exact for the linearised positions."""
         J = sensitivities.position.reshape(-1, sensitivities.position.shape[2])
         return _least_squares(J, (rod.position - self.targets).ravel(), np.repeat(self.shares, 2))
 
 
 @dataclass(frozen=True, eq=False)
 class ClosestDistance:
-    """Half the weighted mean square distance of the nodes from their nearest points on the target.
+    """Half the weighted mean square distance of the nodes from the nearest points on the target.
 
     Attributes
     ----------
     target : TargetCurve
     shares : (n+1,) array
-        Weights, sum 1.
+        Weights with the sum 1.
     """
 
     target: TargetCurve
     shares: FloatArray
 
     def value(self, rod: MappedRod) -> float:
-        """Half the mean square distance."""
+        """Return half the weighted mean square distance."""
         off, _ = offsets(self.target, rod)
         return 0.5 * float(self.shares @ (off**2).sum(axis=1))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Gauss-Newton model of the distances normal to the target; nodes may slide along the target."""
+        """Return the Gauss-Newton model of the distances normal to the target.
+
+        Motion of the nodes along the target has no effect.
+        """
         off, normal = offsets(self.target, rod)
         return _least_squares(_across(normal, sensitivities), (off * normal).sum(axis=1), self.shares)
 
 
 @dataclass(frozen=True, eq=False)
 class LargestDistance:
-    """Largest weighted distance of a node from its nearest point on the target.
+    """Largest weighted distance of a node from the nearest point on the target.
 
     Attributes
     ----------
     target : TargetCurve
     factors : (n+1,) array
-        Weights, largest 1.
+        Weights, of which the largest is 1.
     """
 
     target: TargetCurve
     factors: FloatArray
 
     def value(self, rod: MappedRod) -> float:
-        """The largest distance."""
+        """Return the largest distance."""
         off, _ = offsets(self.target, rod)
         return float((self.factors * np.hypot(off[:, 0], off[:, 1])).max())
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Nodes at least half as far from the target as the farthest node are peaks."""
+        """Return a model in which the distances of the farthest nodes are the peaks."""
         _, normal = offsets(self.target, rod)
         signed, far = self._peaks(rod)
         p = rod.z.size
         across = _across(normal, sensitivities)
         slopes = self.factors[far, None] * across[far]
-        at = signed[far] + slopes[:, p]  # a node near the target may change sides
+        # distance in equilibrium, where a node may be on the other side of the target
+        at = signed[far] + slopes[:, p]
         rows = np.sign(at)[:, None] * slopes[:, :p]
-        # the mean-square term only selects among steps with equal peaks
+        # the small mean-square term selects one of several steps with equal peaks
         return LocalModel(
             0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
         )
 
     def _peaks(self, rod: MappedRod) -> tuple[FloatArray, IntArray]:
-        """Signed distances (n+1,), and the nodes that may be farthest."""
+        """Return the signed distances (n+1,), and the indices of nodes with at least half the largest distance."""
         off, normal = offsets(self.target, rod)
         signed = self.factors * (off * normal).sum(axis=1)
         size = np.abs(signed)
@@ -245,9 +251,9 @@ class LargestDistance:
 
 
 def offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArray]:
-    """Offsets (n+1, 2) of the nodes from their feet on the target, and unit normals there.
+    """Return the offsets (n+1, 2) of the nodes from the nearest points on the target, and unit normals there.
 
-    Past an end the normal points along the offset.
+    Beyond an end of the target, the normal is the direction of the offset.
     """
     both: tuple[FloatArray, FloatArray] = rod.remembered(target, lambda: _offsets(target, rod))
     return both
@@ -267,13 +273,16 @@ def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArra
 
 
 def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
-    """Derivatives (n+1, p) of the nodes' displacements along `normal`."""
+    """Return the derivatives (n+1, p) of the displacements of the nodes along `normal`."""
     d = sensitivities.position
     return np.asarray(normal[:, 0, None] * d[:, 0] + normal[:, 1, None] * d[:, 1])
 
 
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
-    """Model of half the mean square of r + J d, weighted by `shares` (k,); the last column of J is added to r."""
+    """Return a model of half the mean square of r + J d, weighted by `shares` (k,).
+
+    The last column of J is first added to r.
+    """
     p, roots = J.shape[1] - 1, np.sqrt(shares)
     A = J * roots[:, None]
     A[:, -1] += r * roots
@@ -284,21 +293,23 @@ def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalMod
 
 
 def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
-    """Largest distance in lengths, in both directions, between the curve and the smooth curve through `nodes` (n,
-    2)."""
+    """Return the largest distance between the target and a smooth curve through `nodes` (n, 2), in lengths.
+
+    It is the larger of the distances from either curve to the other.
+    """
     other = _through(nodes, target.position.shape[0])
     return max(_largest_distance(target.position, other), _largest_distance(other, target.position))
 
 
 def _through(nodes: FloatArray, count: int) -> FloatArray:
-    """Points (count, 2) at equal steps along the cubic spline through `nodes` (n, 2)."""
+    """Return evenly spaced points (count, 2) on the cubic spline through `nodes` (n, 2)."""
     from scipy.interpolate import CubicSpline
 
     return np.asarray(CubicSpline(even_steps(nodes.shape[0]), nodes)(even_steps(count)))
 
 
 def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
-    """Return the largest distance of `points` from a fine polyline, by the chords at the nearest vertex."""
+    """Return the largest distance of `points` from a fine polyline."""
     from scipy.spatial import cKDTree
 
     chords = np.diff(chain, axis=0)

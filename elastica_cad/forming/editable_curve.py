@@ -1,4 +1,4 @@
-"""A rod's rest shape as a spline of degree 4 with few control points, for further editing."""
+"""Rest shape of a rod as a spline of degree 4 with few control points, for further editing."""
 
 from dataclasses import dataclass, replace
 
@@ -12,35 +12,38 @@ from elastica_cad.mechanics.bending import bend, has_snapped
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
-DEGREE = 4  # least degree with a continuous slope of the curvature
-STRAIGHT_RAD = 1e-9  # turning over the whole length that is only rounding
-TOLERANCE_MM = 1e-3  # largest distance between curve and rod, below the repeatability of a laser cutter
-# relative error of the extremes of the stiffness that the curve needs; so small that limits stay met
+DEGREE = 4  # least degree for which the curvature has a continuous derivative
+STRAIGHT_RAD = 1e-9  # change of direction over the length, rad, that is only a rounding error
+# largest distance between curve and rod, mm; less than the repeatability of a laser cutter
+TOLERANCE_MM = 1e-3
+# largest relative error of the extremes of the stiffness; it is small, so that limits are still met
 FAITHFUL = 3e-4
-LOOSE = 0.02  # relative error of the stiffness elsewhere, where no limit depends on it
-UNBENT_SHARE = 2e-3  # curvature, as a fraction of the largest, below which the stiffness is a rounding error
-# length over which an error of the curvature weighs as much as the displacement that it causes
+LOOSE = 0.02  # largest relative error of the stiffness elsewhere
+# fraction of the largest curvature below which the computed stiffness is dominated by rounding errors
+UNBENT_SHARE = 2e-3
+# length that converts errors of curvature to displacements in the least-squares fit, in rod lengths
 _REACH_LENGTHS = 0.05
-# number of spans; few are tried first, because the control points are edited by hand
+# first and largest number of spans; it starts with few, because the control points are edited by hand
 _FIRST_SPANS, _MOST_SPANS = 24, 240
-_SHORTEST_SPAN = 1e-3  # in rod lengths; shorter spans would fit rounding errors
-_SAME_LENGTHS = 1e-6  # distance of an inflection from an end at which it counts as at the end
-_PARDONED = 2.0  # accepted error, in tolerances, where finer spans do not help
-# factor on the number of edges; the continuous rod is extrapolated from 4 and 8 times as many edges
+_SHORTEST_SPAN = 1e-3  # shortest span in rod lengths; shorter spans would fit rounding errors
+_SAME_LENGTHS = 1e-6  # distance of an inflection from an end, in rod lengths, below which it is at the end
+_PARDONED = 2.0  # largest accepted error, as a multiple of the tolerance, if more spans do not reduce it
+# factor on the number of edges; the second rod of the extrapolation has twice as many
 _FINER = 4
 
 
 def editable_curve(rod: Rod) -> PlaneCurve:
     """Return the shape of a discrete rod as a spline of degree 4.
 
-    The error of a rod with n edges is O(1/n^2), which would be visible in the curvature near inflections. So the
-    continuous rod with the same stiffness and ends is computed first. The spline fits its position and curvature.
-    The spline interpolates the rod exactly at its inflections, so they are on one line without weight (Theorem 1).
+    The discretisation error of a rod with n edges is O(1/n^2), which would be visible in the curvature near
+    inflections. Therefore the continuous rod with the same stiffness and ends is computed first, and the spline is
+    fitted to its position and curvature. The spline interpolates the inflections exactly, so that without weight
+    they are on one line (Theorem 1).
 
     Parameters
     ----------
     rod : Rod
-        In balance.
+        Rod in equilibrium.
 
     Raises
     ------
@@ -71,14 +74,14 @@ def editable_curve(rod: Rod) -> PlaneCurve:
 
 
 def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
-    """Return a coarser `editable_curve` with `spans` even spans, whose inflections are still on one line.
+    """Return an `editable_curve` with only `spans` equal spans, whose inflections are still on one line.
 
-    The curve only approximates the rod and may violate limits that the rod meets.
+    The curve only approximates the rod. It may violate limits that the rod meets.
 
     Raises
     ------
     NotConvergedError
-        The continuous rod was not found, or a curve with so few spans cannot pass its inflections.
+        The continuous rod was not found, or a curve with so few spans cannot pass through its inflections.
     """
     shape = _continuous(rod)
     try:
@@ -90,8 +93,10 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
 
 
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
-    """Halve the widest spans that contain `places`, and neighbouring spans, because jumps in width cause
-    oscillations."""
+    """Return the knots after the longest spans around `places` are halved.
+
+    Neighbouring spans are halved too, because abrupt changes of the span length cause oscillations.
+    """
     width = np.diff(edges)
     bad = np.searchsorted(edges, places, side="right") - 1
     bad = np.unique(np.clip(np.concatenate([bad - 1, bad, bad + 1]), 0, width.size - 1))
@@ -101,7 +106,7 @@ def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class _Shape:
-    """A continuous rod at uniform stations; the unit of length is the length of the discrete rod.
+    """A continuous rod at evenly spaced stations. The unit of length is the length of the discrete rod.
 
     Attributes
     ----------
@@ -110,9 +115,9 @@ class _Shape:
         Curvature before bending.
     position : (k, 2) array
     inflections : (j,) array
-        Arc lengths of zero moment, inside and at ends that are free to turn.
+        Arc lengths at which the moment is 0, including ends that are free to turn.
     size : float
-        The unit of length, mm.
+        Unit of length, mm.
     """
 
     s: FloatArray
@@ -125,7 +130,7 @@ class _Shape:
     size: float
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Position, angle, curvature at arc lengths s, by cubic splines through the stations."""
+        """Return position, angle and curvature at arc lengths s, interpolated by splines of degree 5."""
         from scipy.interpolate import make_interp_spline
 
         table = np.column_stack([self.position, self.angle, self.curvature])
@@ -133,16 +138,16 @@ class _Shape:
         return values[:, :2], values[:, 2], values[:, 3]
 
     def slope(self, s: FloatArray) -> FloatArray:
-        """Derivative of the curvature at arc lengths s."""
+        """Return the derivative of the curvature at arc lengths s."""
         from scipy.interpolate import make_interp_spline
 
         return np.asarray(make_interp_spline(self.s, self.curvature, k=5)(s, nu=1))
 
 
 def _continuous(rod: Rod) -> _Shape:
-    """Return the continuous rod with the stiffness, ends and clamps of a discrete rod.
+    """Return the continuous rod with the stiffness and the ends of a discrete rod.
 
-    It is extrapolated from rods with 4 and 8 times as many edges, because the error is a series in 1/n^2.
+    It is extrapolated from rods with 4 and 8 times as many edges, because the error is a power series in 1/n^2.
     """
     plain, edges = replace(rod, section=None, law=None), rod.s.size - 1
     a, b = (bend(plain, samples=factor * edges + 1) for factor in (_FINER, 2 * _FINER))
@@ -159,7 +164,7 @@ def _continuous(rod: Rod) -> _Shape:
     kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
     kappa_0 = np.interp(s, rod.s / size, kappa_0)
     bends, (start, end) = _zeros(s, curvature - kappa_0), rod.supports.ends
-    # a zero near an end that is free to turn is counted only at that end
+    # zeros near an end that is free to turn are rounding errors of the zero at that end
     bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
     position = (position - position[0]) / size
@@ -167,7 +172,7 @@ def _continuous(rod: Rod) -> _Shape:
 
 
 def _zeros(s: FloatArray, kappa: FloatArray) -> FloatArray:
-    """Arc lengths where kappa - kappa_0 changes sign, not at the very ends."""
+    """Return the arc lengths, without the ends, at which kappa - kappa_0 changes sign."""
     from scipy.interpolate import make_interp_spline
     from scipy.optimize import brentq
 
@@ -177,9 +182,10 @@ def _zeros(s: FloatArray, kappa: FloatArray) -> FloatArray:
 
 
 def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
-    """Least-squares spline for position and curvature over given knots, exact at the ends and the inflections.
+    """Return the least-squares spline for position and curvature, with given spans.
 
-    The slope of the curvature is also exact at an inflection, because it determines the stiffness there.
+    It is exact at the ends and at the inflections. The derivative of the curvature is exact there too, because it
+    determines the stiffness at an inflection.
     """
     from scipy.interpolate import BSpline
 
@@ -196,14 +202,14 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
     B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
     ends, bends = edges[[0, -1]], shape.inflections
-    # near an end or another inflection, the free control points suffice only for the zeros of the curvature
+    # near an end or another inflection there are too few control points for exact positions
     apart = np.diff(np.concatenate([ends[:1], bends, ends[1:]])) > 2 * np.diff(edges).max()
     inner = bends[apart[:-1] & apart[1:]]
     there, turned, _ = shape.at(np.concatenate([ends, inner]))
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = left_of(along[2:])
-    # a curvature other than 0 depends on the speed too
+    # only a rest curvature requires unit speed, because zero curvature does not depend on the speed
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
         [
@@ -220,7 +226,9 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
 
 
 def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: FloatArray) -> FloatArray:
-    """X that minimises |A X - B| subject to C X = D; the bandwidth of A^T A is that of the splines."""
+    """Return X that minimises |A X - B| subject to C X = D.
+
+    A^T A is a banded matrix, because the columns of A are B-splines."""
     from scipy.linalg import cho_solve_banded, cholesky_banded
 
     m = A.shape[1]
@@ -229,7 +237,7 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
     band = np.zeros((DEGREE + 1, m))
     for k in range(DEGREE + 1):
         band[k, : m - k] = np.diagonal(joined[:m, :m], -k)
-    band[0] += 1e-14 * band[0].max()  # regularisation that is above rounding but has no visible effect
+    band[0] += 1e-14 * band[0].max()  # regularisation, larger than rounding errors but without visible effect
     factor = cholesky_banded(band, lower=True)
     size = np.linalg.norm(C, axis=1)[:, None]
     C, D = C / size, D / size
@@ -242,11 +250,10 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 
 
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
-    """Return the worst error at each station, in tolerances.
+    """Return the largest error at each station, as a multiple of its tolerance.
 
-    The errors are those of the position, of the stiffness that the curve needs, and of the extremes of the
-    stiffness.
-    The tolerance of the extremes is smaller.
+    Three errors are compared: of the position, of the stiffness that the curve needs, and of the extremes of that
+    stiffness. The extremes have a smaller tolerance.
     """
     s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM

@@ -1,6 +1,6 @@
-"""Realizable curve with its stiffness, the state of methods that move control points.
+"""Realizable curve with its stiffness, as the state of methods that move control points.
 
-All curves are without weight and clamped at both ends, as Theorem 1 requires.
+Curves have no weight and are clamped at both ends, as Theorem 1 requires.
 """
 
 from collections.abc import Sequence
@@ -29,7 +29,7 @@ from elastica_cad.mechanics.optimal_balance import balance_without_weight
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 
-# number of places in a panel where K is bounded; they are dense, because a step moves the extremes of K
+# number of stations in a panel at which K is bounded; many, because the extremes of K move with each step
 _PARTS = 96
 
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"
@@ -37,17 +37,17 @@ BothEnds: TypeAlias = "bool | tuple[bool, bool]"
 
 @dataclass(frozen=True, eq=False)
 class EquilibriumCurve:
-    """A realizable curve with the stiffness of least ratio, scaled to a least value of 1.
+    """A realizable curve with its stiffness of least ratio. The stiffness is scaled so that its minimum is 1.
 
     Attributes
     ----------
     check : EquilibriumCheck
     balance : BalancedStiffness
-        Scaled by `scale`.
+        Moments, forces and stiffness before the division by `scale`.
     places : (panel, x)
-        Dense samples of the curve in order, with the extremes of K between them.
+        Closely spaced stations of the curve and the extremes of K, in order.
     scale : float
-        Divisor of `balance` for a least stiffness of 1.
+        Least stiffness of `balance`.
     """
 
     check: EquilibriumCheck
@@ -64,14 +64,14 @@ class EquilibriumCurve:
         Parameters
         ----------
         supports : Supports
-            Clamped at both ends by default.
+            By default both ends are clamped.
         tolerance : float
-            As in `check_equilibrium`.
+            Largest distance of the inflections from a line, as in `check_equilibrium`.
 
         Raises
         ------
         NotRealizable, InputError
-            As `check_equilibrium`; also for closed and for straight curves.
+            See `check_equilibrium`. Closed curves and straight curves are refused too.
         """
         supports = supports or Supports()
         if curve.is_closed:
@@ -99,12 +99,12 @@ class EquilibriumCurve:
 
     @property
     def curve(self) -> PlaneCurve:
-        """The curve, with its inflections on one line up to rounding."""
+        """The curve, with its inflections moved onto one line."""
         return self.check.curve
 
     @cached_property
     def line(self) -> tuple[float, FloatArray]:
-        """a (1/mm) and b (2,) (1/mm2) of K kappa = a + <b, gamma>, Eq. 3."""
+        """Coefficients a, 1/mm, and b (2,), 1/mm2, of K kappa = a + <b, gamma> (Eq. 3)."""
         first, left = np.array([0]), np.array([-1.0])
         b = self.balance.force.at(first, left)[0] / self.scale
         moment = float(self.balance.moment.at(first, left)[0]) / self.scale
@@ -112,38 +112,41 @@ class EquilibriumCurve:
 
     @cached_property
     def stiffness(self) -> FloatArray:
-        """K at `places`, least value 1."""
+        """Stiffness K at `places`, with the minimum 1."""
         return self.balance.stiffness.at(*self.places) / self.scale
 
     @property
     def ratio(self) -> float:
-        """R = max K / min K of the continuous curve."""
+        """Stiffness ratio R = max K / min K of the continuous curve."""
         return float(self.stiffness.max())
 
     @cached_property
     def nodes(self) -> CurveSamples:
-        """Nodes of the discrete rod: samples of the curve, uniform in arc length."""
+        """Nodes of the discrete rod: evenly spaced points of the curve."""
         return self.curve.sample(DEFAULT_SAMPLES)
 
     @cached_property
     def rod(self) -> DiscreteRod:
-        """Discrete rod of section 7.1; the least stiffness of the curve is 1."""
+        """Discrete rod of section 7.1 of the paper."""
         nodes = self.nodes
         steps = np.diff(nodes.position, axis=0)
         angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
         K = self.balance.stiffness.at(*self.balance.panels.locate(nodes.t)) / self.scale
         _, b = self.line
-        force = np.tile([-b[1], b[0]], (angles.size, 1))  # lambda = R b
+        force = np.tile([-b[1], b[0]], (angles.size, 1))  # lambda is b rotated by a right angle
         return DiscreteRod(K, angles, force, self.curve.length / angles.size, start=nodes.position[0])
 
     @property
     def margin(self) -> float:
-        """Stability margin for a least nodal K of 1, as in `mechanics.stability`."""
+        """Stability margin for a least stiffness of 1 at the nodes, as in `mechanics.stability`."""
         return self.rod.margin.value / float(self.rod.stiffness.min())
 
 
 def kept(curve: PlaneCurve, *, ends: BothEnds, tangents: BothEnds, length: bool) -> tuple[Constraint, ...]:
-    """Return constraints that keep properties of a curve; `ends` and `tangents` for both ends or (start, end)."""
+    """Return the constraints that keep properties of a curve.
+
+    `ends` and `tangents` are True, False or a pair (start, end).
+    """
     constraints: list[Constraint] = []
     at_start, at_end = _both(ends)
     if at_start or at_end:
@@ -168,6 +171,6 @@ def _both(ends: BothEnds) -> tuple[bool, bool]:
 
 
 def collinear(curve: PlaneCurve) -> Sequence[Constraint]:
-    """Return the constraint that all inflections are on one line; empty for up to two inflections."""
+    """Return the constraint that all inflections are on one line. The list is empty for up to two inflections."""
     t = np.array([z.t for z in curve.curvature_zeros if z.kind == "crossing"])
     return [CollinearInflections(t)] if t.size > 2 else []

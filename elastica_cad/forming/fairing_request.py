@@ -1,4 +1,4 @@
-"""Decision whether to smooth a drawn curve: on request, or if the width of the strip would jump."""
+"""Smoothing of a drawn curve, on request or if the width of the strip would have a step."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -30,37 +30,39 @@ from elastica_cad.mechanics.theorem1 import (
 from elastica_cad.refusals import FieldName, Length, note
 
 LARGEST_SMOOTH = 1000.0
-"""Largest smoothing distance, mm."""
+"""Largest distance that can be requested for smoothing, mm."""
 
 LITTLE_BEND_SHARE = 0.05
-"""Curvature, as a fraction of the largest, up to which an end counts as almost straight."""
+"""Curvature at an end, as a fraction of the largest curvature, up to which the end counts as almost straight."""
 
 SEEN = 1e-3
-"""Smallest move, mm, that is reported."""
+"""Smallest displacement, mm, that is reported."""
 
 STEP_MM, STEP_SHARE = 0.2, 0.02
-"""Least step of the width that is smoothed, in mm and as a fraction of the width; both must be exceeded."""
+"""Steps of the width up to these limits are not smoothed: in mm, and as a fraction of the width. A step must
+exceed both."""
 
 MOST_WORSE = 1.05
-"""Largest factor by which automatic smoothing may increase the stiffness ratio or reduce the least width."""
+"""Largest factor by which automatic smoothing may increase the stiffness ratio."""
 
 PLACES, SEEN_SHARE = 401, 0.1
-"""Number of places at which curvatures are compared, and least change of curvature by noise that is reported."""
+"""Number of stations at which curvatures are compared, and relative change of the curvature by noise that is
+reported."""
 
 
 @dataclass(frozen=True, eq=False)
 class Smoothing:
-    """A drawn curve and the curve that is bent instead.
+    """A drawn curve and the smoothed curve that the strip takes instead.
 
     Attributes
     ----------
     drawn : PlaneCurve
     smooth : float or None
-        Requested distance, mm; None decides by the steps of the outline.
+        Requested largest distance, mm. With None, the curve is smoothed only if the outline would have steps.
     supports : Supports or None
     natural_curvature : float or RestCurvature
     widths : (float or None, float or None)
-        Width of the widest and of the narrowest place, mm, where known.
+        Requested largest and least width, mm, or None.
     """
 
     drawn: PlaneCurve
@@ -71,7 +73,7 @@ class Smoothing:
 
     @cached_property
     def fairing(self) -> Fairing | None:
-        """The smoothed curve, or None if the strip follows the drawn curve."""
+        """The smoothed curve, or None if the curve is not smoothed."""
         unbent = _unbent_ends(self.drawn, self.supports)
         if self.smooth is not None:
             return _faired(self.drawn, self.smooth, unbent) if self.smooth > 0 else None
@@ -85,27 +87,27 @@ class Smoothing:
 
     @cached_property
     def curve(self) -> PlaneCurve:
-        """The curve of the bent strip: smoothed, or as drawn."""
+        """Curve that the strip takes: smoothed, or as drawn."""
         if self.fairing is None:
             return self.drawn
         drawn, outlier = self.drawn.provenance, outlier_message(self.drawn)
-        if drawn is not None:  # a smoothed curve still has the outliers of its points
+        if drawn is not None:  # outliers among the points are still reported
             drawn = replace(drawn, measured=drawn.measured if outlier else None)
         return self.fairing.curve.drawn_as(drawn)
 
     @property
     def moved(self) -> float:
-        """Largest distance between both curves, mm."""
+        """Largest distance between the drawn and the smoothed curve, mm."""
         return 0.0 if self.fairing is None else self.fairing.moved
 
     @property
     def healed(self) -> float:
-        """Distance (mm) that the file reader moved the curve to remove rounding errors of tangents."""
+        """Distance, mm, by which the file reader moved the curve to remove rounding errors of its tangents."""
         return 0.0 if self.drawn.provenance is None else self.drawn.provenance.healed
 
     @property
     def ratio_as_drawn(self) -> float | None:
-        """Stiffness ratio for the curve as drawn, without weight, or None if no strip can take it."""
+        """Stiffness ratio for the drawn curve, without weight, or None if no strip can take it."""
         return None if self._rod_as_drawn is None else self._rod_as_drawn.ratio
 
     @cached_property
@@ -113,7 +115,7 @@ class Smoothing:
         return self._rod_on(self.drawn)
 
     def _rod_on(self, curve: PlaneCurve) -> Rod | None:
-        """Return the weightless rod for a curve, or None if there is none."""
+        """Return the rod without weight for a curve, or None if there is none."""
         try:
             supports = self.supports or Supports()
             return rod_of_request(RodRequest(curve, None, supports, self.natural_curvature))
@@ -124,9 +126,9 @@ class Smoothing:
         return sum(zero.changes_sign for zero in ExcessCurvature(curve, self.natural_curvature).zeros)
 
     def _steps(self) -> bool:
-        """Return True if the outline of the strip would step."""
+        """Return True if the outline of the strip for the drawn curve would have a step."""
         curve, rod = self.drawn, self._rod_as_drawn
-        if rod is None:  # a strip may exist for the smoothed curve only
+        if rod is None:  # perhaps there is a strip for the smoothed curve
             breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
             return bool(breaks) and bool((curvature_jumps(curve, breaks)[0] > STEP_SHARE).any())
         widest, narrowest = self.widths
@@ -135,21 +137,21 @@ class Smoothing:
         )
 
     def _is_as_good(self, curve: PlaneCurve) -> bool:
-        """Return True if smoothing adds no inflection and hardly reduces the least width."""
+        """Return True if smoothing to `curve` adds no inflection and hardly increases the stiffness ratio."""
         if self._inflections(curve) > self._inflections(self.drawn):
             return False
         if self._rod_as_drawn is None:
             return True
         rod = self._rod_on(curve)
-        # with a given largest width, the least width decreases as the ratio increases
+        # a larger ratio means a smaller least width for the same largest width
         return rod is not None and rod.ratio < MOST_WORSE * self._rod_as_drawn.ratio
 
     @property
     def change_by_noise(self) -> float:
-        """Change of curvature from smoothing noisy points, as a fraction of the largest curvature.
+        """Change of the curvature by smoothing of noisy points, as a fraction of the largest curvature.
 
-        It is 0 for exact curves. It is also 0 for curves that no strip can take, because their error mentions the
-        noise.
+        It is 0 for curves without measured points. It is also 0 for curves that no strip can take, because their
+        error message already mentions the noise.
         """
         points = measured_points(self.drawn)
         if points is None or not examine(self.drawn, self.supports or Supports()).realizable:
@@ -163,7 +165,7 @@ class Smoothing:
 
     @property
     def noise(self) -> tuple[str, ...]:
-        """Note if the noise of unsmoothed points has a visible effect on the widths."""
+        """Note that the noise of measured points affects the widths; empty if the effect is small."""
         points = measured_points(self.drawn)
         if points is None or points.outlier or self.fairing is not None:
             return ()
@@ -177,7 +179,7 @@ class Smoothing:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Sentences about moved parts of the curve, and about noise that was not smoothed."""
+        """Notes on displacements of the curve, and on noise that was not smoothed."""
         notes: list[str] = [*outlier_message(self.drawn)]
         if self.healed > SEEN:
             notes.append(note(
@@ -215,8 +217,7 @@ class Smoothing:
 
 
 def outline_steps(rod: Rod, widest: float) -> bool:
-    """Return True if the steps in the width of a strip, at most `widest` mm wide, are so large that it is
-    smoothed."""
+    """Return True if the width of a strip has steps that must be smoothed. `widest` is its largest width, mm."""
     places = [*rod.profile.steps, *([(rod.length, 0.0)] if rod.curve.is_closed else [])]
     least, most = np.sort(rod.profile(np.array(places).reshape(-1, 2)), axis=1).T
     step = most - least
@@ -224,12 +225,12 @@ def outline_steps(rod: Rod, widest: float) -> bool:
 
 
 def check_smooth(smooth: object) -> float | None:
-    """Return the largest distance (mm) that smoothing may move a curve; None leaves the choice to the program.
+    """Return the requested distance for smoothing as a float, mm, or None. Raise InputError for other values.
 
     Raises
     ------
     InputError
-        Not a number, negative, or too large.
+        The value is not a number, is negative, or is too large.
     """
     if smooth is None:
         return None
@@ -255,28 +256,29 @@ def smooth_curve(
     natural_curvature: NaturalCurvature = 0.0,
     widths: tuple[float | None, float | None] = (None, None),
 ) -> Smoothing:
-    """Decide whether a drawn curve is smoothed, and return both curves.
+    """Smooth a drawn curve if necessary, and return the drawn and the smoothed curve.
 
-    By default a curve is smoothed if the width of its strip would jump by more than 0.2 mm and 2 %. The reason is a
-    jump of the curvature, or of its slope at an inflection. The curve moves by at most 0.1 mm and 5e-4 of its
-    length. It stays as drawn if smoothing would add an inflection or enlarge the stiffness ratio by 5 % or more.
+    By default a curve is smoothed if the width of the strip would have a step of more than 0.2 mm and 2 %. Such a
+    step is caused by a jump of the curvature, or of its derivative at an inflection. The curve moves by at most
+    0.1 mm and 5e-4 of its length. It is not smoothed if this would add an inflection or increase the stiffness
+    ratio by 5 % or more.
 
     Parameters
     ----------
     smooth : float, optional
-        0 follows the drawn curve exactly. A larger number smooths within this distance, mm, and rounds slight
-        corners.
+        Largest distance by which the curve may move, mm; slight corners are rounded too. 0 keeps the curve as
+        drawn.
     supports : Supports, optional
-        Ends that are free to turn and drawn with little bend become unbent.
+        Supports of the ends. At ends that are free to turn, a small curvature is removed.
     natural_curvature : float or RestCurvature
-        Curvature of the strip before bending, 1/mm.
+        Curvature of the unbent strip, 1/mm.
     widths : (float or None, float or None)
-        Requested width of the widest and of the narrowest place, mm. Without both the strip is 40 mm wide.
+        Requested largest and least width, mm. Without both, a width of 40 mm is assumed.
 
     Raises
     ------
     InputError
-        A requested smoothing is impossible.
+        The requested smoothing is impossible.
 
     Examples
     --------
@@ -298,7 +300,10 @@ def smooth_curve(
 
 
 def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bool]:
-    """Return for each end whether it is free to turn and drawn almost straight, so that it should not bend."""
+    """Return for both ends whether the curvature there should be 0.
+
+    This is so at ends that are free to turn and almost straight.
+    """
     if supports is None or all(end.angle for end in supports.ends):
         return False, False
     bent = np.abs(curve.curvature_at(np.array(curve.domain)))
@@ -308,10 +313,10 @@ def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bo
 
 
 def _faired(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fairing:
-    """Smooth the curve within a distance, mm, and round slight corners."""
+    """Return the curve smoothed by at most `smooth`, mm, with slight corners rounded."""
     rounded, moved = round_corners(curve, smooth)
     require_bendable(rounded)
-    if measured_points(curve) is not None:  # curves fitted to points are smooth after the new fit
+    if measured_points(curve) is not None:  # such a curve is smooth already, because it was fitted anew
         return Fairing(rounded, moved, smooth)
     fairing = fair_curve(rounded, smooth - moved, unbent)
     return replace(fairing, moved=fairing.moved + moved, tolerance=smooth)

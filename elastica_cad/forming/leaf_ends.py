@@ -1,4 +1,4 @@
-"""Ends of the plies of a glued stack, placed so that it bends as near as possible to a curve."""
+"""Search for the ends of the plies of a glued stack whose rest shape is nearest to a curve."""
 
 from dataclasses import dataclass, replace
 from functools import partial
@@ -14,40 +14,43 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stiffness_law import LaidLeaves, Leaf, LeavesLaw
 
 NODES = 401
-"""Number of nodes of the rods in the search. A step inside a cell is averaged over the cell, so the shape is a
-continuous function of the place of the step."""
+"""Number of nodes of the rods in the search. The stiffness is averaged around each node, so that the shape depends
+continuously on the positions of the ply ends."""
 
 FINE_NODES = 1001
-"""Number of nodes of the returned rod; with fewer, a nearly unstable rod has an error of 1e-4 of its length."""
+"""Number of nodes of the returned rod. With fewer nodes, the error of a nearly unstable rod is 1e-4 of its
+length."""
 
 SHORTEST_SHARE = 0.01
-"""Shortest piece of a leaf, and shortest distance between ends, as a share of the length."""
+"""Shortest ply, and shortest distance between the ends of plies, as a fraction of the length."""
 
 ROUNDINGS = (0.35, 0.5, 0.65)
-"""Fractions of a ply above which a ply is laid; each starts a search, and the best result is returned."""
+"""Fractions at which the number of plies is rounded up. A search is started for each, and the best result is
+returned."""
 
 DIFFERENCE = 1e-4
-"""Step of the finite differences in the search, as a share of the length."""
+"""Step of the finite differences in the search, as a fraction of the length."""
 
 SETTLED = 1e-7
-"""Relative change of the distance and of the places that ends the search."""
+"""Relative change of the distance, and of the positions, at which the search ends."""
 
-MOST_TRIALS = 60  # largest number of trials in a search, each with a finite difference for every end
+MOST_TRIALS = 60  # largest number of steps of a search, each with a finite difference for every ply end
 
 
 @dataclass(frozen=True, eq=False)
 class LeafedRod:
-    """A bent rod of glued plies.
+    """Rest shape of a stack of glued plies, and its distance from the rod that it approximates.
 
     Attributes
     ----------
     rod : Rod
-        Rest shape computed with the stiffness of the plies in `section`.
+        Rest shape with the stiffness of the plies in `section`.
     section : LaidLeaves
     deviation, mean_deviation : float
-        Largest and root mean square distance, mm, to `relaxed`, between points at the same fraction of the length.
+        Largest and root mean square distance from `relaxed`, mm, between points at the same fraction of the
+        length.
     relaxed : Rod
-        The rod of continuous thickness that the plies approximate.
+        Rod of continuously varying thickness that the plies approximate.
     settled : bool
         True if the search ended at a local optimum.
     """
@@ -61,12 +64,15 @@ class LeafedRod:
 
     @property
     def leaves(self) -> tuple[Leaf, ...]:
-        """The plies: full length first, then by number."""
+        """Plies, sorted by number; those of full length are first."""
         return self.section.leaves
 
 
 def leaf_bends(rod: Rod, section: LaidLeaves) -> tuple[FloatArray, FloatArray]:
-    """Stations (n,), mm, with both sides of each step, and their change of curvature |M| / E I, 1/mm."""
+    """Return stations (n,), mm, and the change of curvature |M| / E I there, 1/mm.
+
+    There are stations on both sides of each ply end.
+    """
     beside = 1e-9 * rod.length
     s = np.sort(np.concatenate([rod.s, section.steps - beside, section.steps + beside]))
     EI = section.bending_stiffness(section.sheet.thickness * section.counts(s))
@@ -75,23 +81,23 @@ def leaf_bends(rod: Rod, section: LaidLeaves) -> tuple[FloatArray, FloatArray]:
 
 
 def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (False, False)) -> LeafedRod:
-    """Approximate a rod of continuous thickness by plies.
+    """Return a stack of plies that approximates a rod of continuously varying thickness.
 
-    Plies are first laid where the rod is thick. Then their ends, and the angles of clamps that may turn, are
-    optimised for the least distance; the result is a local optimum.
+    The thickness is first rounded to whole plies. Then the ends of the plies, and clamp angles that are not kept,
+    are optimised for the least distance. The result is a local optimum.
 
     Parameters
     ----------
     relaxed : Rod
-        Rod with a `bending_stiffness` between the stiffness of the fewest plies and of all plies.
+        Rod whose stiffness is between that of the fewest plies and that of all plies.
     law : LeavesLaw
     tangents : (bool, bool)
-        True for each end (start, end) that keeps its angle.
+        For start and end, True if the clamp angle is kept.
 
     Raises
     ------
     NotConvergedError
-        No stack has a rest shape between the same ends.
+        No stack has a rest shape with the same ends.
     """
     if not isinstance(law, LeavesLaw):
         raise InputError(f"the law is {law!r}: give a LeavesLaw(sheet, leaves, width)")
@@ -107,7 +113,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         )
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:
-        # if all plies have full length, their number does not affect the shape, so the fewest plies suffice
+        # if all plies have full length, the shape does not depend on their number
         bare = _Search(
             relaxed,
             law,
@@ -123,16 +129,18 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """Search for the places of steps in a given order, and for clamp angles, that bring a stack nearest to points.
+    """Search for the positions of ply ends, in a given order, and for clamp angles.
+
+    The result has the least distance from the points `drawn`.
 
     Attributes
     ----------
     steps : (m, 2) int array
-        Number of the leaf that begins (+1) or ends (-1) at each place, in the order of `places`.
+        For each of `places`, the number of a ply, and 1 or -1 if the ply begins or ends there.
     places : (m,) array
-        Initial places, in lengths.
+        Initial positions of the ply ends, as fractions of the length.
     first : tuple of int
-        Numbers of the leaves that begin at the start.
+        Numbers of the plies that begin at the start of the rod.
     tangents : (bool, bool)
     """
 
@@ -149,7 +157,7 @@ class _Search:
         cls, relaxed: Rod, law: LeavesLaw, drawn: FloatArray, rounding: float,
         tangents: tuple[bool, bool] = (False, False),
     ) -> "_Search":  # fmt: skip
-        """Leaf k where the relaxed thickness is more than k - 1 + `rounding` leaves."""
+        """Return the search that starts with ply k where the thickness is more than k - 1 + `rounding` plies."""
         s = np.linspace(0.0, 1.0, 20 * NODES)
         EI = relaxed.profile(s * relaxed.length) * float(relaxed.bending_stiffness or 1.0)
         leaves = law.relaxed.parameter(EI) / law.sheet.thickness
@@ -169,7 +177,7 @@ class _Search:
 
     @property
     def turned(self) -> list[int]:
-        """Clamped ends (0, 1) whose angle may change."""
+        """Clamped ends (0 or 1) whose angle may change."""
         return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle and not self.tangents[i]]
 
     def answer(self) -> LeafedRod | None:
@@ -195,7 +203,7 @@ class _Search:
         return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
 
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
-        """Distances from the drawn points in lengths; large values if the stack has no rest shape."""
+        """Return the distances from the drawn points in lengths. They are large if the stack has no rest shape."""
         try:
             rod = self._bent(x, shape[0])
         except (InputError, NotConvergedError):
@@ -204,7 +212,7 @@ class _Search:
         return np.asarray((rod.position - self.drawn).ravel() / (rod.length * np.sqrt(NODES)))
 
     def _apart(self, places: FloatArray) -> FloatArray:
-        """Return the places sorted, with at least the shortest piece between them and at the ends."""
+        """Return the positions sorted, and moved apart to at least the least distance, also from the ends."""
         m = places.size
         room = min(SHORTEST_SHARE, 0.5 / (m + 1))
         low, high = room * np.arange(1, m + 1), 1 - room * np.arange(m, 0, -1)
@@ -212,7 +220,10 @@ class _Search:
         return np.asarray(np.maximum.accumulate(gaps) + low)
 
     def _bent(self, x: FloatArray, guess: Rod) -> Rod:
-        """Return the rest shape of the stack with places x, between the ends of the relaxed rod."""
+        """Return the rest shape of a stack with the ends of the relaxed rod.
+
+        `x` are the positions of the ply ends and the clamp angles.
+        """
         relaxed = self.relaxed
         s = np.linspace(0.0, relaxed.length, NODES)
         compliance, newtons = self._cells(x[: self.places.size])
@@ -220,8 +231,8 @@ class _Search:
         rest = np.broadcast_to(np.asarray(relaxed.natural_curvature, dtype=float), relaxed.s.shape)
         weight = None if relaxed.gravity is None else Weight(alpha=Profile.interpolate(s, newtons))
         flat = Rod.straight(
-            relaxed.length, 1 / (compliance * B), samples=NODES, gravity=relaxed.gravity, supports=relaxed.supports,
-            weight=weight, bending_stiffness=B,
+            relaxed.length, 1 / (compliance * B), samples=NODES, gravity=relaxed.gravity,
+            supports=relaxed.supports, weight=weight, bending_stiffness=B,
         )  # fmt: skip
         flat = replace(flat, natural_curvature=np.interp(s, relaxed.s, rest))
         angles = [
@@ -237,7 +248,7 @@ class _Search:
         return bend(flat, start=start, end=end, angles=(angles[0], angles[1]), guess=guess)
 
     def _cells(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Mean of 1 / (E I) and of the weight per length, N/mm, over the cells of the nodes (n,)."""
+        """Return means around the nodes (n,) of 1 / (E I) and of the weight per length, N/mm."""
         edges = np.concatenate([[0.0], (np.arange(NODES - 1) + 0.5) / (NODES - 1), [1.0]])
         cuts, counts = self._stack(places)
         values = 1 / self.law.bending_stiffness(counts), self.law.weight_per_length(counts)
@@ -248,8 +259,10 @@ class _Search:
         return means[0], means[1]
 
     def _stack(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Places (m + 2,), as shares of the length, where the number of leaves changes, and the numbers between
-        them (m + 1,)."""
+        """Return the positions (m + 2,) of m ply ends and both ends, and the numbers of plies between (m + 1,).
+
+        Positions are fractions of the length.
+        """
         cuts = np.concatenate([[0.0], self._apart(places), [1.0]])
         return cuts, len(self.first) + np.concatenate([[0], np.cumsum(self.steps[:, 1])])
 

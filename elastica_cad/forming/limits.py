@@ -1,4 +1,4 @@
-"""Hard limits of a strip, and properties of the drawn curve that it keeps."""
+"""Limits that a strip must meet, and properties of the drawn curve that it must keep."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -17,20 +17,23 @@ Symmetry: TypeAlias = Literal["mirror", "turn"]
 Measure: TypeAlias = Literal["mean", "closest", "max"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
-MET = 1e-6  # largest violation that counts as met, in lengths, radians or fractions of the limit
-FAR_SHARE = 0.03  # fraction of the diagonal of the drawn curve's box; a rod farther away is a different curve
+MET = 1e-6  # largest violation of a limit that counts as met, in lengths, radians or fractions of the limit
+# distance, as a fraction of the diagonal of the drawn curve, above which a rod is a different curve
+FAR_SHARE = 0.03
 
 
 @dataclass(frozen=True)
 class HalfPlane:
-    """Ground or a wall: the rod stays where <normal, x - point> >= 0.
+    """A half plane that the rod must not enter, such as the ground or a wall.
+
+    Points x are allowed if <normal, x - point> >= 0.
 
     Parameters
     ----------
     point : (2,) array_like
-        A point of the border, mm.
+        A point on the border, mm.
     normal : (2,) array_like
-        Points to the allowed side; any length but 0.
+        Vector to the allowed side, of any length except 0.
 
     Examples
     --------
@@ -56,7 +59,10 @@ class HalfPlane:
         object.__setattr__(self, "normal", (float(normal[0] / size), float(normal[1] / size)))
 
     def clearance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Signed distances (n,) of points (n, 2), positive outside, and their gradients (n, 2)."""
+        """Return the signed distances (n,) of points (n, 2) from the border, and their gradients (n, 2).
+
+        Distances are positive on the allowed side.
+        """
         normal = np.asarray(self.normal)
         return (points - np.asarray(self.point)) @ normal, np.broadcast_to(normal, points.shape)
 
@@ -84,9 +90,12 @@ class Box:
         object.__setattr__(self, "upper", (float(upper[0]), float(upper[1])))
 
     def clearance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Signed distances (n,) of points (n, 2) from the nearest side, positive outside, and gradients (n, 2)."""
+        """Return the signed distances (n,) of points (n, 2) from the nearest side, and their gradients (n, 2).
+
+        Distances are positive outside the box.
+        """
         low, high = np.asarray(self.lower), np.asarray(self.upper)
-        off = np.maximum(low - points, points - high)  # outside along each axis
+        off = np.maximum(low - points, points - high)  # distances outside the box along each axis
         sign = np.where(points - high > low - points, 1.0, -1.0)
         beyond = np.maximum(off, 0)
         outside = np.hypot(beyond[:, 0], beyond[:, 1])
@@ -110,42 +119,42 @@ def _bounds_along_strip(
         float | Row | None, Option("Largest value, or values at equal distances.", least=1)
     ] = None,
 ) -> tuple[float | Row | None, float | Row | None]:
-    """Bounds of K / min K along the strip, in the form used by files."""
+    """Bounds of K / min K along the strip, as files store them."""
     return lower, upper
 
 
 @dataclass(frozen=True, eq=False)
 class Limits:
-    """Hard limits of material, machine and space, or None for no limit.
+    """Limits of material, machine and space. None means no limit.
 
     Parameters
     ----------
     ratio : float, optional
         Largest stiffness ratio R = max K / min K, at least 1.
     margin : float, optional
-        Least stability margin (see `stability`); 0 is the limit of stability, 5 is safely stable. For a strip that
-        bends as a plate (`section`) the margin depends on the widths. If this limit is active, the
-        largest width may be a few percent below its own limit.
+        Least stability margin (see `stability`). 0 is the limit of stability, and 5 is safely stable. For a strip
+        that bends as a plate, the margin depends on the widths. In this case, the largest width may be a few
+        percent less than its limit.
     curvature : float, optional
-        Largest size of kappa - kappa_0, 1/mm.
+        Largest magnitude of kappa - kappa_0, 1/mm.
     sheet : Sheet, optional
-        Sheet whose largest strain limits the curvature to 2 strain / thickness.
+        Sheet whose strain limit bounds the change of curvature by 2 strain / thickness.
     strain : float, optional
-        Replaces the largest strain of the sheet; needs `sheet` for its thickness.
+        Strain limit in place of that of the sheet. It requires `sheet`, for its thickness.
     width : (2,) array_like, optional
-        Least and largest width of a plain strip, mm; their quotient limits the ratio.
+        Least and largest width of a solid strip, mm. Their quotient limits the stiffness ratio.
     length : (2,) array_like, optional
-        Least and largest length, mm.
+        Least and largest length of the strip, mm.
     keep_out : sequence of HalfPlane and Box
         Regions that the rod must avoid.
     stiffness_bounds : pair, optional
-        Lower and upper bound of K / min K along the strip, each None, a number, values at equal distances, or a
-        function of the arc length of the drawn curve (mm).
+        Lower and upper bound of K / min K along the strip. Each is None, a number, evenly spaced values, or a
+        function of the arc length on the drawn curve, mm.
 
     Raises
     ------
     InputError
-        Limits that are invalid or contradict each other.
+        A limit is invalid, or limits contradict each other.
 
     Examples
     --------
@@ -222,13 +231,13 @@ class Limits:
 
     @property
     def largest_ratio(self) -> float:
-        """Largest ratio that both `ratio` and `width` allow."""
+        """Largest stiffness ratio that both `ratio` and `width` allow."""
         by_width = UNLIMITED_RATIO if self.width is None else self.width[1] / self.width[0]
         return float(min(UNLIMITED_RATIO if self.ratio is None else self.ratio, by_width))
 
     @property
     def largest_curvature(self) -> float | None:
-        """Largest curvature that `curvature`, `sheet` and `strain` allow, 1/mm."""
+        """Largest magnitude of kappa - kappa_0 that `curvature`, `sheet` and `strain` allow, 1/mm."""
         limits = [] if self.curvature is None else [self.curvature]
         if self.sheet is not None:
             strain = self.sheet.max_strain if self.strain is None else self.strain
@@ -236,7 +245,7 @@ class Limits:
         return min(limits) if limits else None
 
     def tightened(self, *, curvature: float = 1.0, strain: float = 1.0) -> "Limits":
-        """Return limits with the largest curvature, and the strain of the sheet, divided by these factors.
+        """Return the limits with the largest curvature and the strain limit divided by these factors.
 
         Examples
         --------
@@ -256,24 +265,26 @@ class Limits:
 BOTH_ENDS: dict[str, bool | tuple[bool, bool]] = {
     "both": True, "start": (True, False), "end": (False, True), "none": False,
 }  # fmt: skip
-"""Words for the ends that `Keep` can keep."""
+"""Names for the ends in `Keep`, with their meaning."""
 
 
 @dataclass(frozen=True, eq=False)
 class Keep:
-    """Properties that the nearest rod shares with the drawn curve.
+    """Properties of the drawn curve that the nearest rod must have.
 
     Parameters
     ----------
     ends, tangents : bool or (bool, bool)
-        Positions and tangents of both ends, or of (start, end).
+        True to keep the positions or the tangents at both ends, or a pair for (start, end).
     length : bool
+        True to keep the length.
     symmetry : "mirror", "turn" or None
-        Symmetry of the drawn curve, by mirror image or half turn, that the rod has exactly.
+        Symmetry of the drawn curve, by reflection or by rotation by 180 degrees, that the rod must have exactly.
     points : sequence of float
-        Arc lengths (mm) on the drawn curve of points that the rod still passes through.
+        Arc lengths on the drawn curve, mm, of points through which the rod must pass.
     line : True, or two points
-        The rod's inflections lie on the drawn curve's inflection line, or on the line through two points (mm).
+        The inflections of the rod must be on the inflection line of the drawn curve, or on the line through two
+        points, mm.
 
     Examples
     --------
@@ -330,17 +341,17 @@ class Keep:
 
     @property
     def both_ends(self) -> tuple[bool, bool]:
-        """True for each end (start, end) that keeps its position."""
+        """For start and end, True if the position is kept."""
         return cast(tuple[bool, bool], self.ends)
 
     @property
     def both_tangents(self) -> tuple[bool, bool]:
-        """True for each end (start, end) that keeps its tangent."""
+        """For start and end, True if the tangent is kept."""
         return cast(tuple[bool, bool], self.tangents)
 
 
 def require_limits(limits: object, keep: object) -> None:
-    """Refuse values other than None, `Limits` for `limits`, or `Keep` for `keep`."""
+    """Raise InputError unless `limits` and `keep` are of type `Limits` and `Keep`, or None."""
     for name, value, record in (("limits", limits, Limits), ("keep", keep, Keep)):
         if not (value is None or isinstance(value, record)):
             raise InputError(f"{name} is {value!r}: give a {record.__name__} record, or None")

@@ -1,4 +1,4 @@
-"""Nearest rods of whole models, on one or several processors."""
+"""Nearest rods of many curves, on one or several processors."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor, Future
@@ -15,10 +15,10 @@ from elastica_cad.mechanics.loads import Gravity, Supports, whole_number
 from elastica_cad.refusals import note
 
 AHEAD = 64
-"""Number of curves of a stream that are submitted at a time, for a dozen workers and little memory."""
+"""Number of curves of a stream that are submitted at a time. It suits a dozen workers and needs little memory."""
 
 LISTED = 1024
-"""Number of curves of a list that are submitted at a time, several for each of hundreds of workers."""
+"""Number of curves of a list that are submitted at a time. It suits hundreds of workers."""
 
 _OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 
@@ -34,30 +34,30 @@ def nearest_rods(
     progress: Callable[[int, int], None] | None = None,
     **options: Any,
 ) -> tuple[NearestRod, ...]:
-    """Return the nearest rod of each curve; one failure does not stop the rest.
+    """Return the nearest rod of each curve. A failure for one curve does not affect the others.
 
     Parameters
     ----------
     curves : sequence of PlaneCurve
     limits, keep, gravity, supports
-        As in `nearest_rod`: one value for all curves, or one for each curve.
+        Arguments of `nearest_rod`: one value for all curves, or a value for each curve.
     executor : concurrent.futures.Executor, optional
-        A process pool, or the executor of a cluster. By default the work runs in this process.
+        A process pool, or the executor of a cluster. By default the rods are computed in this process.
     progress : callable, optional
-        Called with (curves done, curves in all) in this process.
+        Function that is called in this process with the number of finished curves and the number of all curves.
     **options
-        weights, measure, samples, coefficients, section, natural_curvature for `nearest_rod`.
+        Arguments of `nearest_rod`: weights, measure, samples, coefficients, section, natural_curvature.
 
     Returns
     -------
     tuple of NearestRod
-        In the order of `curves`. If nothing could be computed (bad input, a crashed worker) the status is FAILED
-        and `message` gives the reason.
+        Results in the order of `curves`. If a rod could not be computed (invalid input, a crashed worker), its
+        status is FAILED, and `message` gives the reason.
 
     Raises
     ------
     InputError
-        No curves, or sequences of different lengths.
+        There are no curves, or sequences have different lengths.
 
     Examples
     --------
@@ -104,23 +104,25 @@ def stream_nearest_rods(
     ahead: int = AHEAD,
     **options: Any,
 ) -> Iterator[tuple[int, NearestRod]]:
-    """Yield the nearest rod of each curve as soon as it is known, in constant memory.
+    """Yield the nearest rod of each curve as soon as it is computed.
+
+    The memory needed does not depend on the number of curves.
 
     Parameters
     ----------
     curves : iterable of PlaneCurve
-        Read on demand, so it may be a generator.
+        Curves, read one by one, so that a generator can be passed.
     limits, keep, gravity, supports, **options
-        As in `nearest_rods`, the same for all curves.
+        Arguments of `nearest_rods`, the same for all curves.
     executor : concurrent.futures.Executor, optional
-        As in `nearest_rods`.
+        See `nearest_rods`.
     ahead : int
-        Number of curves submitted at a time; several for each worker keep all workers busy.
+        Number of curves that are submitted at a time; use several for each worker.
 
     Yields
     ------
     tuple of int and NearestRod
-        Index of the curve in `curves`, and its rod; failures as in `nearest_rods`.
+        Index of the curve in `curves`, and its nearest rod. Failures are reported as in `nearest_rods`.
 
     Raises
     ------
@@ -145,7 +147,7 @@ def stream_nearest_rods(
 def _in_order_of_completion(
     tasks: Iterable["_Task"], executor: Executor | None, ahead: int
 ) -> Iterator[tuple[int, NearestRod]]:
-    """Yield index and result of each finished task; at most `ahead` tasks are submitted at a time."""
+    """Yield index and result of each finished task. At most `ahead` tasks are submitted at a time."""
     running: dict[Future[NearestRod], tuple[int, _Task]] = {}
     finished: SimpleQueue[Future[NearestRod]] = SimpleQueue()
 
@@ -190,7 +192,7 @@ class _Task(NamedTuple):
 
 
 def _attempted(task: _Task) -> NearestRod:
-    """Return the nearest rod of one curve; an error becomes the status FAILED."""
+    """Return the nearest rod of one curve, or a record with the status FAILED if there is an error."""
     curve, limits, keep, gravity, supports, options = task
     try:
         return nearest_rod(curve, limits, keep, gravity, supports=supports, **options)
@@ -208,7 +210,7 @@ def _lost(task: _Task, error: Exception) -> NearestRod:
 
 
 def _spread(name: str, value: Any, count: int) -> list[Any]:
-    """Return one value for each curve."""
+    """Return a list with a value for each curve."""
     if value is None or not isinstance(value, (list, tuple)):
         return [value] * count
     if len(value) != count:

@@ -1,4 +1,4 @@
-"""Meridians of surfaces of revolution that are tiled by equal strips (paper, section 9.4)."""
+"""Meridians of surfaces of revolution that consist of equal strips (paper, section 9.4)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,59 +20,61 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
 EXACT_POINTS = 5
-"""Number of points that determine a meridian, which has five free numbers. If the last point is the pole, it fixes
-two
-numbers, and four points suffice."""
+"""Number of points that determine a meridian, because it has five parameters. If the last point is the pole, four
+points are sufficient."""
 
 SEARCH_NODES = 96
-"""Approximate number of nodes on the whole meridian; at least `FEWEST` between two points."""
+"""Approximate number of nodes on the whole meridian. There are at least `FEWEST` between two points."""
 
 FEWEST = 8  # nodes between two points
 STARTS = 30
-"""Number of initial guesses of a and b: the first by regression, the others fixed random values of the same
-size."""
+"""Number of initial guesses of a and b. The first is by regression; the others are random numbers of the same
+magnitude, with a fixed seed."""
 
 STEPS = 40  # steps of Newton's method
 LEAST_SHARE = 1e-3
-"""Least fraction of a step; the search ends if a smaller fraction is needed."""
+"""Least fraction of a step. The search ends if a smaller fraction would be needed."""
 
 SOLVED = 1e-11  # largest residual of solved equations, for points of size 1
 LONGEST = 1.5
-"""Length over the length of a smooth curve through the points, above which a meridian has extra turns."""
+"""Ratio of the length of a meridian to that of a smooth curve through the points, above which it has extra
+turns."""
 
 GOOD = 1e-7
-"""Largest residual, as a fraction of the size, of solved equations."""
+"""Largest residual of solved equations, as a fraction of the size of the curve."""
 
 ROUGH = 1e-2
-"""Largest residual between the nodes for which more nodes are tried; above it the solution is not a meridian."""
+"""Largest residual between the nodes that more nodes can reduce. Above it, the solution is not a meridian."""
 
 FINER = 3
-"""Largest number of times that the nodes are doubled."""
+"""Largest number of times that the number of nodes is doubled."""
 
 BETWEEN = 8
-"""Number of checked places between two nodes."""
+"""Number of points between two nodes at which the residual is checked."""
 
 STUCK = 0.1
-"""Remaining fraction of the residual above which the nodes are not doubled again."""
+"""Fraction of the residual that may remain after the nodes are doubled. If more remains, they are not doubled
+again."""
 
 SETTLED = 1e-10
-"""Relative change by a step that ends the least squares."""
+"""Relative change in a step at which the least-squares iteration ends."""
 
 
 @dataclass(frozen=True, eq=False)
 class FoundMeridian:
-    """Meridian as piecewise polynomials.
+    """Result of the search: a meridian as a piecewise polynomial.
 
     Attributes
     ----------
     a : float
     b : (2,) array
+        Parameters of the meridian: x kappa = a + <b, gamma>.
     points : (n, 2) array
-        Points of the meridian, at or nearest to the given points; the first is its start.
+        Points of the meridian, at the given points or nearest to them. The first is its start.
     lengths : (n - 1,) array
-        Arc lengths between them.
+        Arc lengths between successive points.
     series : (n - 1, 2, m) array
-        Chebyshev coefficients of the tangent's components in each piece.
+        Chebyshev coefficients of the two components of the unit tangent in each piece.
     """
 
     a: float
@@ -83,11 +85,11 @@ class FoundMeridian:
 
     @property
     def length(self) -> float:
-        """Length of the whole meridian, mm."""
+        """Length of the whole meridian."""
         return float(self.lengths.sum())
 
     def position(self, s: FloatArray) -> FloatArray:
-        """Places (n, 2) at arc lengths (n,) from the start."""
+        """Return the points (n, 2) at arc lengths (n,) from the start."""
         marks = np.append(0.0, np.cumsum(self.lengths))
         piece = np.clip(np.searchsorted(marks, s, side="right") - 1, 0, len(self.lengths) - 1)
         places = np.empty((np.size(s), 2))
@@ -102,7 +104,7 @@ class FoundMeridian:
     def missed(self) -> float:
         """Largest residual of x kappa = a + <b, gamma> and of unit speed along the curve.
 
-        If the curve passes the axis, its distance beyond the axis also counts."""
+        If the curve crosses the axis, its distance beyond the axis counts as a residual."""
         if not np.all(self.lengths > 0):
             return np.inf
         station = np.linspace(-1.0, 1.0, BETWEEN * self.series.shape[2])
@@ -120,12 +122,14 @@ class FoundMeridian:
 
 
 def _search_meridian(points: FloatArray) -> FoundMeridian:
-    """Return the meridian through three to five points; by least squares for more points or if there is none.
+    """Return the meridian through three to five points, or the nearest meridian.
+
+    The sum of squared distances is minimised for more points, or if there is no meridian through the points.
 
     Parameters
     ----------
     points : (n, 2) array
-        Points in order, of size about 1, with x >= 0; a last point with x = 0 is the pole.
+        Points in order, scaled to an extent of about 1, with x >= 0. A last point with x = 0 is the pole.
 
     Raises
     ------
@@ -161,9 +165,12 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
 
 
 class _Equations:
-    """Equations of a meridian: x kappa = a + <b, gamma> at the nodes, ends at the points, and continuous angles.
+    """Equations of a meridian.
 
-    Unknown are, piece by piece, the angles at the nodes and the length, then a and b.
+    They are x kappa = a + <b, gamma> at nodes, ends of pieces at the given points, and continuous angles.
+
+    The unknowns are the angles at the nodes and the length of each piece, followed by a and b (2). `points` is the
+    number of points, and `closes` is True if the last one is the pole.
     """
 
     def __init__(self, points: int, closes: bool, nodes: int) -> None:
@@ -182,12 +189,12 @@ class _Equations:
         self.count = self.pieces * self.width + 3
 
     def parts(self, unknown: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Angles (pieces, nodes + 1), lengths (pieces,), and a, b (3,)."""
+        """Return the angles (pieces, nodes + 1), the lengths (pieces,), and a and b as an array (3,)."""
         pieces = unknown[:-3].reshape(self.pieces, self.width)
         return pieces[:, :-1], pieces[:, -1], unknown[-3:]
 
     def at(self, stations: FloatArray, unknown: FloatArray) -> FloatArray:
-        """Return the unknowns with the angles at other stations."""
+        """Return the unknowns with the angles interpolated at other stations."""
         angles, lengths, constants = self.parts(unknown)
         moved = chebyshev.chebval(stations, self.series @ angles.T)
         return np.concatenate([np.column_stack([moved, lengths]).ravel(), constants])
@@ -199,7 +206,7 @@ class _Equations:
         return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
 
     def off(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
-        """Residuals of the equations (m,)."""
+        """Return the residuals of the equations (m,)."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         half = lengths[:, None] / 2
         x = points[:-1, :1] + half * (np.cos(angles) @ self.integral.T)
@@ -214,11 +221,11 @@ class _Equations:
         return np.concatenate(rows)
 
     def missed(self, unknown: FloatArray, points: FloatArray) -> float:
-        """Largest residual of the equations."""
+        """Return the largest residual of the equations."""
         return float(np.abs(self.off(unknown, points)).max())
 
     def slopes(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
-        """Derivatives (m, count + 2 n) by the unknowns and by the points."""
+        """Return the derivatives (m, count + 2 n) of the residuals with respect to unknowns and n points."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         n, wide, total = self.nodes, self.width, self.pieces
         rows = np.zeros((total * (n + 3) - 1 + self.closes, self.count + 2 * total + 2))
@@ -244,7 +251,7 @@ class _Equations:
                 joint = total * (n + 2) + i - 1
                 rows[joint, first], rows[joint, first - 2] = 1.0, -1.0
         if self.closes:
-            # half, turning, first and last have the values of the last piece
+            # `half`, `turning`, `first` and `last` still have the values of the last piece
             c, s = np.cos(angles[-1, -1]), np.sin(angles[-1, -1])
             rows[-1, first:last] = self.slope[-1] * c
             rows[-1, last - 1] -= turning[-1] * s + half * (b2 * c - b1 * s)
@@ -254,7 +261,9 @@ class _Equations:
 
 
 def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray, float]:
-    """Return the unknowns of a smooth curve through the points, with a and b by regression, and its length."""
+    """Return the unknowns for a smooth curve through the points, and its length.
+
+    The parameters a and b are found by regression."""
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
     line = curve.at(s).position
@@ -272,7 +281,7 @@ def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray,
 def _through(
     points: FloatArray, equations: _Equations, guess: FloatArray, length: float
 ) -> FloatArray | None:
-    """Return the unknowns of the shortest meridian found through all points, or None."""
+    """Return the unknowns of the shortest meridian through all points that was found, or None."""
     best, shortest = None, LONGEST * length
     chance, size = np.random.default_rng(0), float(np.abs(guess[-3:]).max())
     for trial in range(STARTS):
@@ -291,7 +300,10 @@ def _through(
 
 
 def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> FloatArray | None:
-    """Newton's method; if there are fewer equations than unknowns, the steps have least norm."""
+    """Return the solution by Newton's method, or None.
+
+    If there are fewer equations than unknowns, the steps have least norm.
+    """
     for _ in range(STEPS):
         missed = equations.off(unknown, points)
         size = float(np.linalg.norm(missed))
@@ -300,7 +312,7 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
         slopes = equations.slopes(unknown, points)[:, : equations.count]
         step = _least_step(slopes, -missed)
         share = _most(equations, unknown, step)
-        # this form of the comparison is true for NaN, too, so that such a step is halved
+        # with `not`, the condition is also true for NaN, so that such a step is halved
         while not (
             float(np.linalg.norm(equations.off(unknown + share * step, points))) <= (1 - 1e-4 * share) * size
         ):
@@ -314,11 +326,11 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
 def _nearest(
     points: FloatArray, equations: _Equations, places: FloatArray, unknown: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Places on the meridian nearest to the points, in the sum of squares, and its unknowns.
+    """Return points on a meridian with the least sum of squared distances from the given points, and its unknowns.
 
-    Gauss-Newton method with the equations as constraints. Each step minimises the distance to the points in the
-    linear
-    model. It is shortened until the merit, distance plus residual of the equations, decreases.
+    The method is Gauss-Newton with the equations as constraints. Each step minimises the distance in the linear
+    model. It is shortened until the merit decreases: the squared distance plus the weighted residual of the
+    equations.
     """
     count = equations.count
     on_axis = np.zeros((int(equations.closes), count + 2 * len(points)))
@@ -349,7 +361,7 @@ def _nearest(
 
 
 def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
-    """Return the smallest solution of linear equations (m, n), m <= n."""
+    """Return the solution of least norm of linear equations (m, n) with m <= n."""
     try:
         if system.shape[0] == system.shape[1]:
             return np.asarray(np.linalg.solve(system, right))
@@ -360,52 +372,56 @@ def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
 
 
 def _most(equations: _Equations, unknown: FloatArray, step: FloatArray) -> float:
-    """Return the largest fraction of a step, up to 1, for which all lengths stay positive."""
+    """Return the largest fraction of a step, up to 1, for which all lengths remain positive."""
     lengths, change = equations.parts(unknown)[1], equations.parts(step)[1]
     shrinking = change < 0
     return min(1.0, 0.7 * float((lengths[shrinking] / -change[shrinking]).min())) if shrinking.any() else 1.0
 
 
 ACCURACY = 1e-12
-"""Relative tolerance of the integrator, of order 8."""
+"""Relative tolerance of the integrator, which is of order 8."""
 
 CURVE_TOLERANCE = 1e-10
-"""Tolerance of the spline, as a share of the length of the meridian."""
+"""Tolerance of the spline, as a fraction of the length of the meridian."""
 
 NODES = 601  # number of nodes of the rod of a meridian
 SOUGHT = 25
-"""Number of points of a profile that the search uses."""
+"""Number of points of a profile curve that the search uses."""
 
 ON_AXIS_SHARE = 1e-9
-"""Distance from the axis, as a fraction of the size of all points, below which the last point is on the axis."""
+"""Distance of the last point from the axis, as a fraction of the extent of all points, below which it is on the
+axis."""
 
 MOST_TURNS = 20
-"""Largest number of turns of a meridian; with more it is not a strip and the integration takes too long."""
+"""Largest number of turns of a meridian. With more turns it is not useful for a strip, and the integration takes
+too long."""
 
 HOPELESS = "the strips of a surface of revolution cannot follow these points; move the points"
-NEAR_AXIS_SHARE = 0.05  # fraction of the largest distance from the axis
+# distance from the axis, as a fraction of the largest distance, below which `TO_THE_POLE` is added
+NEAR_AXIS_SHARE = 0.05
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
-"""End of the message if the last point is near the axis, compared with the farthest point."""
+"""End of a message if the last point is close to the axis."""
 
 NARROW_SHARE = 1e-3
-"""Distance from the axis, as a fraction of the largest distance, below which a meridian is at the pole."""
+"""Distance from the axis at which a meridian ends by default, as a fraction of the distance of its start plus its
+length."""
 
 
 @dataclass(frozen=True, eq=False)
 class Meridian:
-    """A meridian in the half plane x > 0; the axis is x = 0.
+    """A meridian in the half plane x > 0 of a surface of revolution about the axis x = 0.
 
     Attributes
     ----------
     a : float
     b : (2,) array
-        x kappa = a + <b, gamma>; b in 1/mm, a without unit.
+        Parameters of the meridian: x kappa = a + <b, gamma>. b is in 1/mm, and a is dimensionless.
     curve : PlaneCurve
-        mm.
+        Curve of the meridian, mm.
     at_pole : bool
-        True if it ended at the axis or at the requested ring.
+        True if the meridian ends at the axis or at the requested ring.
     deviation : float
-        Largest distance from the given points, mm; 0 without points.
+        Largest distance from the given points, mm; 0 if there are none.
     """
 
     a: float
@@ -416,23 +432,26 @@ class Meridian:
 
     @property
     def ring(self) -> tuple[float, float]:
-        """Distance of the start and of the end from the axis, mm."""
+        """Distances of the start and the end from the axis, mm."""
         t0, t1 = self.curve.domain
         return float(self.curve.evaluate(t0)[0]), float(self.curve.evaluate(t1)[0])
 
     @cached_property
     def distance(self) -> Profile:
-        """Distance from the axis over arc length, mm."""
+        """Distance from the axis as a function of the arc length, mm."""
         return Profile.fit(lambda s: self.curve.at(s).position[:, 0], self.curve.length, tolerance=1e-7)
 
     def width(self, strips: int) -> Profile:
-        """Return the width of each of `strips` strips, mm: 2 tan(pi / strips) times the distance from the axis."""
+        """Return the width of a strip, mm, if the surface has `strips` strips.
+
+        It is 2 tan(pi / strips) times the distance from the axis.
+        """
         if strips < 3:
             raise InputError(f"strips={strips}: a surface of revolution needs 3 strips or more")
         return self.distance.scaled(2 * float(np.tan(np.pi / strips)))
 
     def to_ring(self, ring: float) -> "Meridian":
-        """Return the meridian, ended where its distance from the axis first falls to `ring`, mm."""
+        """Return the part of the meridian up to the point where its distance from the axis falls to `ring`, mm."""
         curve = self.curve
         end = _end(
             lambda s: curve.at(s).position[:, 0], curve.length, _floor(self.ring[0], curve.length, ring)
@@ -444,7 +463,10 @@ class Meridian:
 
     @cached_property
     def rod(self) -> Rod:
-        """Return the rod of a strip; its stiffness is the distance from the axis, its moment a + <b, gamma>."""
+        """Rod of a strip.
+
+        Its stiffness is proportional to the distance from the axis, and its moment to a + <b, gamma>.
+        """
         nodes = self.curve.sample(NODES)
         x = nodes.position[:, 0]
         least = float(x.min())
@@ -473,28 +495,27 @@ def meridian(
     Parameters
     ----------
     a : float
-        Moment at the origin over stiffness and distance; no unit.
+        Dimensionless parameter a of x kappa = a + <b, gamma>.
     b : (2,) array_like
-        Change of the moment with the position, 1/mm. A multiple of (0, 1) belongs to an end that turns freely about
-        the
-        axis (symmetric supports).
+        Parameter b of x kappa = a + <b, gamma>, 1/mm. For supports that are symmetric about the axis, it is a
+        multiple of (0, 1).
     start : (2,) array_like
-        Position, mm; the first number is the (positive) distance from the axis.
+        Start point, mm. Its first coordinate is the distance from the axis, which must be positive.
     angle : float
-        Of the tangent at the start against the direction away from the axis, rad.
+        Angle of the tangent at the start, from the direction away from the axis, rad.
     length : float
-        mm; the meridian ends earlier if it reaches the axis.
+        Length, mm. The meridian ends earlier if it reaches the axis.
     ring : float, optional
-        Distance from the axis, mm, at which the meridian ends; by default a small fraction of its size, because
-        strips have some width at the pole.
+        Distance from the axis, mm, at which the meridian ends. By default it is a small fraction of its size,
+        because strips need some width at the pole.
 
     Raises
     ------
     InputError
-        Numbers that are not finite, a start on the axis, a length that is not positive, or constants that bend
-        the meridian too sharply.
+        A number is not finite, the start is on the axis, the length is not positive, or a and b cause too many
+        turns.
     NotConvergedError
-        The curvature grows without bounds.
+        The curvature increases without limit.
 
     Examples
     --------
@@ -520,24 +541,24 @@ def meridian(
 def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = None) -> Meridian:
     """Return the meridian through up to five points, or the nearest meridian to a profile.
 
-    A meridian has five degrees of freedom, so five points determine it, or four if the last is its pole on the
-    axis. For more points, or if every meridian through the points has extra turns, the sum of squared distances is
-    minimised; `deviation` is the largest distance.
+    A meridian has five parameters, so five points determine it, or four if the last is its pole on the axis. For
+    more points, or if every meridian through the points has extra turns, the sum of squared distances is
+    minimised. `deviation` is then the largest distance.
 
     Parameters
     ----------
     points : (n, 2) array_like or PlaneCurve
-        In order, mm, at x > 0, or a whole profile. If the last point is on the axis, the surface closes at the
-        pole. The meridian starts at or near the first point and ends at the last.
+        Points in order with x > 0, mm, or a profile curve. If the last point is on the axis, the surface closes at
+        the pole. The meridian starts near the first point and ends near the last.
     ring : float, optional
-        As in `meridian`: distance from the axis, mm, at which a surface that closes at the pole ends.
+        Distance from the axis, mm, at which a surface that closes at the pole ends: see `meridian`.
 
     Raises
     ------
     InputError
-        Fewer than three points, points on or beyond the axis, or repeated points.
+        There are fewer than three points, points on or beyond the axis, or repeated points.
     NotConvergedError
-        No meridian near the points.
+        There is no meridian near the points.
 
     Examples
     --------
@@ -576,7 +597,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
 
 
 def _curve(shape: FoundMeridian, size: float, end: float) -> PlaneCurve:
-    """Return the meridian in mm up to an arc length."""
+    """Return the meridian as a curve in mm, up to the arc length `end`. `size` is its unit of length, mm."""
     tolerance = CURVE_TOLERANCE * shape.length * size
     return PlaneCurve.fit_function(
         lambda s: size * shape.position(s / size), 0.0, end, tolerance=tolerance, degree=5
@@ -584,7 +605,7 @@ def _curve(shape: FoundMeridian, size: float, end: float) -> PlaneCurve:
 
 
 def _floor(start: float, length: float, ring: float | None) -> float:
-    """Return the distance from the axis (mm) that ends a meridian."""
+    """Return the distance from the axis, mm, at which a meridian ends."""
     if ring is None:
         return min(NARROW_SHARE * (start + length), start / 2)
     if not (is_number(ring) and 0 < ring < start):
@@ -597,7 +618,7 @@ def _floor(start: float, length: float, ring: float | None) -> float:
 
 
 def _end(distance: Callable[[FloatArray], FloatArray], length: float, floor: float) -> float:
-    """Return the arc length (mm) where the distance from the axis falls to `floor`, or the whole length."""
+    """Return the arc length, mm, at which the distance from the axis falls to `floor`, or the whole length."""
     from scipy.optimize import brentq
 
     s = np.linspace(0.0, length, 2001)
@@ -615,7 +636,7 @@ def _end(distance: Callable[[FloatArray], FloatArray], length: float, floor: flo
 
 
 def _profile(points: ArrayLike) -> FloatArray:
-    """Return valid points (n, 2) for the search of a meridian."""
+    """Return checked points (n, 2) for the search."""
     data = finite("the points of a meridian", points)
     if data.ndim != 2 or data.shape[1] != 2 or len(data) < 3:
         raise InputError("a meridian needs three points (x, y) or more, in mm")
@@ -634,7 +655,7 @@ def _profile(points: ArrayLike) -> FloatArray:
 def _integrated(
     p: FloatArray, length: float, floor: float
 ) -> tuple[float, Callable[[FloatArray], FloatArray]]:
-    """Arc length of the end, and (x, y, angle) (3, n) as a function of arc length."""
+    """Return the arc length at the end, and a function from n arc lengths to x, y and angle (3, n)."""
     from scipy.integrate import solve_ivp
 
     a, b1, b2 = p[:3]
@@ -676,7 +697,7 @@ def _integrated(
 
 
 def _refuse_winding(p: FloatArray) -> None:
-    """Refuse constants that make a meridian turn or oscillate too often within its length."""
+    """Raise InputError if a and b cause too many turns or oscillations within the length."""
     a, b, start, length = p[0], p[1:3], p[3:5], p[6]
     with np.errstate(over="ignore"):
         bending = abs(a + b @ start) / start[0]

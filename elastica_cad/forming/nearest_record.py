@@ -1,4 +1,4 @@
-"""Result of `nearest_rod`: rod, distance from the drawn curve, active limits, and suggestions."""
+"""Result of `nearest_rod`: the rod, its distance from the drawn curve, active limits, and suggestions."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from elastica_cad.forming.nearest_task import SearchPoint
 
 
-_UNLIKE = 0.05  # largest distance, in diagonals of the target, beyond which a rod no longer looks like it
+_UNLIKE = 0.05  # distance, in diagonals of the target, above which a rod no longer resembles it
 
 
 class Status(Enum):
-    """Outcome of the search, as a sentence for the user."""
+    """Status of a search, with a sentence for the user."""
 
     MET = "All limits are met, and no nearer curve was found."
     UNSETTLED = "All limits are met, but the search stopped early: a nearer curve may exist."
@@ -36,7 +36,8 @@ class Status(Enum):
 def judge_search(violation: float, deviation: float, settled: bool) -> Status:
     """Return the status of a search.
 
-    It follows from the violation of its limits, its distance in diagonals, and its convergence."""
+    `violation` is the largest violation of a limit. `deviation` is the distance from the drawn curve, in diagonals
+    of its bounding box. `settled` is True if the search converged."""
     if violation > MET:
         return Status.NOT_MET
     if deviation > _UNLIKE:
@@ -46,7 +47,7 @@ def judge_search(violation: float, deviation: float, settled: bool) -> Status:
 
 @dataclass(frozen=True)
 class Binding:
-    """Limit or kept property that increases the distance of the rod from the drawn curve.
+    """Limit or kept property without which the rod would be nearer to the drawn curve.
 
     Attributes
     ----------
@@ -54,12 +55,12 @@ class Binding:
         "ratio", "margin", "curvature", "length", "keep-out", "stiffness bounds", "end position", "end tangent",
         "start position", "start tangent", "points", "inflection line", "symmetry", ...
     limit : float or None
-        Value of the limit if it is a single number (curvature in 1/mm, lengths in mm).
+        Value of the limit if it is a single number; curvatures are in 1/mm, lengths in mm.
     cost : float
-        Decrease of the minimised distance, mm, per unit by which the limit is relaxed, to first order; for a kept
-        property, per mm or rad by which it may move.
+        Decrease of the distance, mm, to first order, per unit by which the limit is relaxed. For a kept property,
+        it is per mm or rad by which the property may change.
     broken : float
-        Violation, in lengths of the drawn curve, radians or fractions of the limit.
+        Violation of the limit, in lengths of the drawn curve, radians or fractions of the limit.
     """
 
     name: str
@@ -70,39 +71,40 @@ class Binding:
 
 @dataclass(frozen=True, eq=False)
 class NearestRod:
-    """A rod near a drawn curve.
+    """The rod nearest to a drawn curve within limits, with details of the search.
 
     Attributes
     ----------
     found : Rod or None
-        See `rod`, or None if nothing could be computed.
+        The rod, or None if nothing could be computed: see `rod`.
     target : PlaneCurve
         The drawn curve.
     status : Status
     deviation : float
-        Largest distance from the rod to the curve, or from the curve to the rod, mm.
+        Largest distance between rod and curve, mm, measured from the points of either.
     mean_deviation : float
-        Root mean square distance, mm, between points at corresponding arc lengths.
+        Root mean square distance, mm, between points at the same fraction of the length.
     binding : tuple of Binding
-        Limits and kept properties that increase the distance, the most costly first.
+        Limits and kept properties that increase the distance, those with the largest effect first.
     violation : float
-        Largest violation of a limit, in lengths of the drawn curve, radians or fractions of the limit.
+        Largest violation of any limit, in lengths of the drawn curve, radians or fractions of the limit.
     iterations : int
-        Steps (accepted quadratic programs) from all starts.
+        Number of steps from all initial guesses; a step is an accepted quadratic program.
     limits, keep
-        As requested.
+        Limits and kept properties of the request.
     message : str
-        Reason if the status is FAILED.
+        Reason for the status FAILED.
     measure : "mean", "closest" or "max"
-        As requested.
+        Measure of the distance in the request.
     distance : float
-        The minimised distance, with its measure and weights, mm.
+        Distance that was minimised, mm, in the requested measure and with the requested weights.
     ties : tuple of Rod
-        Rods of a different shape that meet the limits, with distances that exceed the least one by at most 2 %.
+        Rods of different shapes that meet the limits and are nearly as close: their distances are at most 2 %
+        larger.
     ended : SearchPoint or None
-        End of the search; `nearest_rod` begins there if this record is its `start`.
+        End of the search. `nearest_rod` continues from it if this record is passed as its `start`.
     again : callable, optional
-        `nearest_rod` with the remaining options of the request; see `relaxed`.
+        Function that repeats the request with other limits: see `relaxed`.
     """
 
     found: Rod | None
@@ -126,7 +128,7 @@ class NearestRod:
     def failed(
         cls, target: PlaneCurve, message: str, limits: Limits | None = None, keep: Keep | None = None
     ) -> "NearestRod":
-        """Return the record of a curve for which nothing could be computed."""
+        """Return the record with the status FAILED, for a curve whose rod could not be computed."""
         return cls(
             found=None, target=target, status=Status.FAILED, deviation=np.inf, mean_deviation=np.inf, binding=(),
             violation=np.inf, iterations=0, limits=Limits() if limits is None else limits,
@@ -135,7 +137,7 @@ class NearestRod:
 
     @property
     def rod(self) -> Rod:
-        """The discrete rod in balance; `rod.profile` is its stiffness, a cubic spline.
+        """Discrete rod in equilibrium. Its stiffness is the cubic spline `rod.profile`.
 
         Raises
         ------
@@ -152,20 +154,20 @@ class NearestRod:
 
     @property
     def met(self) -> bool:
-        """True if all limits are met to 1e-6."""
+        """True if all limits are met, with a tolerance of 1e-6."""
         return self.violation <= MET
 
     @cached_property
     def curve(self) -> PlaneCurve:
-        """The rest shape as a spline of degree 4 with few control points, for further editing.
+        """Rest shape as a spline of degree 4 with few control points, for further editing.
 
-        It follows the rod to 1e-3 mm. Without weight its inflections are on one line, so that
-        `check_equilibrium` accepts it. For glued plies it is the curve of the rod itself.
+        Its distance from the rod is at most 1e-3 mm. Without weight, its inflections are on one line, so that
+        `check_equilibrium` accepts it. For glued plies it is the curve of the rod.
         """
         from elastica_cad.forming.editable_curve import editable_curve
 
         section = self.rod.section
-        # the curvature of a stack jumps where plies end
+        # because the curvature of a stack jumps where plies end
         if section is not None and section.stack is not None:
             return self.rod.curve
         return editable_curve(self.rod)
@@ -185,10 +187,10 @@ class NearestRod:
 
     @cached_property
     def advice(self) -> tuple[str, ...]:
-        """Suggestions for the binding limits, the most useful first.
+        """Suggestions how to come nearer to the drawn curve, the most useful first.
 
-        Savings are first-order estimates from the multipliers of the search. `relaxed` solves for a changed limit,
-        and `split` finds supports with which the drawn curve itself can be made.
+        The effects of changes are first-order estimates from the Lagrange multipliers. `relaxed` computes the rod
+        for a changed limit. `split` finds supports for the drawn curve.
 
         Examples
         --------
@@ -203,14 +205,14 @@ class NearestRod:
         return f"<NearestRod {self.status.name}, {self.deviation:.3g} mm from its target, {self.found!r}>"
 
     def _repr_svg_(self) -> str:
-        """Return a drawing of the drawn curve with the rod over it."""
+        """Return a picture of the drawn curve and the rod."""
         drawn = [(self.target.sample(DRAWN_POINTS).position, GREY, False)]
         bent = [] if self.found is None else [(self.found.position, BLUE, False)]
         return svg_of_lines(drawn + bent, repr(self))
 
     @property
     def verdict(self) -> str:
-        """Status and distance of the rod from the drawn curve, without advice."""
+        """Sentence on the status and the distance from the drawn curve, without suggestions."""
         if self.found is None:
             return sentences([note(self.status.value), self.message], " ")
         far = note("The nearest curve is at most {far} from the drawn curve.", far=Length(self.deviation))
@@ -221,14 +223,14 @@ class NearestRod:
 
 
 _MOST_ADVICE = 4  # largest number of active limits with a suggestion
-_SLIGHT_DIAGONALS = 1e-3  # distance below which there are no suggestions
-_NEGLIGIBLE = 0.01  # saving, as a fraction of the distance, below which there is no suggestion
-_MISSED = 1e-4  # least violation that is reported; smaller ones are within the tolerance of the search
+_SLIGHT_DIAGONALS = 1e-3  # distance below which there are no suggestions, in diagonals of the target
+_NEGLIGIBLE = 0.01  # least effect of a suggested change, as a fraction of the distance
+_MISSED = 1e-4  # least violation that is reported
 _IN_LENGTHS = ("end position", "points", "keep-out")
 
 
 def _advise(near: NearestRod) -> Iterator[str]:
-    """Yield sentences to the designer, the most useful first."""
+    """Yield suggestions, the most useful first."""
     if near.found is None:
         return
     if near.ties:
@@ -257,7 +259,10 @@ def _advise(near: NearestRod) -> Iterator[str]:
 
 
 def _step(binding: Binding) -> tuple[str | Length, float]:
-    """Return a small change of a limit in words and in the unit of its cost; 0 for limits without a unit."""
+    """Return a small change of a limit as a text and as a number, in the unit of its cost.
+
+    The number is 0 if the limit has no unit.
+    """
     if binding.name.endswith("tangent"):
         return note("1 degree"), float(np.radians(1))
     if binding.name in ("ratio", "margin", "curvature", "strain"):
@@ -277,7 +282,7 @@ _NAMES = {
 
 
 def _name(near: NearestRod, binding: Binding) -> str:
-    """Return the name of a limit for the designer; empty for conditions that the designer did not set."""
+    """Return the name of a limit for messages; empty for conditions that were not requested."""
     limits, kind = near.limits, binding.name
     if kind == "ratio":
         if limits.ratio is None and limits.width is None:
@@ -299,7 +304,7 @@ def _name(near: NearestRod, binding: Binding) -> str:
 
 
 def _missed(near: NearestRod, binding: Binding) -> str:
-    """Sentence about a limit that is not met, with the value that the rod has."""
+    """Return a sentence about a limit that is not met, with the value of the rod."""
     if binding.name == "margin" and binding.limit is not None:
         rating = stability(near.rod)
         return note(
@@ -325,7 +330,7 @@ def _missed(near: NearestRod, binding: Binding) -> str:
 
 
 def _side(near: NearestRod, index: int) -> str:
-    """Return the name of an end for the designer."""
+    """Return the name of an end for messages, from its position in the drawing."""
     ends = near.target.evaluate(np.array(near.target.domain))
     off = ends[index] - ends[1 - index]
     across = 0 if abs(off[0]) >= abs(off[1]) else 1

@@ -39,48 +39,50 @@ from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw
 
 
 class SearchSettings(NamedTuple):
-    """Settings of the search. Distances are mean distances, as a fraction of the target's diagonal.
+    """Settings of the search. Distances are mean distances as fractions of the diagonal of the target.
 
     Attributes
     ----------
     steps, unmet_steps : int
-        Total number of steps after which no new start is tried. `unmet_steps` holds if no start has met the limits,
-        or if the first start missed the margin. A stalled search counts with its largest possible number of steps.
+        Total number of steps after which no further initial guess is tried. `unmet_steps` is used if no result has
+        met the limits, or if the first result violated the margin. For a stalled search, the largest possible
+        number of steps is added.
     tensions : tuple of float
-        Tensions of straight starts, as fractions of the tension that provides the margin on its own. Taut starts
-        are stable; unloaded starts do not buckle.
+        Tensions of straight initial guesses, as fractions of the tension that alone provides the margin. Guesses
+        under tension are stable, and unloaded guesses do not buckle.
     long_distance, long_factor : float
-        If the distance exceeds `long_distance`, a start longer than the target by `long_factor` is tried.
+        If the distance exceeds `long_distance`, an initial guess is tried whose length is `long_factor` times that
+        of the target.
     random_distance : float
-        Distance above which starts are tried that differ from the target by random waves.
+        Distance above which initial guesses with random waves are tried.
     random_starts, random_lifted_steps : int
-        Largest number of random starts, and of lifted steps from each. Few steps keep the variety of the local
-        optima.
+        Largest number of random initial guesses, and of lifted steps (see `lift`) from each. With few steps, the
+        local optima remain different.
     random_angle : float
-        Typical angle of the waves, rad.
+        Typical angle of the random waves, rad.
     continued_distance, continued_factor : float
-        A search that continues a previous one is accepted if its distance is below `continued_distance`, or below
-        `continued_factor` times that of the previous one.
+        A search that continues a previous search is accepted if its distance is less than `continued_distance`, or
+        less than `continued_factor` times that of the previous search.
     exact_distance : float
-        Distance below which a rod follows its target, so that a smaller ratio is tried.
+        Distance below which a rod follows the target exactly, so that a smaller stiffness ratio is tried.
     ratio_distance : float
-        Largest increase of this distance for a smaller ratio.
+        Largest distance that is accepted for a smaller stiffness ratio.
     spline_factor : float
-        Factor on the least ratio, because K is a spline with few coefficients.
+        Factor on the least ratio, because the stiffness K is a spline with few coefficients.
     tie_factor, tie_distance : float
-        Another result is reported if its distance is at most `tie_factor` times the least distance, and its rod is
-        farther than `tie_distance` from the best rod.
+        A further result is reported if its distance is at most `tie_factor` times the least distance, and its rod
+        is farther than `tie_distance` from the best rod.
     closed_gap : float
-        Distance between the ends, in lengths, below which a curve cannot be pulled straight.
+        Least distance between the ends, in lengths, by which the chord of a nearly closed curve is divided.
     rescalings : int
-        Largest number of further searches until a section carries its own weight.
+        Largest number of repeated searches until the scale of the sections agrees with the rod.
     scale_reserve, scale_change : float
-        Settings for a margin that depends on the widths: factor on the largest scale, which leaves room for other
-        widths; and least factor between scales that are tried.
+        Settings for a margin that depends on the widths. `scale_reserve` is a factor on the largest scale, as a
+        reserve for other widths. `scale_change` is the least factor between scales that are tried.
     scale_factors : tuple of float
         Factors on the scale that are tried for a margin that depends on the widths.
     margin_fraction : float
-        Fraction of a margin that depends on the widths that is required first.
+        Fraction of the margin that is required in a first search, if the margin depends on the widths.
     """
 
     steps: int = 600
@@ -111,7 +113,7 @@ SETTINGS = SearchSettings()
 
 
 def _find_rod(task: NearestTask, start: NearestRod | None = None) -> NearestRod:
-    """Find the nearest rod for sections of any size."""
+    """Return the nearest rod of a task."""
     search = _search(task.without_followed_margin, None if start is None else start.ended)
     smaller = task.in_smaller_sections
     if smaller is not None and (search.best.violation > MET or search.off > SETTINGS.exact_distance):
@@ -137,16 +139,16 @@ def _find_rod(task: NearestTask, start: NearestRod | None = None) -> NearestRod:
 
 
 def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
-    """Search from the end of a similar search, or from several starts.
+    """Return the result of a search from the end of a similar search, or from several initial guesses.
 
-    The first start is nearly always enough. More starts are tried if it violates limits, does not converge, or ends
-    far from the target.
+    The first initial guess is nearly always sufficient. Further guesses are tried if the result violates limits,
+    has not converged, or is far from the target.
     """
     problem = pose_problem(task)
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _compared(Search(task, problem, near, (), near.iterations, before.off), [near])
     outcomes = [minimize(problem, _start(task, problem))]
-    # if the first start misses the margin, fewer steps are spent on other starts
+    # if the first result violates the margin, fewer steps are spent on other initial guesses
     tight = outcomes[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(outcomes, key=_rank)
@@ -154,7 +156,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
         if not good and (spent < most or enough == np.inf):
-            # equally near rods are compared by their mean distance only
+            # `minimize` compares rods by their mean distance
             known = [] if task.request.measure == "max" else list(filter(_is_optimum, outcomes))
             outcomes.append(minimize(problem, start(), known=known))
     best = min(outcomes, key=_rank)
@@ -163,17 +165,17 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
 
 
 def _is_optimum(outcome: RodOutcome) -> bool:
-    """Return True if a search settled within all limits."""
+    """Return True if a search converged and all limits are met."""
     return outcome.settled and outcome.violation <= MET
 
 
 def _rescaled(search: Search, margin: float | None) -> Search:
-    """Repeat the search until sections are as large as the limits allow for the resulting rod."""
+    """Return the search repeated until the sections are as large as the limits allow for the resulting rod."""
     for _ in range(SETTINGS.rescalings):
         settled = search.task.settled(search.best.point)
         if (
             settled is search.task or settled.request.gravity is None
-        ):  # without weight the result does not depend on the scale
+        ):  # without weight, the shape does not depend on the scale
             search = search._replace(task=settled)
             break
         search = _go_on(search, settled)
@@ -201,9 +203,10 @@ def _rescaled(search: Search, margin: float | None) -> Search:
 
 
 def _narrowed(search: Search, task: NearestTask) -> Search:
-    """Continue a search at a given scale, then at smaller scales, each first with most of the margin.
+    """Return the search continued with the scale of `task`, then with smaller scales until the limits are met.
 
-    Narrower strips may meet a margin that wider strips do not meet.
+    For each scale, only a part of the margin is required first. Narrower strips may meet a margin that wider
+    strips do not meet.
     """
     margin = task.limits.margin or 0.0
     for factor in SETTINGS.scale_factors:
@@ -217,14 +220,16 @@ def _narrowed(search: Search, task: NearestTask) -> Search:
 
 
 def _go_on(search: Search, task: NearestTask) -> Search:
-    """Continue from the end of a search with the present request; the steps are added."""
+    """Return the search continued for another task, with the sum of the steps."""
     more = _search(task, search.ended)
     return more._replace(steps=search.steps + more.steps)
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
-    """Search from the end of a previous search; return None if limits are violated or the result is much farther
-    away."""
+    """Return the result of a search from the end of a previous search.
+
+    Return None if it violates limits or is much farther away.
+    """
     z = before.seen_from(task.target, problem.grid.unknowns)
     rod = None if z is None else problem.grid.shoot(z)
     if rod is None or not np.isfinite(rod.moments[-1]):
@@ -236,7 +241,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 
 
 def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
-    """Add an equally near rod of smaller ratio to a search, or else other equally near results."""
+    """Return the search with an equally near rod of smaller ratio, or else with other equally near results."""
     task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.exact_distance * task.target.diagonal:
@@ -250,10 +255,10 @@ def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
 def _with_least_ratio(
     task: NearestTask, best: RodOutcome
 ) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
-    """Return an equally near rod with the least ratio for the target, if this ratio is below that of the best rod.
+    """Return an equally near rod with the least stiffness ratio for the target, or None.
 
-    If a rod can follow the target exactly, the distance does not depend on the ratio, and the search may end with a
-    large ratio.
+    If a rod can follow the target exactly, the distance does not depend on the ratio, and the search may end with
+    an unnecessarily large ratio.
     """
     K = best.point.stiffness
     law = None if task.section is None or task.is_light else task.section.law
@@ -267,7 +272,7 @@ def _with_least_ratio(
     try:
         tight = task.within_ratio(least)
         problem = pose_problem(tight)
-    except InputError:  # limits conflict at the smaller ratio
+    except InputError:  # the limits contradict each other at the smaller ratio
         return None
     outcome = minimize(problem, _start(tight, problem, stiffness=min(least, 4.0) ** 0.5))
     near = max(task.off(best.point), SETTINGS.ratio_distance * task.target.diagonal)
@@ -278,7 +283,7 @@ def _with_least_ratio(
 def _ties(
     task: NearestTask, problem: RodProblem, best: RodOutcome, outcomes: Sequence[RodOutcome]
 ) -> Iterator[RodOutcome]:
-    """Yield results of other shapes with distances that exceed the least one by at most 2 %."""
+    """Yield results of different shapes whose distances are at most 2 % larger than the least distance."""
     allowed = best.objective * (
         SETTINGS.tie_factor if task.request.measure == "max" else SETTINGS.tie_factor**2
     )
@@ -292,16 +297,20 @@ def _ties(
 
 
 def _rank(outcome: RodOutcome) -> tuple[bool, float]:
-    """Return a sort key. Results that meet the limits come first, by distance; then the rest by distance and
-    violation."""
+    """Return a sort key by distance.
+
+    Results that violate limits are last, and their violation is added to the distance.
+    """
     met = outcome.violation <= MET
     return not met, outcome.objective + (0.0 if met else outcome.violation)
 
 
 def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
-    """Yield further starts, each with the mean distance, in diagonals, below which it is not needed.
+    """Yield further initial guesses as functions.
 
-    Starts with an infinite distance are tried until a result meets the limits, after any number of steps.
+    Each has a mean distance, in diagonals, below which it is not needed.
+
+    Guesses with an infinite distance are tried until a result meets the limits, whatever the number of steps.
     """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed_gap)
@@ -326,9 +335,10 @@ def _start(
     seed: int | None = None,
     force: FloatArray | None = None,
 ) -> MappedRod:
-    """Return the rod that the lifted program finds from the target with constant stiffness and optional `force`.
+    """Return an initial rod, found by lifted steps (see `lift`) from the target with constant stiffness.
 
-    A `seed` bends the target by slow waves and varies the stiffness, to reach other local optima.
+    With a `seed`, random waves are added to the target, and the stiffness varies randomly, to reach other local
+    optima.
     """
     grid, target = problem.grid, task.target
     u, n = grid.unknowns, grid.edges
@@ -355,15 +365,16 @@ def _start(
     return lift(replace(problem, distance=task.mean_distance), start, lifted_steps)
 
 
-_STRICTER = 6  # largest number of tapers for laying plies, each within stricter limits
-_BEYOND = 1.2  # factor from the violation of a limit to its reduction for the next taper
-_WHOLE = 1e-9  # largest rounding error of a number of plies
+_STRICTER = 6  # largest number of attempts, each with stricter limits
+_BEYOND = 1.2  # a limit is tightened by this multiple of its violation
+_WHOLE = 1e-9  # largest rounding error of a computed number of plies
 
 
 def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
-    """Return a stack of glued plies near the nearest taper.
+    """Return the nearest stack of glued plies.
 
-    If the stack violates a limit, repeat with stricter limits for the taper."""
+    The nearest rod of continuously varying thickness, the taper, is approximated by plies. If the stack violates a
+    limit, this is repeated with stricter limits for the taper."""
     curve, limits, keep = request.curve, request.limits or Limits(), request.keep or Keep()
     if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
         raise InputError(
@@ -371,7 +382,7 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
             "and regions: remove stiffness_bounds, points, symmetry and line"
         )
     again = partial(_again, request)
-    # (n / k)^3 is the ratio of n leaves and k
+    # n plies are (n / k)^3 times as stiff as k plies
     fewest = int(np.ceil(law.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
     law = replace(law, fewest=min(max(law.fewest, fewest), law.leaves))
     laid, steps = None, 0
@@ -404,7 +415,7 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
 
 
 def _taper_on_curve(request: RodSpec, law: LeavesLaw, length: tuple[float, float] | None) -> Rod | None:
-    """Return the taper that rests in the drawn curve, as thick as the stack allows, or None."""
+    """Return the rod of continuously varying thickness that is at rest in the drawn curve, or None."""
     if length is not None and not length[0] <= request.curve.length <= length[1]:
         return None
     try:
@@ -414,12 +425,12 @@ def _taper_on_curve(request: RodSpec, law: LeavesLaw, length: tuple[float, float
 
 
 def _rod_on_curve(request: RodSpec, section: BoundedLaw | None) -> Rod:
-    """Return the rod of least ratio that rests in the drawn curve."""
+    """Return the rod of least stiffness ratio that is at rest in the drawn curve."""
     return rod_of_request(replace(request, section=section, samples=None))
 
 
 def _broken_by(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
-    """Return the limits that a stack violates, each with the violation as a fraction of the limit."""
+    """Return the limits that a stack of plies violates, each with its violation as a fraction of the limit."""
     rod = laid.rod
     s, bend = leaf_bends(rod, laid.section)
     shares: dict[str, tuple[float | None, float]] = {}
@@ -438,7 +449,7 @@ def _broken_by(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
 
 
 def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
-    """Return stricter limits for the taper, so that a stack violates the actual limits less."""
+    """Return stricter limits for the taper, to reduce the violations of the stack."""
     for binding in broken:
         more = 1 + _BEYOND * binding.broken
         if binding.name == "margin":
@@ -451,10 +462,10 @@ def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
     return limits
 
 
-_MOST_NODES = 5000  # largest number of nodes; more take time and hardly change the shape
+_MOST_NODES = 5000  # largest number of nodes; more nodes hardly change the shape
 _UNBEARABLE = 50.0
-"""Length of a curve, in elasto-gravity lengths, above which a search without a first rod is blamed on the
-weight."""
+"""Length of a curve, in elasto-gravity lengths, above which the message names the weight as the reason if no
+initial rod is found."""
 
 
 def nearest_rod(
@@ -474,59 +485,62 @@ def nearest_rod(
 ) -> NearestRod:
     """Return the rod nearest to a drawn curve, realizable or not, that meets all limits.
 
-    The unknowns are stiffness, length and start of the rod. Its shape follows from the balance of moments (Eqs. 3
-    and 5), so every rod in the search is in equilibrium; see `forming.sqp` for the method.
+    The unknowns are the stiffness, the length and the start of the rod. Its shape follows from the equilibrium of
+    moments (Eqs. 3 and 5), so every rod in the search is in equilibrium. The method is described in `forming.sqp`.
 
     Parameters
     ----------
     curve : PlaneCurve
-        The target.
+        Drawn curve.
     limits : Limits, optional
-        Hard limits: ratio, stability margin, curvature, ...
+        Limits that the rod must meet, such as ratio, stability margin and curvature.
     keep : Keep, optional
-        Properties to keep; by default the end positions.
+        Properties of the drawn curve to keep; by default the positions of the ends.
     gravity : Gravity, optional
-        Weight proportional to the stiffness, as of a plain strip.
+        Gravity, for a weight proportional to the stiffness, as in a solid strip.
     supports : Supports, optional
-        Clamped at both ends by default.
+        Supports of the ends; by default both are clamped.
     weights : optional
-        Weight of each part of the curve in the distance: a number, values at equal distances, or a function of the
-        arc length of the curve (mm).
+        Weight of each part of the curve in the distance: a number, evenly spaced values, or a function of the arc
+        length, mm.
     measure : "mean", "closest" or "max"
-        Mean square distance, between points at corresponding arc lengths or from each point to the nearest; or the
-        largest distance.
+        Distance to minimise. "mean" is the mean square distance between points at the same fraction of the length.
+        "closest" uses the nearest points instead, and "max" is the largest distance.
     samples : int
-        Nodes of the rod.
+        Number of nodes of the rod.
     coefficients : int
-        B-spline coefficients of the stiffness; by default 20, and 4 more for each half turn of the curve.
+        Number of B-spline coefficients of the stiffness. By default there are 20, and about 4 more for each half
+        turn of the curve.
     section : BoundedLaw, optional
-        Relation of section and stiffness, as in `optimal_rod`. Its limits also limit the ratio. Under gravity (only
-        the direction has an effect) the rod carries its own
-        weight. A limit `sheet` limits its strain. For a `LeavesLaw`, the
-        nearest rod of continuous thickness is found first, then approximated by plies (`lay_leaves`).
+        Section law, as in `optimal_rod`. Its limits also limit the stiffness ratio. With gravity, the rod carries
+        the weight of its sections, and only the direction of gravity has an effect. `limits.sheet` limits the
+        strain. For a `LeavesLaw`, the nearest rod of continuously varying thickness is found first, and is then
+        approximated by plies (`lay_leaves`).
     natural_curvature : float or RestCurvature
-        kappa_0, 1/mm. With a RestCurvature (pre-bent strip) the rod has the length of that strip within 1 %.
+        Curvature of the unbent rod kappa_0, 1/mm. For a `RestCurvature`, the length of the rod agrees with that of
+        the pre-bent strip within 1 %.
     start : NearestRod, optional
-        Result of a similar request, such as the curve before a small move. The search begins at its rod and takes
-        two thirds of the time, or a tenth if many starts were needed. If
-        the result violates limits or is much farther away than before, the search is repeated from new starts.
+        Result of a similar request, such as the same curve before a small change. The search begins with its rod.
+        This takes two thirds of the time, or a tenth if many initial guesses were needed. If the result violates
+        limits or is much farther away than before, the search is repeated from new initial guesses.
 
     Returns
     -------
     NearestRod
-        Nearest rod. If the drawn curve meets the limits, the rod has the least ratio (within 0.5 %). If the limits
-        cannot be met, a rod is returned, too: see `status`, `met` and `binding`.
+        Nearest rod. If the drawn curve meets the limits, the rod has the least stiffness ratio within 0.5 %. If
+        the limits cannot be met, the best rod is returned: see `status`, `met` and `binding`.
 
     Raises
     ------
     InputError
-        Limits that contradict each other or the curve.
+        Limits contradict each other or the curve.
     NotConvergedError
-        The search has no first rod: the curve bends too much, or the weight is far too large for the stiffness.
+        There is no initial rod, because the curve bends too much, or because the weight is far too large for the
+        stiffness.
 
     References
     ----------
-    Paper, sections 4.2, 6.4 and 7.2, whose control point moves this replaces.
+    Paper, sections 4.2, 6.4 and 7.2. The paper moves control points instead.
 
     Examples
     --------
@@ -563,7 +577,7 @@ f"half as many as there are edges ({samples - 1})")  # fmt: skip
 
 
 def find_nearest(request: RodSpec, start: NearestRod | None = None) -> NearestRod:
-    """Return the nearest rod of a checked request, as `nearest_rod` does."""
+    """Return the nearest rod of a checked request: see `nearest_rod`."""
     if isinstance(request.section, LeavesLaw):
         return _find_leaves(request, request.section)
     try:
@@ -576,5 +590,5 @@ def find_nearest(request: RodSpec, start: NearestRod | None = None) -> NearestRo
 
 
 def _again(request: RodSpec, limits: Limits, keep: Keep) -> NearestRod:
-    """Repeat a request within other limits."""
+    """Return the nearest rod of a request with other limits."""
     return find_nearest(replace(request, limits=limits, keep=keep))

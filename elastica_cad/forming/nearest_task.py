@@ -1,4 +1,4 @@
-"""Request for a nearest rod in lengths of the drawn curve."""
+"""Request for a nearest rod, with the length of the drawn curve as the unit of length."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -31,33 +31,37 @@ from elastica_cad.mechanics.rod import SEARCH_SAMPLES, Rod, scaled_to_least
 from elastica_cad.mechanics.rod_system import RodState, RodSystem
 from elastica_cad.refusals import Length as Mm
 
-_FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60  # default number of stiffness coefficients
-_COEFFICIENTS_PER_HALF_TURN = 4.2  # a curve with more turns needs more coefficients
+# least and largest default number of stiffness coefficients
+_FEWEST_COEFFICIENTS, _MOST_COEFFICIENTS = 20, 60
+_COEFFICIENTS_PER_HALF_TURN = 4.2  # additional coefficients for each half turn of the curve
 
 
 @dataclass(frozen=True, eq=False)
 class NearestTask:
-    """A request in units of the length of its curve; `pose_problem` converts it to a nonlinear program.
+    """A request with the length of its curve as the unit of length.
+
+    `pose_problem` converts it to a nonlinear program.
 
     Attributes
     ----------
     request : RodSpec
     target : TargetCurve
     limits : Limits
-        Limits of the request, with the ratio that its section allows.
+        Limits of the request, with the stiffness ratio that its section law allows.
     keep : Keep
     weights : (nodes,) array
-        Weights of the nodes, mean 1.
+        Weights of the nodes in the distance; their mean is 1.
     coefficients : int
+        Number of coefficients of the stiffness K.
     line : pair of points or None
-        Inflection line to keep, mm.
+        Two points on the inflection line to keep, mm.
     section : SectionScale or None
-        Relation of section and K, if weight or strain differ from those of a plain strip.
+        Relation between section and stiffness K; None for a section without a law.
     grows : bool
-        True if sizes without weight are made as large as the limits allow, once the rod is found.
+        True if the sections of a rod without weight are finally made as large as the limits allow.
     keeps_scale : bool
-        True if the scale of a strip whose stiffness depends on the bend is fixed, and the width of each node is
-        limited.
+        True if the scale is fixed and the width at each node is limited, for stiffnesses that depend on the
+        curvature.
     """
 
     request: RodSpec
@@ -73,12 +77,12 @@ class NearestTask:
 
     @classmethod
     def of(cls, request: RodSpec) -> "NearestTask":
-        """The task of a request.
+        """Return the task of a request.
 
         Raises
         ------
         InputError
-            Limits that contradict each other or the curve.
+            Limits contradict each other or the curve.
         """
         target, samples = TargetCurve.of(request.curve), request.samples or SEARCH_SAMPLES
         limits, keep = request.limits or Limits(), request.keep or Keep()
@@ -116,17 +120,19 @@ class NearestTask:
 
     @property
     def is_scaled_freely(self) -> bool:
-        """True if K has no scale during the search. It has a scale if the limits of the law determine it for every
-        bend."""
+        """True if the scale of K is not known before the search, because it depends on the shape of the rod."""
         return self.section is None or self.section.law.follows_bend
 
     @property
     def is_light(self) -> bool:
-        """True for a weightless law with limits of size, whose scale is determined after the search."""
+        """True for a section law without weight whose scale is determined after the search."""
         return self.grows and self.request.gravity is None and not self.is_scaled_freely
 
     def within_ratio(self, ratio: float) -> "NearestTask":
-        """Return the task with this largest ratio; without weight also with the sections that can bend most."""
+        """Return the task with this largest stiffness ratio.
+
+        Without weight, the sections are those that can bend most.
+        """
         limits = replace(self.limits, ratio=ratio)
         section = self.section
         if section is not None and self.is_light:
@@ -134,10 +140,7 @@ class NearestTask:
         return replace(self, limits=limits, section=section)
 
     def settled(self, mapped: MappedRod) -> "NearestTask":
-        """Return the task with the largest allowed widths for a rod, or the task itself if they are unchanged.
-
-        For laws that do not follow the bend, the limits determine the scale.
-        """
+        """Return the task with the largest allowed widths for a rod, or the task itself if they are unchanged."""
         if self.section is None or not self.is_scaled_freely:
             return self
         bend = mapped.moments / mapped.stiffness / self.target.size
@@ -146,39 +149,41 @@ class NearestTask:
 
     @property
     def without_followed_margin(self) -> "NearestTask":
-        """The task without its margin if the margin depends on an undetermined scale, otherwise the task itself."""
+        """The task without its limit of the margin, if the margin depends on an undetermined scale.
+
+        Otherwise the task itself.
+        """
         if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
             return self
         return self.with_margin(None)
 
     def with_margin(self, margin: float | None) -> "NearestTask":
-        """Return the task with a different least margin, or without one."""
+        """Return the task with another limit of the margin, or without a limit if `margin` is None."""
         return replace(self, limits=replace(self.limits, margin=margin))
 
     @property
     def even_stiffness(self) -> float:
-        """Constant stiffness of a start, in the middle of the allowed range."""
+        """Constant stiffness of an initial guess, in the middle of the allowed range."""
         return float(np.sqrt(min(self.limits.largest_ratio, 16.0)))
 
     def off(self, mapped: MappedRod) -> float:
-        """Return the root mean square distance of a rod, at corresponding arc lengths, in lengths of the target."""
+        """Return the root mean square distance of a rod from the target, in lengths of the target."""
         return float(np.sqrt(2 * self.mean_distance.value(mapped)))
 
     @property
     def scale(self) -> float:
-        """Scale of the section, N mm2; 1 without a section."""
+        """Bending stiffness at K = 1, N mm2; 1 without a section law."""
         return 1.0 if self.section is None else self.section.scale
 
     def scaled_by(self, share: float) -> "NearestTask":
-        """Return the task with the stiffness of its section times `share`."""
+        """Return the task with the stiffness of its sections multiplied by `share`."""
         if self.section is None:
             return self
         return replace(self, section=replace(self.section, scale=share * self.section.scale))
 
     @property
     def in_smaller_sections(self) -> "NearestTask | None":
-        """The task with sections that withstand the bend of the target, or None if they are the present
-        sections."""
+        """The task with smaller sections that withstand the curvature of the target, or None if there are none."""
         if self.section is None or self.is_scaled_freely or self.request.gravity is None:
             return None
         bent = _nodal_bend(self.target, self.request.natural_curvature, self.nodes)
@@ -187,18 +192,22 @@ class NearestTask:
 
     @property
     def rest(self) -> float | FloatArray:
-        """kappa_0 in the units of the target; (nodes,) for a pre-bent strip, which is stretched to the rod."""
+        """Rest curvature kappa_0 times the length of the target.
+
+        For a pre-bent strip it is an array (nodes,), stretched to the length of the rod.
+        """
         return _nodal_rest(self.request.natural_curvature, self.nodes, self.target.size)
 
     def rod_of(self, mapped: MappedRod) -> Rod:
-        """Return the rod in mm with least stiffness 1; without weight with the largest allowed sections."""
+        """Return the rod in mm with the least stiffness 1. Without weight, it has the largest allowed sections."""
         size, section = self.target.size, self.section
         if section is not None and self.is_light:
             section = section.grown(mapped.stiffness, mapped.moments / mapped.stiffness / size, self.limits)
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        if self.request.gravity is None and section is None:  # the rod has no weight
+        # without weight and section law, the state is computed directly
+        if self.request.gravity is None and section is None:
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)
             rest = nodal_curvature(self.request.natural_curvature, s)
@@ -215,8 +224,7 @@ class NearestTask:
     def _state_of(
         self, mapped: MappedRod, K: FloatArray, rest: float | FloatArray, load: FloatArray
     ) -> RodState:
-        """State in millimetres, from nodal stiffness (n,) divided by its least value, kappa_0, and weight (n,
-        2)."""
+        """Return the state in mm. K (n,) is the stiffness with the minimum 1, and `load` (n, 2) is the weight."""
         size = self.target.size
         position = mapped.position * size + self.target.origin
         system = RodSystem(
@@ -230,12 +238,12 @@ class NearestTask:
 
     @property
     def basis(self) -> StiffnessBasis:
-        """Basis functions of K."""
+        """Basis functions of the stiffness K."""
         return StiffnessBasis(self.coefficients, mirrored=bool(self.keep.symmetry))
 
     @property
     def distance(self) -> Distance:
-        """The measure of the distance from the target."""
+        """Requested measure of the distance from the target."""
         if self.request.measure == "closest":
             return ClosestDistance(self.target, self._shares)
         if self.request.measure == "max":
@@ -244,7 +252,7 @@ class NearestTask:
 
     @cached_property
     def mean_distance(self) -> MeanDistance:
-        """Distance between points of equal relative arc length."""
+        """Distance between points at the same fraction of the length."""
         targets, _ = self.target.at(even_steps(self.nodes))
         return MeanDistance(targets, self._shares)
 
@@ -256,13 +264,13 @@ class NearestTask:
 
 
 def _nodal_bend(target: TargetCurve, rest: NaturalCurvature, nodes: int) -> FloatArray:
-    """kappa - kappa_0 (nodes,) of the target itself, 1/mm."""
+    """Return kappa - kappa_0 of the target at the nodes (nodes,), 1/mm."""
     kappa = np.interp(even_steps(nodes), even_steps(target.curvature.size), target.curvature)
     return np.asarray((kappa - _nodal_rest(rest, nodes, target.size)) / target.size)
 
 
 def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | FloatArray:
-    """Return kappa_0 times `size`; (nodes,) for a pre-bent strip."""
+    """Return kappa_0 times `size`, as an array (nodes,) for a pre-bent strip."""
     if isinstance(rest, RestCurvature):
         return size * rest.at(np.linspace(0.0, rest.length, nodes))
     return size * rest
@@ -270,18 +278,20 @@ def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | Floa
 
 @dataclass(frozen=True, eq=False)
 class SearchPoint:
-    """End of a search: the unknowns of a rod, and the target that defines their units.
+    """End of a search: the unknowns of a rod, with their unit of length and origin.
 
     Attributes
     ----------
     z : (p,) array
+        Values of the unknowns.
     unknowns : Unknowns
+        Meaning of each unknown.
     size : float
-        Length of the target, mm.
+        Length of the target, which is the unit of length, mm.
     origin : (2,) array
-        mm.
+        Origin of the coordinates, mm.
     off : float
-        Mean distance after the last search from all starts, in diagonals of its target.
+        Mean distance after the last search from all initial guesses, in diagonals of its target.
     """
 
     z: FloatArray
@@ -293,7 +303,7 @@ class SearchPoint:
     def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
         """Return the unknowns of the same rod in the units of another target.
 
-        None means that the search for the other target has other kinds of unknowns.
+        Return None if the other unknowns have another meaning.
         """
         u = self.unknowns
         if unknowns != u:
@@ -307,7 +317,7 @@ class SearchPoint:
 
 
 def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArray] | None:
-    """Two points of the inflection line to keep, or None."""
+    """Return two points on the inflection line to keep, mm, or None."""
     line, curve = keep.line, request.curve
     if not line:
         return None
@@ -325,7 +335,7 @@ def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArr
 
 
 def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
-    """Weights along the curve at the nodes, mean 1."""
+    """Return the weights at the nodes, scaled to the mean 1."""
     if weights is None:
         return np.ones(nodes)
     values = values_along(weights, even_steps(nodes), size, "weights")
@@ -335,7 +345,7 @@ def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
 
 
 def values_along(given: object, x: FloatArray, size: float, what: str) -> FloatArray:
-    """Values at x (0..1) of a number, of values at equal distances, or of a function of arc length in mm."""
+    """Return the values at x (n,) in 0..1 of a number, evenly spaced values, or a function of the arc length."""
     values = given(x * size) if callable(given) else given
     array = numbers(values, what)
     if array.ndim == 0:

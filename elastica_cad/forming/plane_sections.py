@@ -1,8 +1,9 @@
-"""Checked and welded triangle meshes, and their plane sections as ordered lines in the frames of the planes.
+"""Triangle meshes with merged vertices, and their plane sections as ordered lines.
 
 A vertex in the plane counts as a vertex on one side, as if the plane were shifted infinitesimally (simulation of
-simplicity). So every face with vertices on both sides is crossed at two edges. Edges are identified by their
-vertices, and the pieces are chained without comparing coordinates. The points are computed with the actual plane.
+simplicity). Therefore every face with vertices on both sides is crossed at two edges. Edges are identified by
+their vertices, so that the pieces of a section are joined without comparing coordinates. The points are computed
+with the actual plane.
 """
 
 from collections.abc import Sequence
@@ -19,10 +20,10 @@ from elastica_cad.geometry.plane_points import lengths_along
 from elastica_cad.refusals import Length, Listed, Point, note
 
 SHOWN_PLACES = 3
-"""Largest number of places that a message lists."""
+"""Largest number of positions that a message lists."""
 
 CRACK_SHARE = 1e-5
-"""Distance, as a fraction of the borders' extent, below which border vertices are merged."""
+"""Distance below which border vertices are merged, as a fraction of the extent of the borders."""
 
 FARTHEST_MM = 1e9
 """Largest coordinate, mm."""
@@ -30,23 +31,23 @@ FARTHEST_MM = 1e9
 
 @dataclass(frozen=True, eq=False)
 class Mesh:
-    """Triangles in space, open or closed.
+    """An open or closed triangle mesh in space.
 
-    Coincident vertices are merged, because files often repeat them. Along borders, vertices nearer than 1e-5 of the
-    borders' extent are merged too, because of rounding. Triangles without area and repeated triangles are left out.
-    `reports` lists the defects found; none of them prevents a section.
+    Coincident vertices are merged, because files often repeat them. Border vertices closer than 1e-5 of the extent
+    of the borders are merged too, because of rounding errors. Triangles without area and repeated triangles are
+    removed. `reports` lists the defects of the mesh; none of them prevents a section.
 
     Parameters
     ----------
     vertices : (n, 3) array_like
-        mm.
+        Vertices, mm.
     faces : (m, 3) array_like of int
-        Rows of `vertices`; the orientation does not matter.
+        Indices of the vertices of each triangle. The orientation has no effect.
 
     Raises
     ------
     InputError
-        Wrong shapes, numbers that are not finite, faces with missing vertices, or no face left.
+        An array has a wrong shape, a number is not finite, a vertex of a face does not exist, or no face remains.
 
     Examples
     --------
@@ -87,12 +88,12 @@ class Mesh:
         return float(np.linalg.norm(np.ptp(self.vertices[np.unique(self.faces)], axis=0)))
 
     def scaled(self, factor: float) -> "Mesh":
-        """The mesh with all lengths times `factor`.
+        """Return the mesh with all coordinates multiplied by `factor`.
 
         Raises
         ------
         InputError
-            A factor that is not positive.
+            The factor is not positive.
         """
         if not (is_number(factor) and factor > 0):
             raise InputError(f"a mesh is scaled by a positive factor, not {factor!r}")
@@ -139,7 +140,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
 
 
 def _sewn(points: FloatArray, rows: IntArray) -> IntArray:
-    """Return the triangles, with border vertices merged across cracks."""
+    """Return the triangles with border vertices merged across narrow cracks."""
     edges, count = np.unique(
         np.sort(np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]]), axis=1),
         axis=0,
@@ -184,7 +185,7 @@ def _complaint(
 
 
 def _edge_complaints(points: FloatArray, rows: IntArray) -> list[str]:
-    """Return notes on edges of one face, edges of more than two faces, and neighbours of opposite orientation."""
+    """Return notes on edges with one face or more than two faces, and on neighbours of opposite orientation."""
     directed = np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]])
     edges, index, count = np.unique(
         np.sort(directed, axis=1), axis=0, return_inverse=True, return_counts=True
@@ -222,32 +223,32 @@ def _places(points: FloatArray, edges: Sequence[IntArray] | IntArray) -> Listed:
 
 
 APART = 1e-10
-"""Distance, as a fraction of the size, below which neighbouring points of a section are merged."""
+"""Distance below which neighbouring points of a section are merged, as a fraction of the size of the mesh."""
 
 
 def mesh_sections(
     vertices: ArrayLike, faces: ArrayLike, planes: Sequence[Frame], *, half: bool = False
 ) -> tuple[PlaneSection, ...]:
-    """Return sections of a triangle mesh, open or closed, by a family of planes.
+    """Return the sections of an open or closed triangle mesh by a family of planes.
 
     Parameters
     ----------
     vertices, faces : (n, 3) and (m, 3) array_like
-        The mesh, mm; see `Mesh`.
+        Vertices, mm, and faces of the mesh: see `Mesh`.
     planes : sequence of Frame
-        From `parallel_planes`, `radial_planes` or `planes_along`, or any frames.
+        Planes, such as the results of `parallel_planes`, `radial_planes` and `planes_along`.
     half : bool
-        Return only the part with x >= 0 in each frame, for half planes about an axis.
+        If True, only the part with x >= 0 in each frame is returned, for half planes about an axis.
 
     Returns
     -------
     tuple of PlaneSection
-        One section for each plane, in order. If a plane misses, its section has no lines and a message.
+        A section for each plane, in order. If a plane misses the mesh, its section has no lines, and a message.
 
     Raises
     ------
     InputError
-        An invalid mesh (see `Mesh`), or planes that are not a sequence of frames.
+        The mesh is invalid (see `Mesh`), or the planes are not a sequence of frames.
 
     Examples
     --------
@@ -269,7 +270,7 @@ def mesh_sections(
 
 
 def refuse_odd_planes(planes: object) -> None:
-    """Refuse planes that are not a sequence of frames."""
+    """Raise InputError if the planes are not a sequence of frames."""
     if not (isinstance(planes, Sequence) and all(isinstance(frame, Frame) for frame in planes)):
         raise InputError(
             f"planes must be a sequence of Frames, not {type(planes).__name__}: put a single plane in a list"
@@ -300,7 +301,7 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
 
 
 def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
-    """Return the reason why a plane has no section."""
+    """Return a message with the reason why a plane has no section."""
     used = np.unique(mesh.faces)
     low, high = float(local[used, 2].min()), float(local[used, 2].max())
     if low > 0 or high < 0:
@@ -315,7 +316,7 @@ def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
 
 
 def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray) -> list[FloatArray]:
-    """Return lines (k, 2) through the crossed faces; `above` gives the side of each vertex."""
+    """Return the lines (k, 2) of a section. `above` is True for vertices above the plane."""
     side = above[mesh.faces]
     faces = mesh.faces[side.any(axis=1) & ~side.all(axis=1)]
     if not len(faces):
@@ -334,7 +335,10 @@ def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray
 
 
 def _walks(links: IntArray, count: int) -> list[list[int]]:
-    """Join links (m, 2) to chains of nodes, which end at nodes with one link or more than two links."""
+    """Return chains of nodes that follow the links (m, 2).
+
+    They end at nodes with one link or more than two links.
+    """
     at: list[list[int]] = [[] for _ in range(count)]
     for k, (a, b) in enumerate(links.tolist()):
         at[a].append(k)

@@ -1,4 +1,4 @@
-"""Interior-point method for small dense convex quadratic programs, whose rows may be violated at a price."""
+"""Interior-point method for small dense convex quadratic programs with penalties for violated constraints."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -11,19 +11,20 @@ from elastica_cad._types import BoolArray, FloatArray
 
 
 class InteriorPoints(NamedTuple):
-    """Settings of the method, which usually needs a dozen factorisations.
+    """Settings of the method, which usually needs about twelve factorisations.
 
-    The active-set method of HiGHS is not used, because it cycled on programs near the end of a search.
+    The active-set method of HiGHS is not used, because it did not terminate for some programs near the end of a
+    search.
 
     Attributes
     ----------
     accuracy : float
-        Default accuracy, far below the error of a linear model.
+        Default accuracy. It is much smaller than the errors of linearised constraints.
     backoff : float
-        Largest step, as a fraction of the distance to the nearest bound.
+        Length of a step as a fraction of the distance to the nearest bound.
     cycling, centered : int, float
-        After `cycling` factorisations, steps have no corrector and aim at the fraction `centered` of the
-        complementarity, because predictor and corrector may cycle (in one program of a thousand).
+        After `cycling` factorisations, steps have no corrector, and reduce the complementarity to the fraction
+        `centered`. The reason is that predictor and corrector cycle in one program of a thousand.
     most : int
         Largest number of factorisations.
     """
@@ -40,20 +41,22 @@ METHOD = InteriorPoints()
 
 @dataclass(frozen=True, eq=False)
 class QuadraticProgram:
-    """Minimise x^T H x / 2 + g^T x plus the costs of violated rows, with lower <= x <= upper.
+    """Minimise x^T H x / 2 + g^T x plus penalties for violated constraints, with lower <= x <= upper.
 
-    Row k is A_k x = r_k (or A_k x >= r_k if `one_sided`); violating it by u costs `price[k]` u.
-    If the price exceeds the multiplier of a row, the solution meets the row exactly.
+    Constraint k is A_k x = r_k, or A_k x >= r_k if `one_sided`, with row k of A = `rows` and r = `right`. The
+    penalty for a violation by u is `price[k]` u. If the price exceeds the Lagrange multiplier, the solution meets
+    the constraint exactly.
 
     Attributes
     ----------
     hessian, gradient : (p, p), (p,) arrays
-        Positive semidefinite.
+        H, which is positive semidefinite, and g.
     lower, upper : (p,) arrays
-        Finite.
+        Finite bounds of x.
     rows, right : (m, p), (m,) arrays
+        A and r of the m constraints.
     price : (m,) array
-        Positive.
+        Penalties, positive.
     one_sided : (m,) boolean array
     """
 
@@ -69,9 +72,11 @@ class QuadraticProgram:
 
 @dataclass(frozen=True, eq=False)
 class QuadraticSolution:
-    """Minimum x, with the multipliers of rows (positive pushes A x up) and of bounds.
+    """Minimum x, with the Lagrange multipliers of constraints and bounds.
 
-    `converged` is True if the tolerance was reached; `iterations` counts the factorisations.
+    A positive multiplier of a constraint increases A x.
+
+    `converged` is True if the tolerance was reached. `iterations` is the number of factorisations.
     """
 
     x: FloatArray
@@ -83,11 +88,11 @@ class QuadraticSolution:
 
 
 def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accuracy) -> QuadraticSolution:
-    """Minimise by interior points with Mehrotra's predictor and corrector.
+    """Return the minimum, by an interior-point method with Mehrotra's predictor and corrector.
 
-    `accuracy` is relative to the largest number in the gradient or on the Hessian's diagonal. The price of a row
-    bounds its multiplier y. The row becomes the pairs p (y - y_low) = 0, q (y_high - y) = 0 with A x - r = p - q.
-    Thus equalities, inequalities and rows that may be violated have the same form.
+    `accuracy` is relative to the largest number in the gradient or on the diagonal of the Hessian. The penalty for
+    a violation bounds the multiplier y of the constraint. With A x - r = p - q, the constraint becomes p (y -
+    y_low) = 0 and q (y_high - y) = 0. Equalities, inequalities and violated constraints then have the same form.
 
     Examples
     --------
@@ -115,7 +120,7 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accur
 
 
 def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
-    """x, y, whether the tolerance was reached, and the factorisations, by compiled code."""
+    """Return x, y, whether the tolerance was reached, and the number of factorisations, by compiled code."""
     (x, y, _, _), converged, iterations = _native.interior_points(
         p.hessian, p.gradient, p.lower, p.upper, p.rows, p.right, p.price, p.one_sided, accuracy
     )
@@ -123,12 +128,11 @@ def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatAr
 
 
 _SIDES = np.array([[1.0], [-1.0]])
-"""Derivatives of the distances from the lower and the upper bounds by the unknowns."""
+"""Derivatives of the distances from the lower and the upper bounds with respect to the unknowns."""
 
 
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
-    """Solve the program in Python, scaled by the largest number in its gradient or on the diagonal of its
-    Hessian."""
+    """Return the same as `_compiled`, computed in Python."""
     n, m = p.gradient.size, p.right.size
     scale = 1 / max(1e-30, float(np.abs(p.gradient).max()), float(np.abs(np.diag(p.hessian)).max()))
     g, y_high = p.gradient * scale, p.price * scale
@@ -139,8 +143,8 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
     tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
     inner = 0.1 * (p.upper - p.lower)
     z = np.concatenate([np.clip(0.0, p.lower + inner, p.upper - inner), (y_low + y_high) / 2])
-    # pairs u v = mu (2, n + m): u are distances of z = (x, y) from its bounds, v the bounds' multipliers of x and
-    # the slacks p and q of the rows
+    # complementary pairs u v = mu (2, n + m): u are the distances of z = (x, y) from its bounds; v are the
+    # multipliers of the bounds of x, and the slacks p and q of the constraints
     u = np.stack([z - lower, upper - z])
     mu = max(0.03, 0.1 * float(np.abs(g) @ inner) / n)
     v = mu / u

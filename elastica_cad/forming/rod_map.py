@@ -1,6 +1,6 @@
-"""Map from unknown stiffness and start to the rod, with its derivatives.
+"""Map from the unknowns (stiffness, start, length) to the rod, with derivatives.
 
-The unit of length is the length of the target curve, not the millimetre.
+The unit of length is the length of the target curve.
 """
 
 from collections.abc import Callable, Hashable
@@ -27,13 +27,13 @@ from elastica_cad.refusals import Length
 
 @dataclass(frozen=True)
 class StiffnessBasis:
-    """`count` cubic B-splines with uniform clamped knots over 0..1.
+    """Basis of `count` cubic B-splines with uniform clamped knots over 0..1.
 
     Attributes
     ----------
     count : int
     mirrored : bool
-        True if each function and its mirror image share one coefficient.
+        True if each function and its mirror image have the same coefficient.
     """
 
     count: int
@@ -41,11 +41,14 @@ class StiffnessBasis:
 
     @property
     def knots(self) -> FloatArray:
-        """Clamped knots of the splines."""
+        """Clamped knots of the B-splines."""
         return np.concatenate([np.zeros(3), np.linspace(0, 1, self.count - 2), np.ones(3)])
 
     def at(self, s: FloatArray) -> FloatArray:
-        """Values of the functions, or of their pairs, at s (n,) in 0..1."""
+        """Return the values of the basis functions at s (n,) in 0..1.
+
+        If `mirrored`, the basis functions are sums of mirrored pairs.
+        """
         basis = bezier_spans(self.knots, 3).basis(np.clip(s, 0, 1))
         if not self.mirrored:
             return basis
@@ -56,7 +59,7 @@ class StiffnessBasis:
         return np.asarray(basis[:, :half] + mirror)
 
     def coefficients(self, z: FloatArray) -> FloatArray:
-        """Return the coefficients (count,) of all functions; `z` begins with the free coefficients."""
+        """Return the coefficients (count,) of all B-splines. `z` begins with the independent coefficients."""
         m = self.count
         if not self.mirrored:
             return z[:m].copy()
@@ -65,23 +68,26 @@ class StiffnessBasis:
 
 
 SAME_SCALE = 1e-5
-"""Relative difference of scales below which the weight agrees with the final sections."""
+"""Relative difference of scales below which the search is not repeated with the new scale."""
 
 FULL_STRAIN = 1 - 2e-5
-"""Fraction of a strain limit that is used; the rest covers errors of the strain between nodes and of fitted
-sizes."""
+"""Fraction of a strain limit that is used. The rest is a reserve for errors of the strain between nodes and of
+fitted sizes."""
 
 
 @dataclass(frozen=True, eq=False)
 class SectionScale:
-    """E I = `scale` K with 1 <= K <= `ratio` within the limits of a section.
+    """Relation between bending stiffness and K: E I = `scale` K with 1 <= K <= `ratio`.
+
+    It is within the limits of a section law.
 
     Attributes
     ----------
     law : BoundedLaw
     scale : float
-        N mm2.
+        Bending stiffness at K = 1, N mm2.
     ratio : float
+        Largest stiffness ratio.
     """
 
     law: BoundedLaw
@@ -90,10 +96,10 @@ class SectionScale:
 
     @classmethod
     def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
-        """Choose the scale of the sections: the largest, or without weight the scale that can bend most.
+        """Return the relation with the largest scale, or without weight with the scale that can bend most.
 
-        A rod without weight takes the same shape in any size. Thin strips withstand sharper bends than thick
-        strips; laminates do if the backing is as wide as the base.
+        The shape of a rod without weight does not depend on the scale. Thin strips withstand larger curvatures
+        than thick strips. For laminates this is so if the backing is as wide as the base.
 
         Raises
         ------
@@ -115,8 +121,7 @@ class SectionScale:
                     largest=Length(largest),
                 )
             ratio = min(ratio, most / low)
-            # if the stiffness depends on the bend, strain is not a function of size alone; the scale is determined
-            # later
+            # if the stiffness depends on the curvature, the strain does too, and the scale is determined later
             if not (heavy or law.follows_bend):
                 thin, thick = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
                 if thin < thick:
@@ -124,8 +129,10 @@ class SectionScale:
         return cls(law, most / ratio, ratio)
 
     def grown(self, stiffness: FloatArray, bend: FloatArray, limits: Limits) -> Self:
-        """Scale the section up as far as its limits and the strain allow, for nodal K (n,) bent by kappa -
-        kappa_0 (n,), 1/mm."""
+        """Return the relation with the largest scale that the limits and the strain allow.
+
+        `stiffness` (n,) is K at the nodes, and `bend` (n,) is kappa - kappa_0 there, 1/mm.
+        """
         from scipy.optimize import brentq
 
         least, most = (
@@ -143,9 +150,11 @@ class SectionScale:
         return replace(self, scale=float(np.exp(brentq(room, low, high)))) if room(low) > 0 else self
 
     def bearing(self, bend: FloatArray, limits: Limits) -> Self | None:
-        """Return the largest smaller sections of equal ratio that withstand a bend (n,), 1/mm, or None.
+        """Return the relation with the largest smaller scale for which the sections withstand `bend`.
 
-        Thin sections may withstand a bend that breaks the thickest sections.
+        `bend` (n,) is kappa - kappa_0, 1/mm.
+
+        Return None if there is none. Thin sections may withstand a curvature that breaks the thickest sections.
         """
         least, largest = self.law.limits
         if limits.sheet is None or not (least > 0 and np.isfinite(largest)):
@@ -156,10 +165,10 @@ class SectionScale:
         return replace(self, scale=scale) if scale < self.scale * (1 - SAME_SCALE) else None
 
     def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> Self:
-        """Return the sections scaled such that nodal K (n,), bent by kappa - kappa_0 (n,) from `rest`, reaches the
-        largest.
+        """Return the relation scaled so that the largest section of the rod is the largest allowed section.
 
-        If the scale does not change, the result is this object.
+        K at the nodes is `stiffness` (n,), kappa - kappa_0 is `bend` (n,), and kappa_0 is `rest`, 1/mm. If the
+        scale does not change, the result is this object.
         """
         law = self.law.bent(bend, rest)
         least, largest = law.limits
@@ -170,19 +179,24 @@ class SectionScale:
         return self if abs(scale / self.scale - 1) < SAME_SCALE else replace(self, law=law, scale=scale)
 
     def largest(self, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
-        """Return E I (n,), N mm2, of the largest section, bent by `bend` (n,) from the curvature `rest`, 1/mm."""
+        """Return E I (n,), N mm2, of the largest section.
+
+        `bend` (n,) is kappa - kappa_0, and `rest` is kappa_0, 1/mm.
+        """
         most = np.full(bend.size, self.law.limits[1])
         return self.law.bent(bend, rest).bending_stiffness(most)
 
     def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
-        """Return the weight (n,) for K (n,) over the scale, times the cube of `size` (mm), and its derivative."""
+        """Return the weight per length (n,) for K (n,), and its derivative with respect to K.
+
+        The weight is divided by the scale and multiplied by the cube of `size`, mm."""
         EI = self.scale * stiffness
         tangent = TangentWeight.of(self.law, EI)
         over = size**3
         return (tangent.fixed / self.scale + tangent.slope * stiffness) * over, tangent.slope * over
 
     def carried_by(self, rod: Rod, stiffness: FloatArray) -> Rod:
-        """Return the rod with this scale and, under gravity, with the weight for the nodal K (n,) of the search."""
+        """Return the rod with this scale, and with gravity also with the weight for K (n,) at the nodes."""
         EI = self.scale * stiffness
         scaled = replace(rod, bending_stiffness=float(EI.min()), section=self.law)
         if rod.gravity is None:
@@ -192,7 +206,10 @@ class SectionScale:
         return replace(scaled, weight=Weight(alpha, Profile.interpolate(rod.s, tangent.slope * EI.min())))
 
     def tangent(self, stiffness: FloatArray, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
-        """Return dM/dkappa (..., n) in units of K (..., n), for kappa - kappa_0 (..., n) from `rest`, 1/mm."""
+        """Return dM/dkappa (..., n) in the unit of K (..., n).
+
+        `bend` (..., n) is kappa - kappa_0, and `rest` is kappa_0, 1/mm.
+        """
         law = self.law.bent(bend, rest)
         curl = law.curl(law.parameter(self.scale * stiffness))
         if curl is None:
@@ -200,35 +217,36 @@ class SectionScale:
         return stiffness * CurlingLaw(curl, curl(bend + rest), rest).slope(bend)
 
     def strain(self, stiffness: FloatArray, limit: float | None) -> FloatArray:
-        """Return the skin strain at a curvature of 1/mm, as a fraction (n,) of the allowed strain, for K (n,)."""
+        """Return the surface strain at a curvature of 1/mm, as a fraction (n,) of the allowed strain."""
         layers = self.law.strains(np.ones(stiffness.size), self.law.parameter(self.scale * stiffness))
         shares = [layer.strain / (FULL_STRAIN * (limit or layer.limit)) for layer in layers]
         return np.asarray(np.max(shares, axis=0))
 
 
-_SHAPE = "tangents", "position", "pull", "shear"  # values of a rod that compiled code computes together
+# cached properties of a rod that compiled code computes together
+_SHAPE = "tangents", "position", "pull", "shear"
 
 WeightLaw: TypeAlias = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
 
 @dataclass(frozen=True)
 class Unknowns:
-    """Index of each unknown in the vector z (count,).
+    """Index of each unknown in the vector z (p,).
 
     Attributes
     ----------
     coefficients, count : int
-        Number of coefficients of K, and of unknowns p.
+        Number of coefficients of K, and number p of unknowns.
     stiffness : slice
         Coefficients of K.
     moment : int
-        M_0.
+        Moment at the first node.
     force : slice
-        lambda at the start, before the weight of the first node.
+        Force lambda at the start, before the weight of the first node.
     position : slice
-        gamma_0.
+        Position of the first node.
     angle, length : int
-        alpha_0, and the length of the rod.
+        Angle at the start, and length of the rod.
     """
 
     coefficients: int
@@ -243,20 +261,22 @@ class Unknowns:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class MappedRod(DiscreteRod):
-    """The discrete rod of given unknowns, in balance or (during closing) nearly in balance.
+    """Discrete rod for given unknowns, in equilibrium or nearly so.
 
     Attributes
     ----------
     z : (p,) array
-        The unknowns.
+        Unknowns.
     moments : (n+1,) array
+        Moments at the nodes.
     all_angles : (n+2,) array
-        Start, edges, end.
+        Angles at the start, of the edges, and at the end.
     all_forces : (n+2, 2) array
-        lambda before the first node, of the edges, and after the last node.
+        Force lambda before the first node, in the edges, and after the last node.
     length : float
+        Length in lengths of the target.
     memory : dict
-        Cache of costly results shared by the merit and the model of the rod.
+        Cache of expensive results for this rod.
     """
 
     z: FloatArray
@@ -267,7 +287,7 @@ class MappedRod(DiscreteRod):
     memory: dict[Hashable, Any] = field(default_factory=dict)
 
     def remembered(self, key: Hashable, compute: Callable[[], Any]) -> Any:
-        """Return the result of `compute`, which is kept under `key` for this rod."""
+        """Return the cached result of `compute` for `key`."""
         if key not in self.memory:
             self.memory[key] = compute()
         return self.memory[key]
@@ -275,7 +295,9 @@ class MappedRod(DiscreteRod):
 
 @dataclass(frozen=True, eq=False)
 class Sensitivities:
-    """Derivatives of a rod by its p unknowns; an optional last column is the change that brings it into balance.
+    """Derivatives of a rod with n edges with respect to its p unknowns.
+
+    An optional last column p is the change that brings it into equilibrium.
 
     Attributes
     ----------
@@ -291,7 +313,7 @@ class Sensitivities:
     position: FloatArray
 
     def along_forces(self, weights: FloatArray) -> FloatArray:
-        """Gradient (p,) of sum(weights * edge forces), weights (n, 2)."""
+        """Return the gradient (p,) of the sum of the edge forces times `weights` (n, 2)."""
         grid = self.grid
         u, out = grid.unknowns, np.zeros(self.angles.shape[1])
         out[u.force] = weights.sum(axis=0)
@@ -302,7 +324,7 @@ class Sensitivities:
         return out
 
     def last_load_row(self, axis: int) -> FloatArray:
-        """Gradient (p,) of the last node's load -w q(K) e along `axis` (0: x, 1: y)."""
+        """Return the gradient (p,) of the weight of the last node along `axis` (0: x, 1: y)."""
         grid, carried = self.grid, self.carried
         u, out = grid.unknowns, np.zeros(self.angles.shape[1])
         out[u.stiffness] = -grid.e[axis] * self.rod.length * (carried.slopes[-1] - carried.slopes[-2])
@@ -311,14 +333,15 @@ class Sensitivities:
 
     @property
     def carried(self) -> "CarriedWeight":
-        """The weight of the rod."""
+        """Integrated weight of the rod."""
         return self.grid.carried(self.rod)
 
 
 class CarriedWeight(NamedTuple):
-    """Integral of the weight q up to and including each node, for a rod of length 1: `sums` (n+1,).
+    """Integrated weight of a rod of length 1.
 
-    `slopes` (n+1, m) are derivatives by the coefficients of K.
+    `sums` (n+1,) is the weight up to and including each node. `slopes` (n+1, m) are its derivatives with respect
+    to the m coefficients of K.
     """
 
     sums: FloatArray
@@ -327,19 +350,19 @@ class CarriedWeight(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class StripGrid:
-    """n edges, and a basis for K on the nodes.
+    """Nodes of the rods in a search: n edges of equal length, with a basis for the stiffness K.
 
     Parameters
     ----------
     basis : (n+1, m) array
-        Values of the basis functions of K at the nodes; they sum to 1.
+        Values of the m basis functions of K at the nodes; their sum is 1.
     e : (2,) array
-        Weight vector of Eq. 5 (it points up), times the unit of length cubed.
+        Weight vector of Eq. 5, which points up, times the cube of the unit of length.
     weight : callable, optional
-        Function that returns the weight q (n+1,) for K (n+1,) at the nodes, in units of `e`, and its derivative; by
+        Function that returns the weight per length q (n+1,) in units of `e`, and its derivative, for K (n+1,). By
         default q = K.
     natural_curvature : float or (n+1,) array
-        kappa_0 times the unit of length.
+        Rest curvature kappa_0 times the unit of length.
     supports : Supports
     """
 
@@ -351,12 +374,12 @@ class StripGrid:
 
     @property
     def edges(self) -> int:
-        """Number of edges n."""
+        """Number n of edges."""
         return int(self.basis.shape[0]) - 1
 
     @cached_property
     def unknowns(self) -> Unknowns:
-        """Layout of z."""
+        """Index of each unknown in z."""
         m = self.basis.shape[1]
         return Unknowns(
             coefficients=m, count=m + 7, stiffness=slice(0, m), moment=m, force=slice(m + 1, m + 3),
@@ -365,16 +388,16 @@ class StripGrid:
 
     @cached_property
     def shares(self) -> FloatArray:
-        """Voronoi lengths of the nodes for a rod of length 1 (n+1,)."""
+        """Lengths around the nodes (n+1,) for a rod of length 1: half of the edges beside each node."""
         return node_weights(1 / self.edges, self.edges)
 
     @cached_property
     def running(self) -> FloatArray:
-        """Integral of every basis function up to and including each node, for a rod of length 1 (n+1, m)."""
+        """Integrals (n+1, m) of the basis functions up to and including each node, for a rod of length 1."""
         return np.asarray(np.cumsum(self.shares[:, None] * self.basis, axis=0))
 
     def carried(self, rod: MappedRod) -> CarriedWeight:
-        """The weight of a rod, computed once."""
+        """Return the integrated weight of a rod; it is cached."""
 
         def summed() -> CarriedWeight:
             if self.weight is None:
@@ -391,7 +414,7 @@ class StripGrid:
         return bool(np.any(self.e))
 
     def shoot(self, z: FloatArray) -> MappedRod:
-        """Return the rod in balance; if numbers overflow because it winds up, its last moment is not finite."""
+        """Return the rod in equilibrium. Its last moment is not finite if numbers overflow."""
         K, force, length = self._given(z)
         u = self.unknowns
         angles, moments = shoot(
@@ -401,14 +424,15 @@ class StripGrid:
         return self._assemble(z, angles, moments, K, force, length)
 
     def assemble(self, z: FloatArray, angles: FloatArray, moments: FloatArray) -> MappedRod:
-        """Return a rod with angles (n+2,) and moments (n+1,) that need not be in balance."""
+        """Return a rod with given angles (n+2,) and moments (n+1,), which need not be in equilibrium."""
         return self._assemble(z, angles, moments, *self._given(z))
 
     def sensitivities(self, rod: MappedRod, *, closing: bool = False) -> Sensitivities:
-        """Derivatives of angles, moments and positions in z.
+        """Return the derivatives of angles, moments and positions with respect to z.
 
-        The linearised recursion couples each angle and moment to the two before it: one banded triangular solve
-        for all columns. With `closing`, a last column p brings the rod into balance to first order.
+        The linearised recursion couples each angle and moment to the two before it, so all columns are the
+        solution of one banded triangular system. With `closing`, a last column p is the change that brings the rod
+        into equilibrium, to first order.
         """
         columns = self.unknowns.count + closing
         if _native.compiled is None:
@@ -423,7 +447,7 @@ class StripGrid:
 
     @cached_property
     def _rest(self) -> FloatArray:
-        """kappa_0 of every node (n+1,)."""
+        """Rest curvature kappa_0 at the nodes (n+1,), times the unit of length."""
         return np.ascontiguousarray(np.broadcast_to(self.natural_curvature, self.shares.shape), dtype=float)
 
     def _sensitivities_in_python(self, rod: MappedRod, columns: int, closing: bool) -> Sensitivities:
@@ -431,8 +455,8 @@ class StripGrid:
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares
 
-        # unknowns alpha_1, M_1, alpha_2, M_2, ..., alpha_{n+1}; the right-hand sides are the derivatives by the
-        # unknowns z
+        # solve for alpha_1, M_1, alpha_2, M_2, ..., alpha_{n+1}; the right-hand sides are the derivatives of the
+        # recursion with respect to z
         right = np.zeros((2 * n + 1, columns), order="F")
         drive_angle, drive_moment = right[0::2], right[1::2]
         np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[:, u.stiffness])
@@ -482,7 +506,7 @@ class StripGrid:
         return Sensitivities(self, rod, angles, moments, position)
 
     def _band(self, rod: MappedRod) -> FloatArray:
-        """Return the linearised recursion on (alpha_1, M_1, ..., alpha_{n+1}) as a unit lower triangular band."""
+        """Return the unit lower triangular band matrix of the recursion for (alpha_1, M_1, ..., alpha_{n+1})."""
         band = np.empty((3, 2 * self.edges + 1))
         band[0] = 1
         band[1, 0:-1:2] = rod.edge_length * rod.pull  # -dM_i / dalpha_i
@@ -492,7 +516,7 @@ class StripGrid:
         return band
 
     def _given(self, z: FloatArray) -> tuple[FloatArray, FloatArray, float]:
-        """K at the nodes, forces (n+2, 2), length."""
+        """Return K at the nodes (n+1,), the forces (n+2, 2) and the length."""
         u = self.unknowns
         length = float(z[u.length])
         K = self.basis @ z[u.stiffness]

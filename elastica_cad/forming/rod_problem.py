@@ -1,4 +1,4 @@
-"""Request for a nearest rod as a nonlinear program, with its results and binding limits."""
+"""Nonlinear program for the nearest rod, with its result and active limits."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -37,14 +37,15 @@ from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
 from elastica_cad.refusals import Length
 
-_TOO_SENSITIVE = 1e50  # largest derivative, rad per unknown; squares of larger ones overflow
+# largest usable derivative of an angle, rad per unknown; squares of larger derivatives overflow
+_TOO_SENSITIVE = 1e50
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class RodProblem(NonlinearProgram[MappedRod]):
-    """Minimise `distance` over the unknowns of `grid` in a box under `constraints`.
+    """Minimise `distance` over the unknowns of `grid`, within bounds and under `constraints`.
 
-    A point is a rod; its state, angles and moments, follows from the unknowns by the balance of moments.
+    A point is a rod. Its state consists of angles and moments, which follow from the unknowns by equilibrium.
     """
 
     grid: StripGrid
@@ -53,28 +54,28 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
     @cached_property
     def one_sided(self) -> BoolArray:
-        """True for each constraint whose values must be at least 0 instead of 0."""
+        """True for each constraint whose values must be at least 0; False if they must be 0."""
         return np.array([c.one_sided for c in self.constraints], dtype=bool)
 
     @cached_property
     def highest_prices(self) -> FloatArray:
-        """Largest cost of violating a value of each constraint by 1."""
+        """Largest penalty for each constraint for violating a value by 1."""
         return np.array([c.price for c in self.constraints], dtype=float)
 
     def objective(self, point: MappedRod) -> float:
-        """The distance."""
+        """Return the distance from the target."""
         return self.distance.value(point)
 
     def values(self, point: MappedRod) -> list[FloatArray]:
-        """Values of each constraint."""
+        """Return the values of each constraint."""
         return [c.values(point) for c in self.constraints]
 
     def rows(self, point: MappedRod, values: Sequence[FloatArray]) -> tuple[FloatArray, ConstraintRows]:
-        """Return the unknowns of a rod in balance with these values, and its linearised constraints."""
+        """Return the unknowns of a rod in equilibrium, and its linearised constraints with these values."""
         return point.z, self._stacked(self.grid.sensitivities(point), values)
 
     def linearize(self, point: MappedRod) -> Linearization[MappedRod] | None:
-        """Return a rod with its derivatives, or None if they overflow."""
+        """Return the rod with its derivatives, or None if they overflow."""
         if not np.isfinite(point.moments[-1]):
             return None
         sensitivities = self.grid.sensitivities(point, closing=True)
@@ -87,42 +88,42 @@ class RodProblem(NonlinearProgram[MappedRod]):
         )  # fmt: skip
 
     def close(self, point: MappedRod, step: FloatArray | None = None) -> MappedRod | None:
-        """Return the rod in balance, or None if numbers overflow because it winds up."""
+        """Return the rod in equilibrium after a step, or None if numbers overflow."""
         rod = self.grid.shoot(point.z if step is None else self._inside(point.z + step))
         return rod if np.isfinite(rod.moments[-1]) else None
 
     def clip(self, point: MappedRod) -> MappedRod:
-        """Return the rod with its unknowns moved into the box, and unchanged angles and moments."""
+        """Return the rod with its unknowns clipped to their bounds, and unchanged angles and moments."""
         z = self._inside(point.z)
         return point if np.array_equal(z, point.z) else self.grid.assemble(z, point.all_angles, point.moments)
 
     def fallback(self) -> MappedRod:
-        """Return a rod of constant stiffness without forces."""
+        """Return an initial rod of constant stiffness without forces."""
         u = self.grid.unknowns
         z = np.zeros(u.count)
         z[u.stiffness], z[u.length] = 1.0, 1.0
         return self.grid.shoot(self._inside(z))
 
     def apart(self, first: MappedRod, other: MappedRod) -> float:
-        """Mean square distance of the nodes."""
+        """Return the mean square distance between the nodes of two rods."""
         return float(np.mean((first.position - other.position) ** 2))
 
     def for_open_points(self) -> "RodProblem":
-        """Return the problem without the constraints that are only meaningful near balance."""
+        """Return the problem without the constraints that are only meaningful near equilibrium."""
         return replace(self, constraints=tuple(c for c in self.constraints if not c.near_balance_only))
 
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
-        """Return the rod after a change (p + 1,), to first order."""
+        """Return the rod after a change (p + 1,) of `linearize`, to first order."""
         z = self._inside(d.rod.z + change[:-1])
         angles, moments = d.angles @ change, d.moments @ change
         return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
 
     def _inside(self, z: FloatArray) -> FloatArray:
-        """Return the nearest unknowns in the box."""
+        """Return the unknowns clipped to their bounds."""
         return np.asarray(np.clip(z, self.lower, self.upper))
 
     def with_given(self, unknowns: int | slice, value: FloatArray | float) -> "RodProblem":
-        """Return the problem with these unknowns fixed, clipped to the box."""
+        """Return the problem with these unknowns fixed to `value`, clipped to the bounds."""
         lower, upper = self.lower.copy(), self.upper.copy()
         lower[unknowns] = upper[unknowns] = np.clip(value, lower[unknowns], upper[unknowns])
         return replace(self, lower=lower, upper=upper)
@@ -130,8 +131,10 @@ class RodProblem(NonlinearProgram[MappedRod]):
     def _stacked(
         self, sensitivities: Sensitivities, values: Sequence[FloatArray] | None = None
     ) -> ConstraintRows:
-        """Rows of all constraints near a rod; if the derivatives have a closing column, values are those of the
-        closed rod."""
+        """Return the rows of all constraints near a rod.
+
+        If the derivatives have a last column for equilibrium, the values are those of the rod in equilibrium.
+        """
         p = sensitivities.rod.z.size
         if not self.constraints:
             none, empty = np.zeros(0), np.zeros(0, dtype=int)
@@ -149,17 +152,19 @@ class RodProblem(NonlinearProgram[MappedRod]):
         )  # fmt: skip
 
 
-_SAME_LENGTH = 1e-6  # fraction of the length range of a pre-bent strip, as a reserve for rounding
-_SAME_CURVATURE = 1e-6  # fraction of the target's typical curvature, for rounding of a symmetric strip
-_LENGTHS = (0.2, 5.0)  # least and largest length without a limit, in lengths of the target
+_SAME_LENGTH = 1e-6  # reserve for rounding errors, as a fraction of the length range of a pre-bent strip
+# tolerance of the symmetry of a pre-bent strip, as a fraction of the typical curvature
+_SAME_CURVATURE = 1e-6
+_LENGTHS = (0.2, 5.0)  # default limits of the length, in lengths of the target
 
 RodOutcome: TypeAlias = Outcome[MappedRod]
 
 
 class Search(NamedTuple):
-    """Final request of a search with its best outcome, equally near outcomes, and the number of all steps.
+    """Result of a search: its last task and problem, the best outcome, and equally near outcomes.
 
-    `off` is the mean distance after a search from all starts, in diagonals of the target.
+    `steps` is the number of steps from all initial guesses. `off` is the mean distance after the last search from
+    all of them, in diagonals of the target.
     """
 
     task: NearestTask
@@ -171,7 +176,7 @@ class Search(NamedTuple):
 
     @property
     def ended(self) -> SearchPoint:
-        """End of the search, as a start for a similar search."""
+        """End of the search, from which a similar search can begin."""
         target = self.task.target
         return SearchPoint(
             self.best.point.z, self.problem.grid.unknowns, target.size, target.origin, self.off
@@ -179,7 +184,7 @@ class Search(NamedTuple):
 
 
 def pose_problem(task: NearestTask) -> RodProblem:
-    """Convert the request to a nonlinear program."""
+    """Return the nonlinear program for a task."""
     grid = _grid(task)
     lower, upper = _box(task, grid)
     return RodProblem(
@@ -189,7 +194,7 @@ def pose_problem(task: NearestTask) -> RodProblem:
 
 
 def _grid(task: NearestTask) -> StripGrid:
-    """Return the nodes, with the weight that they carry."""
+    """Return the nodes with the basis of the stiffness and the weight."""
     gravity, section, size = task.request.gravity, task.section, task.target.size
     e, weight = np.zeros(2), None
     if gravity is not None and section is None:
@@ -201,7 +206,6 @@ def _grid(task: NearestTask) -> StripGrid:
 
 
 def _moment_scale(task: NearestTask) -> float:
-    """Typical moment."""
     bend = float(np.sqrt(np.mean(task.target.curvature**2)))
     return float(max(1.0, bend * min(2.0, np.sqrt(task.limits.largest_ratio))))
 
@@ -370,7 +374,9 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
 
 
 def _stiffness_box(task: NearestTask, count: int) -> tuple[FloatArray, FloatArray]:
-    """Return bounds of the coefficients: the strictest bound along the strip in the support of each."""
+    """Return the lower and upper bounds of the coefficients of K.
+
+    Each is the strictest bound in the support of its basis function."""
     ratio = task.limits.largest_ratio
     low, high = np.ones(count), np.full(count, ratio)
     if task.limits.stiffness_bounds is None:
@@ -404,11 +410,12 @@ def _pair(point: FloatArray) -> tuple[float, float]:
     return float(point[0]), float(point[1])
 
 
-_IDLE = 1e-6  # fraction of the largest cost; smaller costs are below the accuracy of the quadratic program
+# fraction of the largest effect; smaller effects are within the accuracy of the quadratic program
+_IDLE = 1e-6
 
 
 def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod]) -> tuple[Binding, ...]:
-    """Return all limits with a cost, sorted by the cost of a relative change, the largest first."""
+    """Return all limits that increase the distance, those with the largest effect of a relative change first."""
     size, limits, u = task.target.size, task.limits, problem.grid.unknowns
     if task.request.measure == "max":
         per = size

@@ -1,4 +1,4 @@
-"""Solution of a request for a rod: the rod in the curve, or the nearest rod within limits."""
+"""Solution of a request for a rod: the rod that takes the curve, or the nearest rod within limits."""
 
 from dataclasses import replace
 from typing import Any
@@ -15,14 +15,14 @@ from elastica_cad.refusals import FieldName, Length, note
 
 
 def solve_rod(spec: RodSpec) -> Rod | NearestRod:
-    """Return the rod that rests in the curve, or the nearest rod if the curve may change.
+    """Return the rod that is at rest in the curve, or the nearest rod if the curve may change.
 
     Raises
     ------
     NotRealizable
         No rod takes the curve, and it may not change.
     InputError, NotConvergedError
-        As `optimal_rod`, `optimal_laminate` and `nearest_rod`.
+        See `optimal_rod`, `optimal_laminate` and `nearest_rod`.
     """
     curve, layers, widths = spec.curve_to_bend, spec.layers, spec.widths
     if (spec.between or spec.point_forces) and (spec.may_change or layers is not None):
@@ -49,11 +49,11 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
 
 
 WIDTH_TOLERANCE_MM = 0.1
-"""Difference between the largest width and `max_width`, mm, above which there is a warning."""
+"""Difference between the largest width and `max_width`, mm, above which a warning is added."""
 
 
 def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
-    """Return the rod, with a warning if its largest width is below the allowed width."""
+    """Return the rod, with a warning if its largest width is less than the requested width."""
     widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / PlainSection(widths.sheet).rigidity
     if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
         return rod
@@ -65,7 +65,7 @@ def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
 
 
 def _too_narrow(widths: WidthRange, error: OverloadError) -> InputError:
-    """Return the error for a load that no strip of these widths carries."""
+    """Return the error for a load that no strip within the widths can carry."""
     needed = rounded_up(error.needed / PlainSection(widths.sheet).rigidity, 4)
     changes, otherwise = [Change("max_width", needed)], ""
     if error.thickening is not None:
@@ -86,12 +86,12 @@ def _too_narrow(widths: WidthRange, error: OverloadError) -> InputError:
 
 
 def accepted_rod(result: Rod | NearestRod) -> Rod:
-    """Return the rod of a result, with the warning of the search if there is one.
+    """Return the rod of a result, with a warning if the search has one.
 
     Raises
     ------
     NotMetError
-        No rod near the curve meets the limits; the message has suggestions.
+        No rod near the curve meets the limits. The message has suggestions.
     """
     if isinstance(result, Rod):
         return result

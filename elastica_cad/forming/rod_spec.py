@@ -18,29 +18,29 @@ Weights: TypeAlias = "ArrayLike | Callable[[FloatArray], ArrayLike] | None"
 
 @dataclass(frozen=True, eq=False)
 class RodSpec(RodRequest):
-    """Complete request for a rod, which may follow a smoothed curve or, within limits, leave it.
+    """Request for a rod that follows a drawn or smoothed curve, or for the nearest rod within limits.
 
     Equal requests give equal rods.
 
     Parameters
     ----------
     limits, keep : Limits, Keep, optional
-        If either is given, the curve may change.
+        Limits, and properties to keep. If one of them is given, the curve may change.
     layers : LaminateLayers, optional
-        Layers of a laminate with weight.
+        Layers of a laminate that carries its own weight.
     smooth : float, optional
         Largest distance that smoothing may move the curve, mm: see `smooth_curve`.
     widths : WidthRange, optional
-        Widths of a plain strip that carries loads.
+        Limits of the width of a solid strip that carries loads.
     outline_widths : (float or None, float or None)
-        Requested largest and least width of the strip, mm, for the decision of `smooth_curve`.
+        Requested largest and least width of the strip, mm, with which `smooth_curve` decides.
     weights, measure, coefficients
         Options of the search for the nearest rod, as in `nearest_rod`.
 
     Raises
     ------
     InputError
-        An impossible smoothing.
+        The requested smoothing is impossible.
     """
 
     limits: Limits | None = None
@@ -59,15 +59,15 @@ class RodSpec(RodRequest):
 
     @property
     def may_change(self) -> bool:
-        """True if the rod may leave the drawn curve."""
+        """True if the rod may deviate from the drawn curve."""
         return self.limits is not None or self.keep is not None
 
     @cached_property
     def smoothing(self) -> Smoothing:
-        """The drawn curve and the smoothed curve."""
+        """Drawn curve and smoothed curve."""
         return Smoothing(self.curve, self.smooth, self.supports, self.natural_curvature, self.outline_widths)
 
     @property
     def curve_to_bend(self) -> PlaneCurve:
-        """Smoothed curve."""
+        """Curve of the rod: smoothed, or as drawn."""
         return self.smoothing.curve

@@ -1,4 +1,4 @@
-"""Lines of sections: split, named and sorted, and the smooth curves fitted to them."""
+"""Lines of plane sections, and smooth curves fitted to them."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
@@ -27,20 +27,20 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import Change, Length, Listed, Point, Span, note
 
 IN_PLANE = 1e-12
-"""Distance from a plane, as a fraction of the surface's size, below which a vertex is in the plane."""
+"""Distance below which a vertex is in a plane, as a fraction of the size of the surface."""
 
 
 @dataclass(frozen=True, eq=False)
 class SectionLine:
-    """One line of a section.
+    """One line of a section, as a polyline.
 
-    An open line starts at its lower end (y), or at the left end if both are equally high. A closed line runs
-    anticlockwise from its lowest point, which is repeated at the end.
+    An open line starts at its lower end (smaller y), or at its left end if both are equally high. A closed line is
+    anticlockwise and starts at its lowest point, which is repeated at the end.
 
     Attributes
     ----------
     points : (n, 2) array
-        In the coordinates of the frame, mm.
+        Points in the coordinates of the frame, mm.
     frame : Frame
     name : str
         Name in messages.
@@ -52,7 +52,7 @@ class SectionLine:
 
     @property
     def is_closed(self) -> bool:
-        """True if the line ends at its start."""
+        """True if the line is closed."""
         return bool(np.all(self.points[0] == self.points[-1]))
 
     @property
@@ -62,20 +62,22 @@ class SectionLine:
 
     @property
     def places(self) -> FloatArray:
-        """The points in space (n, 3), mm."""
+        """Points in space (n, 3), mm."""
         return self.frame.point(self.points)
 
     def reversed(self) -> "SectionLine":
-        """The line in the opposite direction."""
+        """Return the line in the opposite direction."""
         return replace(self, points=self.points[::-1])
 
     def split_at(self, points: ArrayLike) -> tuple["SectionLine", ...]:
-        """Split at the places nearest to `points` (k, 2): k + 1 pieces of an open line, k of a closed line.
+        """Return the pieces of the line, split at the positions nearest to `points` (k, 2).
+
+        There are k + 1 pieces of an open line, and k of a closed line.
 
         Raises
         ------
         InputError
-            No points, or two points at the same place.
+            There are no points, or two points give the same position.
         """
         wanted = np.atleast_2d(np.asarray(points, dtype=float))
         if wanted.shape[1] != 2 or not np.all(np.isfinite(wanted)):
@@ -83,7 +85,7 @@ class SectionLine:
         return self._split(np.sort([_nearest(self.points, p) for p in wanted]))
 
     def split_by(self, point: ArrayLike, normal: ArrayLike) -> tuple["SectionLine", ...]:
-        """Split the line at the plane through `point` (3,) with the normal `normal` (3,), such as a spine.
+        """Return the pieces of the line, split at the plane through `point` (3,) with the normal `normal` (3,).
 
         If the plane misses the line, the result is the line itself.
         """
@@ -97,17 +99,17 @@ class SectionLine:
         above = height >= 0
         i = np.flatnonzero(above[:-1] != above[1:])
         cuts = i + height[i] / (height[i] - height[i + 1])
-        if not self.is_closed:  # a plane through an end does not split an open line
+        if not self.is_closed:  # intersections at an end do not split an open line
             cuts = cuts[(cuts > 0) & (cuts < len(self.points) - 1)]
         return self._split(cuts) if cuts.size else (self,)
 
     def split_at_corners(self, turn: float) -> tuple["SectionLine", ...]:
-        """Split the line at corners that turn by more than `turn`, rad; without corners return the line.
+        """Return the pieces of the line, split at corners whose direction changes by more than `turn`, rad.
 
         Raises
         ------
         InputError
-            An angle that is not between 0 and pi.
+            The angle is not between 0 and pi.
         """
         if not 0 < turn < np.pi:
             raise InputError(f"corners turn by an angle between 0 and pi rad, not {turn!r}")
@@ -118,7 +120,7 @@ class SectionLine:
         return self._split(np.sort(corners)) if corners.size else (self,)
 
     def _split(self, cuts: FloatArray) -> tuple["SectionLine", ...]:
-        """Pieces between cuts, which are numbers of points plus fractions of a side."""
+        """Return the pieces between cuts, which are indices of points plus fractions of the following side."""
         last = len(self.points) - 1
         index = np.arange(last + 1)
         at = np.column_stack([np.interp(cuts, index, column) for column in self.points.T])
@@ -151,12 +153,12 @@ class PlaneSection:
     Attributes
     ----------
     name : str
-        Name after the index in the family, such as "section 3".
+        Name from the number of the plane, such as "section 3".
     frame : Frame
     lines : tuple of SectionLine
-        The longest first; empty if the plane misses.
+        Lines, the longest first; empty if the plane misses the surface.
     reports : tuple of str
-        Notes, one sentence each, with section and place.
+        Notes, one sentence each, with the name of the section and the position.
     """
 
     name: str
@@ -166,12 +168,12 @@ class PlaneSection:
 
     @property
     def line(self) -> SectionLine:
-        """The only line.
+        """The line of a section that has only one line.
 
         Raises
         ------
         InputError
-            The section has no line or several lines; choose from `lines`.
+            The section has no line, or several lines; then use `lines`.
         """
         if len(self.lines) != 1:
             reason = (
@@ -184,7 +186,7 @@ class PlaneSection:
 
 
 def _inner_turns(points: FloatArray) -> FloatArray:
-    """Return the turning angles (n - 2,), rad, at the inner points of a polyline (n, 2)."""
+    """Return the changes of direction (n - 2,), rad, at the inner points of a polyline (n, 2)."""
     step = np.diff(points, axis=0)
     return np.abs(turn_between(step[:-1], step[1:]))
 
@@ -198,16 +200,16 @@ def collect_section(
     apart: float,
     missed: Callable[[], str] = lambda: "misses the shape",
 ) -> PlaneSection:
-    """Return a section with its lines (k, 2) named and sorted, the longest first, and with notes.
+    """Return a section with its lines (k, 2) named and sorted, the longest first.
 
     Parameters
     ----------
     half : bool
-        Keep only the part with x >= 0.
+        If True, only the part with x >= 0 is kept.
     apart : float
         Distance, mm, below which neighbouring points are merged.
     missed : callable
-        Returns the words for a plane without a line, such as "misses the shape".
+        Function that returns the text for a plane without a line, such as "misses the shape".
     """
     if require_flag(half, "half"):
         chains = [part for chain in chains for part in _clip_to_right_half(chain)]
@@ -242,7 +244,10 @@ def collect_section(
 
 
 def tidy_points(points: FloatArray, small: float) -> FloatArray:
-    """Remove repeated points, and give the line its standard direction."""
+    """Return the points of a line without repeated points and in the direction of `SectionLine`.
+
+    `small` is the distance below which points are equal.
+    """
     closed = bool(np.all(points[0] == points[-1])) and len(points) > 2
     keep = np.append(True, np.linalg.norm(np.diff(points, axis=0), axis=1) > small)
     points = points[keep]
@@ -265,12 +270,12 @@ def tidy_points(points: FloatArray, small: float) -> FloatArray:
 
 
 def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
-    """The parts of a line with x >= 0."""
+    """Return the parts of a line with x >= 0."""
     closed = bool(np.all(points[0] == points[-1]))
     x = points[:, 0]
     if np.all(x >= 0):
         return [points]
-    if closed:  # start on the other side, so that no part contains the start of the closed line
+    if closed:  # start at x < 0, so that no part contains the start of the closed line
         shift = int(np.argmin(x[:-1]))
         points = np.concatenate([points[shift:-1], points[: shift + 1]])
         x = points[:, 0]
@@ -291,8 +296,10 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
 
 
 def _nearest(points: FloatArray, place: FloatArray) -> float:
-    """Return the position on the polyline nearest to a place, as the number of a point plus a fraction of a
-    side."""
+    """Return the position on a polyline that is nearest to a point.
+
+    It is the index of a vertex plus a fraction of the following side.
+    """
     step = np.diff(points, axis=0)
     u = np.clip(((place - points[:-1]) * step).sum(axis=1) / (step**2).sum(axis=1), 0.0, 1.0)
     off = np.linalg.norm(points[:-1] + u[:, None] * step - place, axis=1)
@@ -306,38 +313,39 @@ def place_in_words(point: FloatArray) -> Point:
 
 
 SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
-"""Default and largest number of smoothed points; their matrix is dense."""
+"""Default and largest number of smoothed points. The number is limited because the matrix of the smoothing is
+dense."""
 
 FALSE_TURN_RAD = np.radians(4.0)
-"""Angle, rad, below which a bend between two inflections is an artefact of the mesh."""
+"""Angle, rad, below which a bend between two inflections counts as an artefact of the mesh."""
 
 FILLED_POINTS = 240
-"""Number of points along a line, besides its vertices, for fitting a curve."""
+"""Approximate number of points that are added to a line before a curve is fitted."""
 
 SAMPLES = 2001
-"""Number of points for the distance between a curve and its section."""
+"""Number of points of a curve at which its distance from the section is computed."""
 
 CLOSED_SHARE = 1e-6
-"""Gap between the ends, as a fraction of the length, below which a line is closed."""
+"""Gap between the ends below which a line is closed, as a fraction of its length."""
 
 CORNER_RADIUS_SHARE = 0.01
-"""Radius, as a fraction of the length, below which a bend is a corner."""
+"""Radius of curvature below which a bend counts as a corner, as a fraction of the length."""
 
 SHARP_TURN_RAD = np.radians(20.0)
-"""Smallest turning angle of a corner, rad."""
+"""Least change of direction at a corner, rad."""
 
 AT_CORNERS = Change("split_corners", True)
-"""Change of the request that a message suggests for a corner."""
+"""Change that is suggested for a line with a corner."""
 
 AT_TWO_PLACES = Change("split", True)
-"""Change of the request that a message suggests for a closed line: split it at a spine or at two points."""
+"""Change that is suggested for a closed line: to split it at a plane or at two points."""
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 
 @dataclass(frozen=True, eq=False)
 class SectionCurve:
-    """A smooth curve in its plane in space.
+    """A smooth curve fitted to the line of a section, in its plane in space.
 
     Attributes
     ----------
@@ -345,9 +353,9 @@ class SectionCurve:
     frame : Frame
     name : str
     deviation : float
-        Largest distance of any point of the section from the curve or of the curve from the section, mm.
+        Largest distance between section and curve, mm, measured from the points of either.
     removed : int
-        False inflections that were smoothed away.
+        Number of false inflections that were removed by smoothing.
     """
 
     curve: PlaneCurve
@@ -358,12 +366,12 @@ class SectionCurve:
 
     @property
     def called(self) -> str:
-        """Name of the section, with its start in space."""
+        """Text with the name of the section and the start of the curve in space."""
         begins = Point(self.frame.point(self.curve.evaluate(self.curve.domain[0])).round(9) + 0.0)
         return note("{name}, from {begins}", name=self.name, begins=begins)
 
     def gravity(self, sheet: Sheet, direction: ArrayLike = (0.0, 0.0, -1.0)) -> Gravity | None:
-        """Return the gravity of a sheet in the plane of the curve, for a `direction` in space."""
+        """Return gravity for a sheet in the plane of the curve, for a `direction` in space."""
         frame = self.frame
         return Gravity.in_plane(sheet.elasto_gravity_length, direction, frame.x_axis, frame.y_axis)
 
@@ -375,29 +383,31 @@ def section_curves(
     wavelength: float = 0.0,
     false_turn: float = FALSE_TURN_RAD,
 ) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
-    """Fit curves of degree 4 to the lines of sections, for `nearest_rods`.
+    """Return curves of degree 4 fitted to the lines of sections, for `nearest_rods`.
 
     Parameters
     ----------
     sections : iterable of PlaneSection or SectionLine
-        All lines of a section are used; closed lines must be split before.
+        Sections, all of whose lines are used, or lines. Closed lines must be split first.
     tolerance : float
-        Largest distance of the (smoothed) points from the curve, mm.
+        Largest distance of the points, after smoothing, from the curve, mm.
     wavelength : float
-        Waves shorter than this (mm) are smoothed first; the ends stay. 0 for no smoothing.
+        Wavelength, mm, below which waves are smoothed first. The ends do not move. 0 for no smoothing.
     false_turn : float
-        Pairs of inflections are removed if the curve turns by less than this angle (rad) between them; 0 keeps all.
+        Angle, rad. Pairs of inflections are removed if the curve turns by less between them. 0 keeps all
+        inflections.
 
     Returns
     -------
     curves : tuple of SectionCurve
+        Curves with their planes.
     reports : tuple of str
-        Notes of the sections, and the reason for each line without a curve.
+        Notes of the sections, and a reason for each line without a curve.
 
     Raises
     ------
     InputError
-        An invalid tolerance, wavelength or angle.
+        The tolerance, wavelength or angle is invalid.
 
     Examples
     --------
@@ -469,9 +479,9 @@ def _curve(
 
 
 def _filled(points: FloatArray) -> FloatArray:
-    """Insert points into a polyline until no gap exceeds 1/240 of its length.
+    """Return a polyline with points inserted so that no side is longer than 1/240 of its length.
 
-    A coarse mesh has few vertices, and a curve through the vertices alone may depart from the lines between them.
+    A coarse mesh has few vertices, and a curve fitted only to them could deviate from the sides between them.
     """
     s = lengths_along(points)
     counts = np.maximum(np.ceil(np.diff(s) / s[-1] * FILLED_POINTS), 1).astype(int)
@@ -486,7 +496,10 @@ def _place(line: SectionLine, point: FloatArray) -> str:
 
 
 def _refuse_corners(line: SectionLine, tolerance: float) -> None:
-    """Refuse a line with a corner; a turn between sides shorter than the tolerance counts as roughness."""
+    """Raise InputError for a line with a corner.
+
+    Corners between sides shorter than the tolerance count as roughness.
+    """
     turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
     turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
     if turned.max(initial=0.0) > SHARP_TURN_RAD:
@@ -519,7 +532,7 @@ def _sharpest(line: SectionLine, turned: FloatArray) -> str:
 
 
 def _departure(line: SectionLine, place: str, tolerance: float, wavelength: float, *, changed: bool) -> str:
-    """Return a message about a curve that is farther from its section than the tolerance."""
+    """Return a message that a curve deviates from its section by more than the tolerance."""
     if wavelength > 0:
         cause = note(
             (
@@ -541,7 +554,7 @@ def _departure(line: SectionLine, place: str, tolerance: float, wavelength: floa
 
 
 def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
-    """Return a message about a bend that is too sharp for a strip, if there is one."""
+    """Return a message about a bend that is too sharp for a strip, as a list that is empty if there is none."""
     samples = curve.sample(SAMPLES)
     worst = int(np.abs(samples.curvature).argmax())
     kappa = abs(float(samples.curvature[worst]))
@@ -562,26 +575,27 @@ def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
 def smooth_polyline(
     points: ArrayLike, wavelength: float, *, where: ArrayLike = (), count: int = SMOOTHED_POINTS
 ) -> FloatArray:
-    """Return points (count, 2) at equal distances along a polyline (n, 2), without short waves; both ends stay.
+    """Return evenly spaced points (count, 2) on a polyline (n, 2), smoothed to remove short waves.
 
-    The points minimise |x - p|^2 + (wavelength / 2 pi)^6 |x'''|^2. This halves a wave as long as `wavelength`, and
-    reduces a wave half as long to 1/65. Parabolas do not change.
+    The points x minimise |x - p|^2 + (wavelength / 2 pi)^6 |x'''|^2 for the unsmoothed points p. The amplitude of
+    a wave of length `wavelength` is halved, and that of a wave of half this length is reduced to 1/65. Parabolas
+    do not change, and both ends do not move.
 
     Parameters
     ----------
     points : (n, 2) array_like
-        mm.
+        Points of the polyline, mm.
     wavelength : float
-        mm.
+        Wavelength, mm.
     where : (k, 2) array_like
-        Pairs of arc lengths, mm, between which to smooth; everywhere by default.
+        Pairs of arc lengths, mm, between which the polyline is smoothed; by default everywhere.
     count : int
         Number of returned points.
 
     Raises
     ------
     InputError
-        A wavelength that is not positive, or points that all coincide.
+        The wavelength is not positive, or all points coincide.
 
     Examples
     --------
@@ -608,7 +622,8 @@ def smooth_polyline(
     if spans.size and spans.shape[1:] != (2,):
         raise InputError("parts to smooth must be rows (k, 2) of finite lengths along the points, in mm")
     counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
-    # with a wavelength of four line lengths only a parabola remains; larger values lose digits
+    # the wavelength is limited, because only a parabola remains for four line lengths, and larger values cause
+    # rounding errors
     share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
     third = third * (np.broadcast_to(counted, middle.shape) * share**3)[:, None]
     system = np.eye(count) + third.T @ third
@@ -621,23 +636,23 @@ def smooth_polyline(
 def remove_false_inflections(
     curve: PlaneCurve, *, turn: float = FALSE_TURN_RAD, give: float | None = None
 ) -> PlaneCurve:
-    """Remove bends that turn by less than `turn` (rad) from a curve; the ends stay.
+    """Return the curve without bends that turn by less than `turn`; its ends do not move.
 
-    A bend is the part between two inflections, or between an inflection and an end. The curve is smoothed there and
-    one wavelength around it, with the shortest sufficient wavelength.
+    A bend is a part between two inflections, or between an inflection and an end. The curve is smoothed along such
+    a part and by one wavelength to both sides, with the shortest sufficient wavelength.
 
     Parameters
     ----------
     curve : PlaneCurve
     turn : float
-        rad.
+        Angle, rad.
     give : float, optional
-        Largest distance that the curve may move, mm; by default 1/100 of its length.
+        Largest distance by which the curve may move, mm; by default 1/100 of its length.
 
     Raises
     ------
     NotConvergedError
-        The bends cannot be removed within `give`.
+        The bends cannot be removed within this distance.
 
     Examples
     --------
@@ -662,7 +677,7 @@ def remove_false_inflections(
             break
         try:
             simpler = PlaneCurve(*fit_spline(even, 4, most / 20), 4)
-        # the curve has kinks at the ends of the smoothed part; a longer wavelength may avoid them
+        # a fit fails for kinks at the ends of the smoothed part, which a longer wavelength may avoid
         except NotConvergedError:
             continue
         if not len(_false_bends(simpler, turn)):
@@ -677,7 +692,7 @@ def remove_false_inflections(
 
 
 def _false_bends(curve: PlaneCurve, turn: float) -> FloatArray:
-    """Parts (k, 2) between neighbouring inflections, arc lengths, that turn by less than `turn`."""
+    """Return the parts between inflections that turn by less than `turn`, as pairs of arc lengths (k, 2)."""
     marks = np.concatenate([[0.0], curve.inflections, [curve.length]])
     if marks.size == 2:
         return np.empty((0, 2))

@@ -1,4 +1,4 @@
-"""Requests for sections of a surface: families of planes, selected lines, and their curves."""
+"""Requests for sections of a surface: families of planes, splitting of lines, and fitted curves."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -23,14 +23,14 @@ MOST_PLANES = 1000
 def parallel_planes(
     point: ArrayLike, normal: ArrayLike, offsets: ArrayLike, *, up: ArrayLike = (0.0, 0.0, 1.0)
 ) -> tuple[Frame, ...]:
-    """Planes across `normal` (3,) through `point` (3,), shifted by `offsets` (k,) mm along it.
+    """Return planes perpendicular to `normal` (3,), at the distances `offsets` (k,), mm, from `point` (3,).
 
-    The y axis of each is as near to `up` as it can be.
+    The y axis of each plane is as near to `up` as possible.
 
     Raises
     ------
     InputError
-        A direction that is zero, or `up` along the normal.
+        A direction is zero, or `up` is along the normal.
 
     Examples
     --------
@@ -48,21 +48,21 @@ def radial_planes(
     *,
     zero: ArrayLike = (1.0, 0.0, 0.0),
 ) -> tuple[Frame, ...]:
-    """Return half planes about an axis: x points away from the axis, y along it; sections have x >= 0.
+    """Return half planes that end at an axis. x points away from the axis, and y is along it.
 
     Parameters
     ----------
     point, axis : (3,) array_like
-        A point (mm) and the direction of the axis.
+        A point on the axis, mm, and the direction of the axis.
     angles : (k,) array_like
-        Angles of the half planes about the axis from `zero`, rad.
+        Angles of the half planes about the axis, measured from `zero`, rad.
     zero : (3,) array_like
-        Direction of angle 0; only its component normal to the axis counts.
+        Direction of the angle 0. Only its component normal to the axis has an effect.
 
     Raises
     ------
     InputError
-        A direction of length zero, or `zero` along the axis.
+        A direction is zero, or `zero` is along the axis.
 
     Examples
     --------
@@ -78,21 +78,22 @@ def radial_planes(
 def planes_along(
     path: ArrayLike, count: int, *, ends: bool = False, up: ArrayLike = (0.0, 0.0, 1.0)
 ) -> tuple[Frame, ...]:
-    """Return planes normal to a path in space, at equal distances along it.
+    """Return planes normal to a path in space, evenly spaced along it.
 
     Parameters
     ----------
     path : (n, 3) array_like
-        Points of the path, mm; many points for a smooth path.
+        Points of the path, mm. A smooth path needs many points.
     count : int
-        Number of planes. The first and the last are half a distance from the ends, or at them with `ends=True`.
+        Number of planes. The first and the last plane are half a spacing from the ends, or at the ends with
+        `ends=True`.
     up : (3,) array_like
         The y axis of each plane is as near to this direction as possible.
 
     Raises
     ------
     InputError
-        Fewer than two different points, no planes, or a path that runs along `up`.
+        There are fewer than two different points or no planes, or the path has the direction of `up`.
 
     Examples
     --------
@@ -118,7 +119,7 @@ def planes_along(
 
 
 def _slopes(s: FloatArray, values: FloatArray) -> FloatArray:
-    """Derivatives (n,) by arc length."""
+    """Return the derivatives (n,) of values with respect to the arc length."""
     if s.size < 3:
         return np.full(s.size, (values[-1] - values[0]) / s[-1])
     return np.asarray(np.gradient(values, s, edge_order=2), dtype=float)
@@ -130,7 +131,7 @@ def _across(point: FloatArray, normal: FloatArray, up: ArrayLike) -> Frame:
 
 
 def _rejected(name: str, value: ArrayLike, along: FloatArray) -> FloatArray:
-    """Return the unit vector of the component of a vector normal to a unit direction."""
+    """Return the unit vector (3,) in the direction of the component of a vector that is normal to `along` (3,)."""
     v = _direction(name, value)
     part = v - (v @ along) * along
     size = float(np.linalg.norm(part))
@@ -155,7 +156,7 @@ def _vector(name: str, value: ArrayLike) -> FloatArray:
 
 
 def _row(name: str, value: ArrayLike) -> list[float]:
-    """A number or a sequence of numbers."""
+    """Return the value, a number or a sequence of numbers, as a list."""
     v = np.atleast_1d(_numbers(name, value))
     if v.ndim != 1:
         raise InputError(f"{name} must be a number or a list of numbers, not an array of shape {v.shape}")
@@ -176,10 +177,10 @@ def _numbers(name: str, value: ArrayLike) -> FloatArray:
 Triple: TypeAlias = tuple[float, float, float]
 
 NAMED_REASONS = 6
-"""Largest number of reasons in a refusal."""
+"""Largest number of reasons that a message lists."""
 
 SAME_PLANE = 1e-9
-"""Largest difference between the numbers of equal planes, as a fraction of the largest number."""
+"""Difference of angles or offsets below which planes are equal, as a fraction of the largest value."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,9 +190,10 @@ class Surface:
     Attributes
     ----------
     points : (n, 3) array
-        Places whose hull holds it, mm: the vertices of a mesh, the corners of a box around a CAD body.
+        Points whose convex hull contains the surface, mm, such as the vertices of a mesh or the corners of a
+        bounding box.
     cut : callable
-        `cut(planes, half)` returns the sections of the surface, by half planes if `half` is True.
+        Function `cut(planes, half)` that returns the sections of the surface, with x >= 0 if `half` is True.
     """
 
     points: FloatArray
@@ -199,29 +201,29 @@ class Surface:
 
     @property
     def middle(self) -> FloatArray:
-        """Middle (3,) of the box around it, mm."""
+        """Centre (3,) of the bounding box, mm."""
         return np.asarray((self.points.min(axis=0) + self.points.max(axis=0)) / 2)
 
     @property
     def size(self) -> float:
-        """Diagonal of the box around it, mm."""
+        """Diagonal of the bounding box, mm."""
         return float(np.linalg.norm(np.ptp(self.points, axis=0)))
 
 
 class Cuts(Protocol):
-    """A family of planes."""
+    """Interface of a family of planes."""
 
     half: ClassVar[bool]
-    """True if the planes end at an axis by default."""
+    """True if only the part with x >= 0 of each section is used by default."""
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
-        """Return the planes for a surface."""
+        """Return the planes that cut a surface."""
         ...
 
 
 @dataclass(frozen=True)
 class RadialCuts:
-    """Half planes about an axis: at `angles`, rad from `zero`, or `count` of them all around."""
+    """Half planes that end at an axis: at given angles, or `count` half planes at equal angles."""
 
     half: ClassVar[bool] = True
     count: Annotated[int, Option("Number of half planes, at equal angles around the axis.", least=1)] = 8
@@ -233,7 +235,7 @@ class RadialCuts:
     zero: Annotated[Triple, Option("Direction of the angle 0.")] = (1.0, 0.0, 0.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
-        """Frames of the planes; they do not depend on the surface."""
+        """Return the planes, which do not depend on the surface."""
         if self.angles is not None:
             _refuse_twice("angles", self.angles, 2 * np.pi)
             return radial_planes(self.point, self.axis, self.angles, zero=self.zero)
@@ -243,7 +245,7 @@ class RadialCuts:
 
 @dataclass(frozen=True)
 class ParallelCuts:
-    """Planes across `normal`: at `offsets` from the point, mm, or through `count` equal slices of the surface."""
+    """Parallel planes: at given offsets from a point, or in the middle of `count` equal slices of the surface."""
 
     half: ClassVar[bool] = False
     normal: Annotated[Triple, Option("Normal of the planes.")]
@@ -255,7 +257,7 @@ class ParallelCuts:
     up: Annotated[Triple, Option("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 
     def frames(self, surface: Surface, /) -> tuple[Frame, ...]:
-        """Return the planes; equal slices depend on the surface."""
+        """Return the planes. Without `offsets` they depend on the extent of the surface."""
         if self.offsets is not None:
             _refuse_twice("offsets", self.offsets)
             return parallel_planes(self.point, self.normal, self.offsets, up=self.up)
@@ -268,7 +270,7 @@ class ParallelCuts:
 
 @dataclass(frozen=True, eq=False)
 class AlongPath:
-    """`count` planes across a path of points (n, 3), mm; `ends` puts the first and the last at its ends."""
+    """Planes normal to a path of points (n, 3), mm: see `planes_along`."""
 
     half: ClassVar[bool] = False
     path: Annotated[FloatArray, Option("Points of the path.", "mm", written=tuple[Triple, ...])]
@@ -277,24 +279,24 @@ class AlongPath:
     up: Annotated[Triple, Option("The y axis of the sections.")] = (0.0, 0.0, 1.0)
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
-        """Frames of the planes; they do not depend on the surface."""
+        """Return the planes, which do not depend on the surface."""
         return planes_along(self.path, _plane_count(self.count), ends=self.ends, up=self.up)
 
 
 @dataclass(frozen=True, eq=False)
 class GivenCuts:
-    """Planes given by their frames."""
+    """Planes that are given as frames."""
 
     half: ClassVar[bool] = False
     planes: tuple[Frame, ...]
 
     def frames(self, _surface: Surface, /) -> tuple[Frame, ...]:
-        """Frames of the planes; they do not depend on the surface."""
+        """Return the planes, which do not depend on the surface."""
         return self.planes
 
 
 class Split(Protocol):
-    """Method to split the line of a section."""
+    """Interface of a method to split the line of a section."""
 
     @property
     def name(self) -> str:
@@ -308,12 +310,12 @@ class Split(Protocol):
 
 @dataclass(frozen=True)
 class PlaneSplit:
-    """Split at a spine: the plane through `point` across `normal`.
+    """Split at the plane through `point` with the normal `normal`.
 
     Raises
     ------
     InputError
-        A normal of zero.
+        The normal is zero.
     """
 
     normal: Annotated[Triple, Option("Normal of the plane.")]
@@ -337,7 +339,7 @@ class PlaneSplit:
 
 @dataclass(frozen=True, eq=False)
 class PointSplit:
-    """Split at the places nearest to points (k, 3) in space."""
+    """Split at the positions nearest to points (k, 3) in space."""
 
     points: Annotated[
         FloatArray, Option("Split at the places nearest to these points.", "mm", written=tuple[Triple, ...])
@@ -352,12 +354,12 @@ class PointSplit:
 
 @dataclass(frozen=True)
 class CornerSplit:
-    """Split at corners that turn by more than `corners`, rad.
+    """Split at corners whose direction changes by more than `corners`, rad.
 
     Raises
     ------
     InputError
-        The angle is not that of a corner.
+        The angle is not between 0 and pi.
     """
 
     corners: Annotated[float, Option("Split where the line turns by more than this angle.", "rad", least=0)]
@@ -378,20 +380,22 @@ class CornerSplit:
 
 @dataclass(frozen=True, eq=False)
 class SectionSpec:
-    """Complete request for sections of a surface.
+    """Request for sections of a surface and for curves fitted to them.
 
     Parameters
     ----------
     cuts : RadialCuts, ParallelCuts, AlongPath or GivenCuts
+        Family of planes.
     half : bool, optional
-        Keep only the part with x >= 0 of each plane; the default for radial cuts.
+        If True, only the part with x >= 0 of each section is used. This is the default for radial cuts.
     longest : bool
-        Keep only the longest line of each section.
+        If True, only the longest line of each section is used.
     splits : sequence of PlaneSplit, PointSplit and CornerSplit
+        Methods by which the lines are split, one after another.
     tolerance : float
         Largest distance of the curves from the sections, mm.
     wavelength : float
-        Waves shorter than this are smoothed first, mm.
+        Wavelength, mm, below which waves are smoothed first.
     """
 
     cuts: Cuts
@@ -402,12 +406,12 @@ class SectionSpec:
     wavelength: float = 0.0
 
     def curves(self, surface: Surface) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
-        """Return a curve for every line that a strip can follow, and notes.
+        """Return the curves of all lines that a strip can follow, and notes.
 
         Raises
         ------
         InputError
-            The planes are invalid, or no strip can follow any section.
+            The planes are invalid, or no strip can follow a section.
         """
         half = self.cuts.half if self.half is None else self.half
         divided = [self._divide(section) for section in surface.cut(self.cuts.frames(surface), half)]
@@ -431,7 +435,7 @@ class SectionSpec:
         )
 
     def _divide(self, section: PlaneSection) -> tuple[PlaneSection, frozenset[str]]:
-        """Return the section with its selected and split lines, and the names of the splits that had an effect."""
+        """Return the section with its lines selected and split, and the names of the splits that had an effect."""
         used = set()
         lines, reports = section.lines, section.reports
         if self.longest and len(lines) > 1:
@@ -463,7 +467,7 @@ class SectionSpec:
 
 
 def _reasons(reports: Sequence[str]) -> str:
-    """Return the reasons why sections gave no strip, as one text."""
+    """Return a text with the reasons why no section gives a strip."""
     refusals = (report for report in reports if isinstance(report, Refusal))
     named = [report for report in refusals if "name" in report.values or report.where]
     reasons: Sequence[str] = named or reports
@@ -473,7 +477,7 @@ def _reasons(reports: Sequence[str]) -> str:
 
 
 def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:
-    """Refuse a repeated plane."""
+    """Raise InputError for a repeated plane. `values` are angles with a `period`, or offsets."""
     order = np.argsort(np.mod(values, period), kind="stable")
     ring = np.append(order, order[:1]) if np.isfinite(period) else order
     steps = np.diff(np.asarray(values)[ring])

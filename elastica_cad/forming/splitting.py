@@ -24,9 +24,10 @@ from elastica_cad.mechanics.loads import (
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, examine_curvature, lengths
 from elastica_cad.refusals import Length, Listed, note
 
-_SHORTEST_SHARE = 1e-4  # least length of a piece, relative to the domain
-_CHOICES = 5  # number of tried places for each support, between its first and last possible place
-_ROUNDS = 2  # number of refinements around the best places
+_SHORTEST_SHARE = 1e-4  # parameter range of an empty part, as a fraction of that of the curve
+# number of positions that are tried for each support, between its first and its last possible position
+_CHOICES = 5
+_ROUNDS = 2  # number of grids, each refined around the best positions
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,11 +37,11 @@ class Splitting:
     Attributes
     ----------
     pieces : tuple of PlaneCurve
-        The parts of the curve between its ends and the supports, cut exactly.
+        Exact parts of the curve between its ends and the supports.
     supports : tuple of float
-        Arc lengths of the supports, mm; each support holds position and tangent.
+        Arc lengths of the supports, mm. Each support holds position and angle.
     ranges : tuple of (float, float)
-        Possible arc lengths (least, largest) of each support without more supports, mm.
+        Least and largest arc length of each support, mm, for which no further supports are needed.
     ratios : tuple of float
         Least stiffness ratio of each piece, max K / min K.
     """
@@ -77,32 +78,33 @@ def split(
 ) -> Splitting:
     """Return the fewest supports along a curve that make every piece realizable, with the least ratios.
 
-    The pieces are separate strips, each clamped at both of its ends: a support holds position and angle. Places are
-    arc lengths from the start of the whole curve. For one strip that slides over a rail, or that a pin or cord
+    The pieces are separate strips, each clamped at both of its ends: a support holds position and angle. Places
+    are arc lengths from the start of the whole curve. For one strip that slides over a rail, or that a pin or cord
     holds, pass `between` to `optimal_rod` instead.
 
-    A part of a realizable curve is realizable, with the same line and no larger ratio. So the fewest pieces result
-    if each piece is as long as possible. The same search from the other end gives the
-    first possible place of each support. Between its first and last place, each support is placed for the least sum
-    of squared ratios.
+    A part of a realizable curve is realizable too, with the same line and at most the same ratio. Therefore the
+    number of pieces is least if each piece is as long as possible. The same search from the other end gives the
+    first possible position of each support. Between its first and its last position, each support is placed so
+    that the sum of the squared ratios is least.
 
     Parameters
     ----------
     ratio : float, optional
-        Largest stiffness ratio of each piece; no limit by default.
+        Largest stiffness ratio of each piece; by default there is no limit.
     supports : Supports
-        Supports of the ends of the whole curve; clamped by default.
+        Supports of the ends of the whole curve; by default both are clamped.
     places : (k,) array_like, optional
-        Possible arc lengths of supports, mm; anywhere by default.
+        Possible arc lengths of supports, mm; by default any.
     tolerance : float
-        Distance, in lengths of the whole curve, below which inflections of a piece count as being on one line.
+        Distance below which inflections of a piece are on one line, in lengths of the whole curve.
 
     Raises
     ------
     NotRealizable
-        No number of supports is sufficient, because the curvature touches zero or there are too few `places`.
+        No number of supports is sufficient, because the curvature touches zero, or because there are too few
+        `places`.
     InputError
-        A ratio below 1, places outside the curve.
+        The ratio is less than 1, or a value of `places` is not finite.
 
     References
     ----------
@@ -129,7 +131,7 @@ def split(
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """A curve to split, and the requirements of its pieces; all places are parameters t."""
+    """A curve to split, and the requirements for its pieces. All positions are parameters of the curve."""
 
     curve: PlaneCurve
     ratio: float | None
@@ -138,13 +140,13 @@ class _Cut:
     tolerance: float
 
     def piece(self, start: float, end: float) -> PlaneCurve:
-        """Return the part between two places."""
+        """Return the part of the curve between two positions."""
         if (start, end) == self.curve.domain:
             return self.curve
         return self.curve.trimmed(start, end)
 
     def ratio_of(self, start: float, end: float) -> float:
-        """Return the least stiffness ratio of a piece, infinite if no strip can take it."""
+        """Return the least stiffness ratio of a piece, or infinity if no strip can take it."""
         try:
             piece, held, tolerance = self._held(start, end)
             if piece.is_straight:
@@ -154,7 +156,7 @@ class _Cut:
             return np.inf
 
     def _held(self, start: float, end: float) -> tuple[PlaneCurve, Supports, float]:
-        """Return a piece, its supports, and the tolerance in lengths of the piece."""
+        """Return a piece, the supports of its ends, and the tolerance in lengths of the piece."""
         low, high = self.curve.domain
         first, last = self.supports.ends
         piece = self.piece(start, end)
@@ -162,7 +164,7 @@ class _Cut:
         return piece, held, self.tolerance * self.curve.length / piece.length
 
     def choices(self, first: float, last: float, known: float) -> FloatArray:
-        """Return a few places between two limits, and a known solution."""
+        """Return a few possible positions between two limits, including `known`."""
         if self.places is None:
             return np.unique(np.append(np.linspace(first, last, _CHOICES), known))
         inside = self.places[(self.places >= first) & (self.places <= last)]
@@ -171,24 +173,24 @@ class _Cut:
 
     @property
     def short(self) -> float:
-        """Parameter length below which a part of the curve is not a piece."""
+        """Parameter range below which a part of the curve counts as empty."""
         low, high = self.curve.domain
         return _SHORTEST_SHARE * (high - low)
 
     @property
     def least(self) -> float:
-        """Least parameter length of a piece between two supports."""
+        """Least parameter range of a piece between two supports."""
         return 100 * self.short
 
     def takes(self, start: float, end: float) -> bool:
-        """Return True if a strip can take the piece within the ratio."""
+        """Return True if a strip can take the piece, within the stiffness ratio."""
         if end - start < self.short:
             return True
         if self.ratio is not None:
             return self.ratio_of(start, end) <= self.ratio
         try:
             piece, held, tolerance = self._held(start, end)
-            if piece.is_closed:  # a closed curve is not a piece, because it has no ends
+            if piece.is_closed:  # a whole closed curve is not a piece, because it has no ends
                 return False
             return examine(piece, held, tolerance=tolerance).realizable
         except InputError:
@@ -196,7 +198,10 @@ class _Cut:
 
     @cached_property
     def marks(self) -> FloatArray:
-        """Places where pieces may have to end exactly: corners, ends of straight parts, jumps, and the end."""
+        """Positions at which pieces may have to end exactly.
+
+        They are corners, ends of straight parts, jumps of the curvature, and the end.
+        """
         marks = [corner.t for corner in self.curve.tangent_breaks]
         for zero in self.curve.curvature_zeros:
             if zero.kind in ("flat", "jump"):
@@ -205,7 +210,7 @@ class _Cut:
         return np.unique(np.array([t for t in (*marks, high) if low < t <= high]))
 
     def reach(self, start: float) -> float:
-        """Return the end of the longest piece from `start`, or `start` if there is none."""
+        """Return the end of the longest possible piece from `start`, or `start` if there is none."""
         near, far = start, self.curve.domain[1]
         for mark in self.marks[self.marks > start]:
             if not self.takes(start, float(mark)):
@@ -218,7 +223,7 @@ class _Cut:
         while far - near > self.short / 10:
             middle = (near + far) / 2
             near, far = (middle, far) if self.takes(start, middle) else (near, middle)
-        # a shorter piece ends exactly at `sure`, because no strip can pass this place
+        # if only a tiny step is possible beyond `sure`, it is a numerical error, and the piece ends at `sure`
         return near if near - sure > self.least else sure
 
     def _reach_of_places(self, start: float, near: float, far: float) -> float:
@@ -233,7 +238,7 @@ class _Cut:
         return float(offered[low]) if low >= 0 else start
 
     def turned(self, t: FloatArray) -> FloatArray:
-        """Parameters of the same places on the reversed curve, in order."""
+        """Return the parameters of the same positions on the reversed curve, in increasing order."""
         return np.asarray((self.curve.knots[0] + self.curve.knots[-1] - t)[::-1])
 
 
@@ -252,11 +257,11 @@ def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | Non
 
 
 def _forwards(cut: _Cut) -> list[float]:
-    """Return the last possible places of the fewest supports."""
+    """Return the last possible positions of the fewest supports."""
     start, high = cut.curve.domain
     supports: list[float] = []
     while not cut.takes(start, high):
-        # keep a last piece for the check, because the only support of a closed curve may give it ends
+        # leave a last piece, because a closed curve needs at least one support
         end = min(cut.reach(start), high - 10 * cut.short)
         if end <= start:
             raise NotRealizable(_stuck(cut, start))
@@ -266,7 +271,7 @@ def _forwards(cut: _Cut) -> list[float]:
 
 
 def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
-    """Return the first possible places of as many supports, from the other end of the curve."""
+    """Return the first possible positions of as many supports, from the other end of the curve."""
     curve = cut.curve
     places = None if cut.places is None else cut.turned(cut.places)
     mirrored = _Cut(curve.reversed(), cut.ratio, cut.supports.reversed(), places, cut.tolerance)
@@ -274,7 +279,7 @@ def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
         earliest = cut.turned(np.array(_forwards(mirrored))).tolist()
     except NotRealizable:
         return latest
-    # both directions need equally many supports, except for pieces at the limit
+    # the number of supports can differ if pieces are at the limit
     return earliest if len(earliest) == len(latest) else latest
 
 
@@ -297,7 +302,10 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
 
 
 def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, float]]) -> list[float]:
-    """Place supports in their ranges for the least sum of squared ratios, by shortest paths on refined grids."""
+    """Return the positions of supports in their ranges with the least sum of squared ratios.
+
+    They are shortest paths on successively refined grids.
+    """
     places = list(latest)
     spans = list(ranges)
     for _ in range(_ROUNDS if cut.places is None else 1):
@@ -312,9 +320,9 @@ def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, fl
 
 
 def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
-    """Return one place of each stage, such that the sum of the squared ratios of the pieces is least.
+    """Return one position of each stage, so that the sum of the squared ratios of the pieces is least.
 
-    The list is empty if every choice has a piece that cannot be bent.
+    The list is empty if every choice has a piece that no strip can take.
     """
     low, high = cut.curve.domain
     chain = [np.array([low]), *stages, np.array([high])]

@@ -1,8 +1,8 @@
-"""Sequential quadratic programming with a trust region and an exact penalty: problem, state and steps.
+"""Sequential quadratic programming with a trust region and an exact penalty: problem, iterates and steps.
 
-A point has unknowns z and a state. At a closed point the state satisfies the state equations, so z determines the
-state.
-The search uses nearly closed points, with values and derivatives that predict the closed point to first order.
+A point has p unknowns z and a state, such as the angles of a rod. In equilibrium the state satisfies the state
+equations, so that z determines it. The search uses points nearly in equilibrium, with derivatives that predict the
+point in equilibrium to first order.
 """
 
 from abc import ABC, abstractmethod
@@ -20,73 +20,80 @@ from elastica_cad.forming.quadratic_program import QuadraticProgram, QuadraticSo
 Point = TypeVar("Point")
 
 KEY_STRIDE = 1_000_000
-"""Factor in the key of a row, constraint * KEY_STRIDE + index; larger than the number of values of a constraint."""
+"""Factor in the key of a row: key = constraint * KEY_STRIDE + index. It is larger than the number of values of any
+constraint."""
 
 
 class ProgramSettings(NamedTuple):
-    """Settings of a search. The defect is the change of state that closes a point, in radians.
+    """Settings of a search. The defect is the change of the state that brings a point into equilibrium, rad.
 
-    States are scaled so that linearity ends at a change of about 1.
+    A change of the state by about 1 rad is too large for a linear model. Radii and distances "in scales" are
+    multiples of the typical sizes of the unknowns.
 
     Attributes
     ----------
     steps, lifted_steps : int
-        Largest number of quadratic programs of one search (usual searches take less than half), and of lifted
-        steps, which converge quadratically or not at all.
+        Largest numbers of quadratic programs in a search, of which usually less than half are needed, and of
+        lifted steps (see `lift`), which converge quadratically or not at all.
     progress_tolerance : float
-        The search ends when a step promises to reduce the objective by less than this fraction.
+        Predicted relative reduction of the objective by a step below which the search ends.
     resolution : float
-        Absolute accuracy of an objective of order 1 (half a mean square), about 1 um on a strip of 300 mm.
+        Absolute accuracy of the objective, which is half a mean square distance; about 1 um for a strip of 300 mm.
     smallest_radius, lifted_radius : float
-        Radius of the trust region, in scales, at which the search is given up; and the radius of lifted steps.
+        Radius of the trust region, in scales, at which the search ends without success, and the radius of lifted
+        steps.
     ascent_radius : float
-        Radius, in scales, below which a step that makes the objective worse ends the search.
+        Radius, in scales, below which a step that increases the objective ends the search.
     damping, lifted_damping : float
-        Damping of steps and of the first lifted step, relative to the largest curvature of the objective. It keeps
-        the quadratic program strictly convex, and selects the smallest of several possible changes.
+        Damping of steps and of the first lifted step, relative to the largest second derivative of the objective.
+        It makes the quadratic program strictly convex, and selects the smallest of several possible changes.
     damping_cost : float
-        Largest fraction of the objective that damping may add to a step of one scale.
+        Largest cost that damping adds to a step of length 1 in scales, as a fraction of the objective.
     least_damping : float
-        Least remaining fraction of the damping when steps achieve the predicted decrease.
+        Least fraction of the damping that remains if steps achieve the predicted decrease.
     lifted_tolerance, lifted_progress : float
-        Lifted steps end when a step changes the state by less than `lifted_tolerance` and leaves more than the
-        fraction `lifted_progress` of the objective.
+        Lifted steps end if a step changes the state by less than `lifted_tolerance`, rad, and reduces the
+        objective to more than the fraction `lifted_progress`.
     patience, stall_fraction, stall_violation : int, float, float
-        The search ends when `patience` steps leave more than the fraction `stall_fraction` of the violation, unless
-        the violation is below `stall_violation`.
+        The search ends if `patience` steps reduce the violation to more than the fraction `stall_fraction`, unless
+        the violation is less than `stall_violation`.
     same_optimum : float
-        A search ends near a known optimum, within this fraction of the distance of that optimum.
+        Distance from a known optimum at which a search ends, as a fraction of the distance of that optimum from
+        the target.
     sensitivity : float
-        Square root of the curvature of the objective, per scale, above which an unknown gets a finer scale.
+        Square root of the second derivative of the objective, per scale, above which the scale of an unknown is
+        reduced.
 
     newton_steps : int
-        Newton corrections for one iterate; each squares the defect.
+        Largest number of Newton corrections of an iterate. Each squares the defect.
     bound_tolerance : float
-        Distance from a bound, in scales, below which an unknown is at the bound.
+        Distance from a bound, in scales, below which an unknown counts as at the bound.
     closed_defect : float
-        Defect below which a point counts as closed, because its square is below rounding.
+        Defect below which a point counts as in equilibrium, because the square of the defect is less than rounding
+        errors.
     divergence_defect, start_defect : float
-        Defect (about a quarter turn) above which a point cannot be closed; and the largest defect of a start, which
-        is otherwise replaced by the closed point of its unknowns.
+        Defect above which Newton corrections diverge (about a quarter turn), and largest defect of an initial
+        point. An initial point with a larger defect is replaced by the point in equilibrium with the same
+        unknowns.
     tolerated_defect : float
-        Largest defect of an iterate that is not reliable; its effect is about 1 %.
+        Largest accepted defect if Newton corrections do not converge. Its effect is about 1 %.
     defect_reduction : float
-        A rejected point is accepted if its defect is below this fraction of the present defect.
+        Fraction of the present defect below which the defect of a rejected point makes it acceptable.
     reliability : float
-        Largest uncertainty, as a fraction of the promised decrease of a step.
+        Largest uncertainty of the merit, as a fraction of the predicted decrease.
     large_violation : float
-        Value of a badly violated constraint, 100 times the tolerance.
+        Violation that counts as large: 100 times the tolerance.
 
     clearance : float
-        Distance that is kept from an active limit, so that rounding does not violate it.
+        Distance from an active limit, so that rounding errors do not violate it.
     exact_steps : int
-        Number of Newton steps at the end of a search; each squares the remaining violation, down to rounding.
+        Number of Newton steps at the end of a search. Each squares the remaining violation.
     correctable_violation, exact_violation : float
-        Largest violation that the Newton steps correct, and the violation at which they end.
+        Largest violation that these Newton steps correct, and violation at which they end.
     correction_bound : float
-        Bound on a Newton step and on its multipliers, in multiples of the violation.
+        Bound of these Newton steps and of their multipliers, as a multiple of the violation.
     correction_accuracy : float
-        Accuracy of a Newton step; the next step corrects the error.
+        Accuracy of these Newton steps. It is low, because the next step corrects the error.
     """
 
     steps: int = 80
@@ -131,14 +138,14 @@ SETTINGS = ProgramSettings()
 
 @dataclass(frozen=True, eq=False)
 class LocalModel:
-    """value + h^T d + d^T H d / 2, plus the largest of peaks + peak_rows d where there are peaks.
+    """Model of the objective for a step d: value + gradient^T d + d^T hessian d / 2 + max(peaks + peak_rows d).
 
     Attributes
     ----------
     value : float
     hessian, gradient : (p, p), (p,) arrays
     peaks, peak_rows : (k,), (k, p) arrays
-        Empty for smooth objectives.
+        Terms of the maximum, which is omitted for smooth objectives (k = 0).
     """
 
     value: float
@@ -150,19 +157,19 @@ class LocalModel:
 
 @dataclass(frozen=True, eq=False)
 class ConstraintRows:
-    """Stacked rows (value + jacobian @ step) of the constraints that a step may violate.
+    """Linearised values of the constraints that a step may violate: value + jacobian @ step.
 
     Attributes
     ----------
     constraint, index : (j,) arrays
-        Number of each row's constraint, and its index in the values of the constraint.
+        Index of the constraint of each row, and index of the row in the values of this constraint.
     value : (j,) array
-        Value at the closed point, if the rows are from a linearization.
+        Values without a step. In a `Linearization` they are those of the point in equilibrium.
     jacobian : (j, p) array
     price : (j,) array
-        Largest cost of violating a row by 1.
+        Largest penalty for violating a row by 1.
     one_sided : (j,) boolean array
-        True if the row must be at least 0 instead of 0.
+        True if the value must be at least 0; False if it must be 0.
     """
 
     constraint: IntArray
@@ -175,21 +182,24 @@ class ConstraintRows:
 
 @dataclass(frozen=True, eq=False)
 class Linearization(Generic[Point]):
-    """A point and its response to changes (p + 1,) of its unknowns and of the fraction of residuals that is closed.
+    """A point with its derivatives.
+
+    A change (p + 1,) is a change of the unknowns, followed by the fraction of the residuals of the state equations
+    that is removed.
 
     Attributes
     ----------
     point : Point
     z : (p,) array
-        Its unknowns.
+        Unknowns of the point.
     rows : ConstraintRows
-        Constraints as functions of steps (p,) from the closed point, at which the residuals are 0.
+        Constraints as functions of steps (p,) from the point in equilibrium.
     model : LocalModel
         The objective as a function of the same steps.
     state_jacobian : (k, p + 1) array
-        Jacobian of the part of the state that measures linearity, scaled to order 1 where linearity ends.
+        Jacobian of the part of the state that limits the linear model, rad.
     moved : callable
-        Returns the point after a change, to first order, with the unknowns in their box.
+        Function that returns the point after a change, to first order, with the unknowns within their bounds.
     """
 
     point: Point
@@ -202,12 +212,12 @@ class Linearization(Generic[Point]):
 
 @dataclass(frozen=True, eq=False)
 class NonlinearProgram(ABC, Generic[Point]):
-    """Minimise an objective over unknowns in a box under constraints.
+    """Problem to minimise an objective over p bounded unknowns under c constraints.
 
     Attributes
     ----------
     lower, upper : (p,) arrays
-        Equal where an unknown is given.
+        Bounds of the unknowns. They are equal for a fixed unknown.
     scale : (p,) array
         Typical sizes of the unknowns.
     """
@@ -219,53 +229,53 @@ class NonlinearProgram(ABC, Generic[Point]):
     @property
     @abstractmethod
     def one_sided(self) -> BoolArray:
-        """True for each constraint (c,) whose values must be at least 0 instead of 0."""
+        """True for each constraint (c,) whose values must be at least 0; False if they must be 0."""
 
     @property
     @abstractmethod
     def highest_prices(self) -> FloatArray:
-        """Largest multiplier (c,) among the values of each constraint."""
+        """Largest penalty (c,) of each constraint for violating a value by 1."""
 
     @abstractmethod
     def objective(self, point: Point) -> float:
-        """Return the number to minimise."""
+        """Return the value to minimise."""
 
     @abstractmethod
     def apart(self, first: Point, other: Point) -> float:
-        """Mean square distance of two points, in the unit of the objective."""
+        """Return the mean square distance between two points, in the unit of the objective."""
 
     @abstractmethod
     def values(self, point: Point) -> Sequence[FloatArray]:
-        """Values of each constraint."""
+        """Return the values of each constraint."""
 
     @abstractmethod
     def rows(self, point: Point, values: Sequence[FloatArray]) -> tuple[FloatArray, ConstraintRows]:
-        """Return the unknowns of a closed point, and the constraints for steps between closed points."""
+        """Return the unknowns of a point in equilibrium, and its linearised constraints."""
 
     @abstractmethod
     def linearize(self, point: Point) -> Linearization[Point] | None:
-        """Return the point, closed or not, with its derivatives, or None if they are unusable."""
+        """Return a point, which need not be in equilibrium, with its derivatives, or None if they overflow."""
 
     @abstractmethod
     def close(self, point: Point, step: FloatArray | None = None) -> Point | None:
-        """Return the closed point for the unknowns of `point` after a step (p,) in the box, or None."""
+        """Return the point in equilibrium with the unknowns of `point` plus a step (p,), or None."""
 
     @abstractmethod
     def clip(self, point: Point) -> Point:
-        """Return the point with its unknowns moved into the box and its state unchanged."""
+        """Return the point with its unknowns clipped to their bounds and its state unchanged."""
 
     @abstractmethod
     def fallback(self) -> Point:
-        """Return a closed point to start from if a search finds none."""
+        """Return a point in equilibrium that is used if no other initial point is found."""
 
     @abstractmethod
     def for_open_points(self) -> "NonlinearProgram[Point]":
-        """Return the program without the constraints that are only meaningful for nearly closed points."""
+        """Return the program without the constraints that are only meaningful near equilibrium."""
 
 
 @dataclass(frozen=True, eq=False)
 class ActiveSet:
-    """Rows, given by their keys (k,), that have the values `aim` (k,) when the point is closed."""
+    """Rows with the keys `keys` (k,) and the values `aim` (k,) that they must have in equilibrium."""
 
     keys: IntArray
     aim: FloatArray
@@ -275,20 +285,20 @@ _NONE_ACTIVE = ActiveSet(np.zeros(0, dtype=int), np.zeros(0))
 
 
 def _row_keys(rows: ConstraintRows) -> IntArray:
-    """Return a key for each row that does not depend on the point."""
+    """Return a key for each row that is the same for all points."""
     return rows.constraint * KEY_STRIDE + rows.index
 
 
 @dataclass(frozen=True, eq=False)
 class Iterate(Generic[Point]):
-    """The present, nearly closed point of a search.
+    """The present point of a search, nearly in equilibrium.
 
     Attributes
     ----------
     program : NonlinearProgram
     local : Linearization
     active : ActiveSet
-        Rows that keep their aim when the point is closed.
+        Rows with given values in equilibrium.
     """
 
     program: NonlinearProgram[Point]
@@ -297,7 +307,10 @@ class Iterate(Generic[Point]):
 
     @cached_property
     def change(self) -> FloatArray:
-        """Least step (p + 1,) that closes the point to first order with the active rows at their aim; ends in 1."""
+        """Least change (p + 1,) that brings the point into equilibrium, to first order.
+
+        The active rows then have their given values.
+        """
         change = np.zeros(self.local.z.size + 1)
         change[-1] = 1.0
         if self.active.keys.size:
@@ -309,54 +322,54 @@ class Iterate(Generic[Point]):
             free = room > SETTINGS.bound_tolerance * program.scale
             s = program.scale[free]
             gap = self.active.aim[there] - rows.value[here]
-            # if there are more rows than free unknowns, the most sensitive rows have priority
+            # if there are more rows than free unknowns, the least-squares solution mainly meets the most sensitive
+            # rows
             change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
         return change
 
     @cached_property
     def defect(self) -> float:
-        """Largest change of the state that closes the point."""
+        """Largest change of the state that brings the point into equilibrium, rad."""
         return float(np.abs(self.local.state_jacobian @ self.change).max())
 
     @property
     def equalities(self) -> ActiveSet:
-        """All equalities as an active set."""
+        """Active set of all equality constraints."""
         keys = _row_keys(self.local.rows)[~self.local.rows.one_sided]
         return ActiveSet(keys, np.zeros(keys.size))
 
     @cached_property
     def objective(self) -> float:
-        """Objective of the closed point, to second order in the defect."""
+        """Objective of the point in equilibrium, to second order in the defect."""
         return self._expected(self.change[:-1])
 
     @cached_property
     def violation(self) -> float:
-        """Largest violation of a constraint at the closed point, to first order."""
+        """Largest violation of a constraint in equilibrium, to first order."""
         return float(self._broken_closed.max(initial=0.0))
 
     @cached_property
     def _broken_closed(self) -> FloatArray:
-        """Violation of each row at the closed point, to first order."""
+        """Violation of each row in equilibrium, to first order."""
         return self._broken(self.change[:-1])
 
     def merit(self, prices: FloatArray) -> float:
-        """Return the objective plus the price of violations at the closed point."""
+        """Return the merit: the objective plus the penalties for violations, in equilibrium."""
         return self.objective + self._cost(self._broken_closed, prices)
 
     def predicted_merit(self, step: FloatArray, prices: FloatArray) -> float:
-        """Return the merit that the local program predicts after a step."""
+        """Return the merit after a step (p,), as predicted by the linearisation."""
         return self._expected(step) + self._cost(self._broken(step), prices)
 
     def is_reliable(self, promise: float, highest_price: float) -> bool:
-        """Return True if the error of the predicted closed point, of second order, is small compared with the
-        decrease."""
+        """Return True if the error of the predicted equilibrium is small compared with the decrease `promise`."""
         if not self.defect**2 * highest_price < SETTINGS.reliability * promise:  # whatever the objective
             return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
         return self.defect**2 * (weight + highest_price) < SETTINGS.reliability * promise
 
     def restores_feasibility(self, step: FloatArray) -> bool:
-        """Return True if a step removes most of a large violation, even if the merit decreases little."""
+        """Return True if a step at least halves a large violation, even if the merit decreases little."""
         return self.violation > SETTINGS.large_violation and bool(
             self._broken(step).max(initial=0.0) < 0.5 * self.violation
         )
@@ -368,26 +381,26 @@ class Iterate(Generic[Point]):
         return smooth + (float((model.peaks + model.peak_rows @ step).max()) if model.peaks.size else 0.0)
 
     def _broken(self, step: FloatArray) -> FloatArray:
-        """Violation of each row after a step (p,)."""
+        """Return the violation of each row after a step (p,)."""
         rows = self.local.rows
         value = rows.value + rows.jacobian @ step
         return np.where(rows.one_sided, np.maximum(-value, 0.0), np.abs(value))
 
     def _cost(self, broken: FloatArray, prices: FloatArray) -> float:
-        """Return the total price of the violations of rows."""
+        """Return the sum of the penalties for violations of rows."""
         return float(prices[self.local.rows.constraint] @ broken)
 
 
 def iterate_at(
     program: NonlinearProgram[Point], point: Point, active: ActiveSet = _NONE_ACTIVE
 ) -> Iterate[Point] | None:
-    """Return the iterate of a point, closed or not, or None if its derivatives are unusable."""
+    """Return the iterate of a point, which need not be in equilibrium, or None if its derivatives overflow."""
     local = program.linearize(point)
     return None if local is None else Iterate(program, local, active)
 
 
 def meet_equalities(here: Iterate[Point]) -> Iterate[Point]:
-    """Return the iterate of a point that is closed by the least change meeting every equality."""
+    """Return the iterate with all equality constraints as its active set."""
     return replace(here, active=here.equalities)
 
 
@@ -396,10 +409,10 @@ def follow_step(
 ) -> Iterate[Point] | None:
     """Return the iterate after a step (p + 1,), or None if its state does not converge.
 
-    The state first changes linearly. Newton steps then close the point and move active rows to their predicted
-    values, with the least change of the free unknowns. They end when the second-order error is small compared with
-    the predicted decrease. Steps can be far larger than
-    if the state were solved anew for the new unknowns, and the Maratos effect is avoided.
+    The state first changes linearly. Newton steps then bring the point into equilibrium and the active rows to
+    their predicted values, with the least change of the unknowns. They end when the second-order error is small
+    compared with the predicted decrease. Steps can be much larger than if the state were computed anew for the new
+    unknowns, and the Maratos effect is avoided.
     """
     here, change = start, step
     for _ in range(SETTINGS.newton_steps):
@@ -413,7 +426,7 @@ def follow_step(
 
 
 def close_iterate(start: Iterate[Point], active: ActiveSet) -> Point | None:
-    """Return the closed point near an iterate, or None."""
+    """Return the point in equilibrium near an iterate, or None."""
     here = start
     for _ in range(2 * SETTINGS.newton_steps):
         if not here.defect < SETTINGS.divergence_defect:
@@ -428,20 +441,21 @@ def close_iterate(start: Iterate[Point], active: ActiveSet) -> Point | None:
 
 @dataclass(frozen=True, eq=False)
 class Outcome(Generic[Point]):
-    """The end of a search.
+    """Result of a search.
 
     Attributes
     ----------
     point : Point
-        Closed.
+        Point in equilibrium.
     objective, violation : float
     multipliers : tuple of (k,) arrays
-        d(objective) / d(value) for the values of each constraint.
+        Derivatives of the objective with respect to the values of each constraint.
     at_lower, at_upper : (p,) arrays
-        Multipliers of the box.
+        Multipliers of the lower and the upper bounds.
     iterations : int
     settled, stalled : bool
-        True if no step promises a further decrease; True if the violation decreased too slowly.
+        `settled` is True if no step predicts a further decrease. `stalled` is True if the violation decreased too
+        slowly.
     """
 
     point: Point
@@ -456,11 +470,10 @@ class Outcome(Generic[Point]):
 
 
 def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
-    """Find a nearly closed point near a point that is far from closed.
+    """Return a point nearly in equilibrium near a point that is far from equilibrium.
 
-    Here the state is an unknown, and its linearised equations are an additional constraint. The quadratic program
-    is therefore convex for any start. The first step weights the error of the equations by
-    its effect on the objective.
+    In these lifted steps the state is an additional unknown, and the linearised state equations are a constraint.
+    Therefore the quadratic program is convex for any start.
     """
     program = program.for_open_points()
     point = best = start
@@ -477,7 +490,7 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
         point = here.local.moved(change)
         after = program.objective(point)
         changed = float(np.abs(here.local.state_jacobian @ change).max())
-        # closing the point may increase the distance by a term of second order in the change of state
+        # equilibrium may increase the distance by a term of second order in the change of the state
         if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
             best, least = point, rank
         if (
@@ -492,16 +505,18 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
 def minimize(
     program: NonlinearProgram[Point], start: Point, *, known: Sequence[Outcome[Point]] = ()
 ) -> Outcome[Point]:
-    """Find a local minimum from a point that need not be closed; end early near a `known` optimum.
+    """Return a local minimum, found from a point that need not be in equilibrium.
 
-    Each step solves one quadratic program: a local model of the objective, linearised constraints with penalties,
-    and a box of one radius (in scales). The state follows the unknowns (see `follow_step`). The penalties of the
-    merit function follow the multipliers (Powell's rule).
+    The search ends early near an optimum in `known`.
+
+    Each step solves a quadratic program: a model of the objective, linearised constraints with penalties, and a
+    trust region. Then the state is brought into equilibrium (see `follow_step`). The penalties of the merit
+    function are computed from the multipliers (Powell's rule).
 
     Raises
     ------
     NotConvergedError
-        No first point was found.
+        No initial point was found.
     """
     walk = _Walk(_begin(program, start), np.zeros(program.highest_prices.size))
     iteration, broken, stalled = 0, [walk.here.violation], False
@@ -527,23 +542,23 @@ def minimize(
 
 @dataclass(eq=False)
 class _Walk(Generic[Point]):
-    """State of a search between iterates.
+    """State of a search.
 
     Attributes
     ----------
     here : Iterate
     prices : (c,) array
-        Penalty of every constraint in the merit function.
+        Penalties of the constraints in the merit function.
     radius : float
         Radius of the trust region, in scales.
     damping_fraction : float
-        Fraction of the full damping; it decreases when steps achieve the predicted decrease.
+        Fraction of the full damping. It is reduced if steps achieve the predicted decrease.
     solved : pair of ConstraintRows and QuadraticSolution, or None
         The last quadratic program.
     settled : bool
-        True if no step predicts a decrease above the accuracy of the search.
+        True if no step predicts a decrease that exceeds the accuracy of the search.
     active : ActiveSet
-        Constraints that the last step made active.
+        Rows that are active after the last step.
     """
 
     here: Iterate[Point]
@@ -557,18 +572,18 @@ class _Walk(Generic[Point]):
         self.active = self.here.equalities
 
     def advance(self) -> None:
-        """Try steps with decreasing radii, until a step is accepted or the radius is too small."""
+        """Try steps with decreasing radii until a step is accepted or the radius is too small."""
         while self.radius > SETTINGS.smallest_radius and not self._try_step():
             pass
 
     def end(self) -> Point:
-        """Return the closed point at the end of the search."""
+        """Return the point in equilibrium at the end of the search."""
         program = self.here.program
         point = close_iterate(self.here, self.active) or program.close(self.here.local.point)
         return point or program.fallback()
 
     def _try_step(self) -> bool:
-        """Try one step of the quadratic program; return False if it must be repeated with the new radius."""
+        """Try one step, and return False if it must be repeated with a smaller radius."""
         here = self.here
         damping = self.damping_fraction * _damping(here, SETTINGS.damping, SETTINGS.damping_cost)
         solved = _solve_step(here, self.radius, damping)
@@ -587,7 +602,7 @@ class _Walk(Generic[Point]):
         reliable = here.is_reliable(worth, highest)
         if reliable and promised <= floor and not here.restores_feasibility(step):
             if promised < -floor and self.radius > SETTINGS.ascent_radius:
-                # the step does not solve the program: try a shorter step with full damping
+                # the step is wrong, because it increases the merit: try a shorter step with full damping
                 self.damping_fraction, self.radius = 1.0, 0.25 * self.radius
                 return False
             self.settled = True
@@ -607,9 +622,9 @@ class _Walk(Generic[Point]):
     def _nearer(
         self, trial: Iterate[Point] | None, promise: float, highest_price: float
     ) -> Iterate[Point] | None:
-        """Return an iterate that is nearer to being closed, or None.
+        """Return an iterate that is nearer to equilibrium, or None.
 
-        The merit of an unreliable iterate may differ much from that of its closed point.
+        It is used if the predicted merit in equilibrium is not reliable.
         """
         here = self.here
         nearer = follow_step(here, here.change, self.active, promise, highest_price)
@@ -621,8 +636,10 @@ class _Walk(Generic[Point]):
         return nearer
 
     def _adapt(self, gain: float, size: float, *, accepted: bool) -> None:
-        """Change radius and damping after a step of `size` scales that achieved the fraction `gain` of its
-        prediction."""
+        """Change radius and damping after a step.
+
+        `size` is its length in scales, and `gain` the achieved fraction of the predicted decrease.
+        """
         if gain > 0.75:
             self.radius = max(self.radius, min(5.0, 2 * size))
             self.damping_fraction = max(0.1 * self.damping_fraction, SETTINGS.least_damping)
@@ -631,7 +648,7 @@ class _Walk(Generic[Point]):
 
 
 def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
-    """Return the first iterate: the start, or the closed point of its unknowns if the start cannot be closed."""
+    """Return the first iterate: the start, or the point in equilibrium with the same unknowns."""
     point = program.clip(start)
     here = iterate_at(program, point)
     if here is not None:
@@ -646,7 +663,7 @@ def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
 
 
 def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution) -> ActiveSet:
-    """Equalities, and the limits that are active after a step, with their values after the step."""
+    """Return the equality constraints and the active inequality constraints after a step, with their values."""
     rows = here.local.rows
     y = solution.row_multipliers[: rows.value.size]
     touched = ~rows.one_sided | (y > 1e-6 * rows.price)
@@ -656,7 +673,10 @@ def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution
 def _prices(
     program: NonlinearProgram[Point], rows: ConstraintRows, solution: QuadraticSolution, before: FloatArray
 ) -> FloatArray:
-    """Prices for the merit function: 1.5 times the multipliers, decreasing step by step (Powell's rule)."""
+    """Return the penalties of the merit function (Powell's rule).
+
+    They are 1.5 times the multipliers, but at least a tenth of the penalties `before`.
+    """
     y = np.abs(solution.row_multipliers[: rows.value.size])
     largest = np.zeros_like(before)
     np.maximum.at(largest, rows.constraint, 1.5 * y)
@@ -666,7 +686,7 @@ def _prices(
 def _solve_step(
     here: Iterate[Point], radius: float, damping: float
 ) -> tuple[FloatArray, QuadraticSolution] | None:
-    """Return the step (p,) for the linearised problem in a box, and the solution in scales.
+    """Return the step (p,) that solves the linearised problem in the trust region, and the solution in scales.
 
     `radius` is in scales, and `damping` is added to the diagonal of the scaled Hessian. Return None if the step is
     not finite.
@@ -674,7 +694,7 @@ def _solve_step(
     program, local = here.program, here.local
     rows, model, z = local.rows, local.model, local.z
     p = z.size
-    # use finer scales for very sensitive unknowns, which would determine the accuracy of all unknowns
+    # reduce the scales of very sensitive unknowns, which would otherwise reduce the accuracy of all others
     curved = model.hessian.diagonal() * (program.scale / SETTINGS.sensitivity) ** 2
     fine = np.sqrt(np.maximum(1.0, curved))
     s = program.scale / fine
@@ -683,7 +703,7 @@ def _solve_step(
     upper = np.minimum((program.upper - z) / s, radius * fine)
     jacobian, value, price, one_sided = rows.jacobian * s, rows.value, rows.price, rows.one_sided
     if model.peaks.size:
-        # additional unknown t >= every peak; its price makes these rows exact
+        # an additional unknown t is at least as large as every peak; the large penalty makes these rows exact
         k, top = model.peaks.size, float(model.peaks.max())
         hessian, gradient = np.pad(hessian, (0, 1)), np.append(gradient, 1.0)
         lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
@@ -702,10 +722,10 @@ def _solve_step(
 
 
 def _damping(here: Iterate[Point], most: float, share: float) -> float:
-    """Return the damping of long steps without effect, which decreases with the objective.
+    """Return the damping of long steps that have little effect.
 
-    It is at most the fraction `most` of the Hessian's largest entry, and a step of one scale costs at most `share`
-    of the objective; an infinite `share` selects the former.
+    It is at most the fraction `most` of the largest entry of the Hessian. The cost of a step of length 1 in scales
+    is at most the fraction `share` of the objective.
     """
     model = here.local.model
     largest = most * float(model.hessian.diagonal().max())
@@ -726,9 +746,9 @@ def worst_broken(program: NonlinearProgram[Point], values: Sequence[FloatArray])
 
 
 def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
-    """Return a point near a closed point that meets equalities and nearly met limits up to rounding.
+    """Return a point in equilibrium that meets the nearly met constraints up to rounding errors.
 
-    The method is Newton's, with least steps of the unknowns within their box.
+    The method is Newton's, with steps of least norm within the bounds.
     """
     best, least = point, np.inf
     for _ in range(SETTINGS.exact_steps):
@@ -742,7 +762,7 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
             break
         if missed <= SETTINGS.exact_violation or missed > SETTINGS.correctable_violation:
             break
-        # scales in which no row changes fast, because one unknown may dominate all rows
+        # scales for which all rows have moderate derivatives
         s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
         bound = SETTINGS.correction_bound
         lower, upper = ((limit - z) / s / missed for limit in (program.lower, program.upper))
@@ -765,7 +785,7 @@ def _multipliers(
     values: Sequence[FloatArray],
     solved: tuple[ConstraintRows, QuadraticSolution] | None,
 ) -> tuple[tuple[FloatArray, ...], FloatArray, FloatArray]:
-    """Return d(objective) / d(value) of constraints and box from the last quadratic program."""
+    """Return the multipliers of the constraints and bounds from the last quadratic program."""
     out = [np.zeros_like(v) for v in values]
     if solved is None:
         return tuple(out), np.zeros(program.scale.size), np.zeros(program.scale.size)

@@ -1,4 +1,4 @@
-"""Straight first and last pieces of a drawn curve, which become the tabs where the strip is fastened."""
+"""Straight first and last pieces of a drawn curve, which become the tabs of the strip."""
 
 from dataclasses import dataclass
 
@@ -11,19 +11,19 @@ from elastica_cad.mechanics.theorem1 import measured_points
 from elastica_cad.refusals import Length, Refusal, note
 
 SHORTEST_RUN_IN_MM = 1.0
-"""Shortest straight piece that becomes a tab, mm; shorter pieces stay part of the curve."""
+"""Shortest straight piece that becomes a tab, mm. Shorter pieces are bent with the curve."""
 
 
 @dataclass(frozen=True, eq=False)
 class StraightEnds:
-    """A drawn curve without its straight pieces at the ends.
+    """A drawn curve, divided into its bent part and straight pieces at its ends.
 
     Attributes
     ----------
     drawn, bent : PlaneCurve
-        The whole curve, and its bent part; equal if neither end is straight.
+        The whole curve and its bent part. They are equal if neither end is straight.
     lengths : (float, float)
-        Lengths of the straight first and last piece, mm; 0 if there is none.
+        Lengths of the straight first and last pieces, mm; 0 if there is none.
 
     Examples
     --------
@@ -41,11 +41,11 @@ class StraightEnds:
     def of(
         cls, curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
     ) -> "StraightEnds":
-        """Split straight pieces of 1 mm or more off the ends of an open curve that hold their angle.
+        """Return an open curve without straight pieces of 1 mm or more at ends whose angle is held.
 
-            Straight curves, polylines and fits to measured points are not split. Curves with a varying natural
-            curvature
-        are not split either, because its arc length counts from the start of the whole curve.
+        Straight curves, polylines, and curves fitted to measured points are not divided. Curves with a
+        `RestCurvature` are not divided either, because its arc length is measured from the start of the whole
+        curve.
         """
         counted = isinstance(natural_curvature, RestCurvature)
         if curve.is_closed or curve.is_straight or counted or measured_points(curve) is not None:
@@ -69,8 +69,10 @@ class StraightEnds:
         return any(self.lengths)
 
     def place_of(self, point: ArrayLike, within: float) -> tuple[int, float] | None:
-        """Return the straight piece (0 or 1) at most `within` mm from a point (2,), and the distance along the
-        piece, mm."""
+        """Return the straight piece (0 or 1) near a point (2,), and the position along the piece, mm, or None.
+
+        `within` is the largest distance of the point from the piece, mm.
+        """
         for end, t, outward in zip((0, 1), self.bent.domain, (-1.0, 1.0), strict=True):
             angle = float(self.bent.angle_at(t))
             x, y = outward * np.cos(angle), outward * np.sin(angle)
@@ -81,7 +83,7 @@ class StraightEnds:
 
     @property
     def message(self) -> Refusal | None:
-        """Message about the pieces that became tabs, or None."""
+        """Note on the straight pieces that became tabs, or None."""
         first, last = map(Length, self.lengths)
         if first and last:
             return note(
