@@ -1,6 +1,6 @@
 """The `elastica` command.
 
-Large modules are imported inside `main`, because only `main` ends without a traceback after Ctrl-C.
+Large modules are imported inside `main`, where Ctrl-C is caught, so that it prints no traceback.
 """
 
 import gc
@@ -20,7 +20,7 @@ __all__ = ["main"]
 
 
 def main(arguments: list[str] | None = None) -> None:
-    """Run the command line; exit code 0 is done, 1 not realizable, 2 bad input, 130 Ctrl-C, 141 output closed.
+    """Run the command line. Exit codes: 0 done, 1 not realizable, 2 bad input, 130 Ctrl-C, 141 output closed.
 
     Examples
     --------
@@ -33,12 +33,13 @@ def main(arguments: list[str] | None = None) -> None:
             warnings.simplefilter("ignore")  # hide warnings of Python, which are for programmers
         # a single thread is faster for small matrices, and gives equal results on every machine
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-        # garbage collection of the imported objects would take a fifth of the time of a command
+        # without this, garbage collection of the imported objects takes a fifth of the time of a command
         gc.set_threshold(200_000, 20, 20)
     try:
         from elastica_cad.plot.drawing_process import drawing_process
 
-        # a program that calls `main` draws in its own process, because it may have imported matplotlib
+        # if a Python program calls `main`, pictures are drawn in this process, because the program may use
+        # matplotlib
         with drawing_process(() if arguments is not None else sys.argv[1:]) as process:
             code = _run(arguments, process)
     except KeyboardInterrupt:
@@ -47,7 +48,7 @@ def main(arguments: list[str] | None = None) -> None:
         code = OUTPUT_CLOSED
     finally:
         if arguments is None:
-            gc.freeze()  # no garbage collection at the end of the process either
+            gc.freeze()  # skip the garbage collection at the end of the process, too
     if code == OUTPUT_CLOSED:
         _drop_output(1, 2)
     sys.exit(code)
@@ -66,14 +67,17 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
     except click.Abort:  # click raises this exception for Ctrl-C
         return INTERRUPTED
     except OSError as problem:
-        if problem.filename is not None:  # the error of a file, not of standard output
+        if problem.filename is not None:  # the error concerns a file, not standard output
             raise
         return _unprinted(problem)
     return code if isinstance(code, int) else 0
 
 
 def _unprinted(problem: OSError) -> int:
-    """Return the exit code if standard output fails, as on a full disk; its buffer is discarded."""
+    """Return the exit code for an error of standard output, such as a full disk.
+
+    Its buffered text is discarded.
+    """
     _drop_output(1)
     sys.stderr.write(f"Error: the answer can't be written: {problem.strerror or problem}\n")
     return 2

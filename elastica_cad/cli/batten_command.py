@@ -1,4 +1,4 @@
-"""`elastica batten`: the taper that puts the camber of a pressed batten where it is wanted."""
+"""`elastica batten`: compute the taper with which a pressed batten has its camber at the requested place."""
 
 from functools import partial
 from pathlib import Path
@@ -114,7 +114,7 @@ def batten(**chosen: Any) -> None:
 
 
 def _glue(made: Batten, chosen: dict[str, Any]) -> None:
-    """Report and write the batten of glued plies."""
+    """Report the batten made of glued plies, and write its files."""
     leafed = made.of_leaves(chosen["leaves"])
     strip, rod, section = made.strip_of(leafed), leafed.rod, leafed.section
     depth, place = camber_of(rod)
@@ -202,7 +202,7 @@ def _report(made: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
         "camber": depth, "camber_place": place,
         "end_force_N": made.end_force, "mass_g": made.strip.mass, "max_strain": made.strip.max_strain,
         "strain_limit": made.strip.strain_limit, "warnings": list(made.strip.warnings),
-        # replaced, because JSON has no infinity: the safety of ends that do not bend
+        # JSON has no infinity: the safety of ends that do not bend becomes null
         "table": {key: [v if np.isfinite(v) else None for v in values.tolist()] for key, values in table.items()},
     }  # fmt: skip
 
@@ -210,7 +210,10 @@ def _report(made: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
 def _write(
     strip: Strip, stations: FloatArray | None, report: dict[str, Any], chosen: dict[str, Any]
 ) -> tuple[Path, ...]:
-    """Write table, report, drawing, print and bodies: all that the installed libraries allow, or none."""
+    """Write table, report, drawing, print and bodies, as far as their libraries are installed.
+
+    After an error, no file is written.
+    """
     name, drawing = chosen["name"], bench_drawing(strip, stations)
     files = [
         File(f"{name}.csv", lambda path: write_text(path, bench_csv(strip, stations))),

@@ -179,7 +179,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         shapes = bend_path(rod, _steps(rod, chosen, held, change), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
-        # at travel 0 the force on a straight strip may have any value up to the buckling load
+        # a straight strip is not listed at travel 0, because its force may have any value up to the buckling
+        # load
         listed = curve is not None and chosen["steps"] > 1 and not change
         moved = bend_strip(strip, _steps(strip.rod_to_bend, chosen, held, change, listed=listed), side=side)
         shapes, verdicts = moved.rods, moved.verdicts
@@ -195,7 +196,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
 
 
 def _finished(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:
-    """Return the strip of a report, or None for another file or a report without a request."""
+    """Return the strip of a report, or None if the file is not a report or does not contain the request."""
     record = read_request(path)
     if record is None:
         return None
@@ -234,7 +235,7 @@ def _changed(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str
 
 
 def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any]) -> Strip | None:
-    """Return the strip before its ends are moved, if its material and size are known."""
+    """Return the strip before its ends are moved, or None if its material or size is unknown."""
     sized = chosen["sheet"] is not None and (settings or chosen["max_width"] is not None)
     if not sized:
         return None
@@ -255,7 +256,7 @@ def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any])
 
 
 def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
-    """Return the rod before its ends are moved, for a strip without a width."""
+    """Return the rod before its ends are moved, if the strip has no width."""
     if curve is None:
         return Rod.straight(chosen["straight"], gravity=_gravity(chosen))
     (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
@@ -301,7 +302,7 @@ def _change(rod: Rod, strip: Strip | None, chosen: dict[str, Any]) -> dict[str, 
 
 
 def _shortened(action: ElementForce, by: float) -> Any:
-    """Return an element, and a cord shortened by a length (mm)."""
+    """Return the element unchanged, or shortened by a length (mm) if it is a cord."""
     if not isinstance(action.element, Tie):
         return action.element
     start, end = action.s.tolist()
@@ -317,7 +318,7 @@ def _shortened(action: ElementForce, by: float) -> Any:
 def _steps(
     rod: Rod, chosen: dict[str, Any], supports: Supports, change: dict[str, Any], *, listed: bool = False
 ) -> list[dict[str, Any]]:
-    """Return the keywords of `bend` for every shape on the path; with `listed` the path begins at travel 0."""
+    """Return the keywords of `bend` for every shape on the path. With `listed`, the path begins at travel 0."""
     here = rod.position[[0, -1]]
     there = np.array(
         [
@@ -346,7 +347,10 @@ def _steps(
 
 
 def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> dict[str, Any]:
-    """Return the data of a shape for programs; forces are in N if the stiffness (N mm2) is that of a strip."""
+    """Return a dict with the data of a shape.
+
+    Forces are in N if `bending_stiffness` is that of a strip in N mm2.
+    """
     return {
         "start": shape.position[0], "end": shape.position[-1], "angles": shape.angle[[0, -1]],
         "size": np.ptp(shape.position, axis=0), "largest_curvature": np.abs(shape.curvature).max(),
@@ -407,7 +411,7 @@ def _print_shapes(
 
 
 def _places(shapes: Sequence[Rod]) -> dict[str, list[str]]:
-    """Return the columns of the ends' distance and the least radius."""
+    """Return the columns with the distance of the ends and the least radius."""
     apart = [np.hypot(*(shape.position[-1] - shape.position[0])) for shape in shapes]
     return {
         "ends apart mm": [f"{distance:.2f}" for distance in apart],
@@ -416,7 +420,7 @@ def _places(shapes: Sequence[Rod]) -> dict[str, list[str]]:
 
 
 def _forces(moved: Travel) -> dict[str, list[str]]:
-    """Return the columns of forces and strains; components of a force that are rounding errors are 0."""
+    """Return the columns with forces and strains. Components of a force that are rounding errors become 0."""
     size = np.hypot(*moved.end_force.T)[:, None]
     force = np.where(np.abs(moved.end_force) <= 1e-9 * size, 0.0, moved.end_force)
     return {
@@ -443,7 +447,7 @@ def _least_radius(shape: Rod) -> str:
 
 
 def _worst(states: Sequence[str], moved: Travel | None) -> Row:
-    """Return the row on the stability of all shapes."""
+    """Return the row with the least stable of all shapes."""
     step = next((k for k, state in enumerate(states) if state != "stable"), None)
     if step is None:
         return Row("Stability", "stable in its plane" + (" at every step" if states[1:] else ""))

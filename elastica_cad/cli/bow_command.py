@@ -1,4 +1,4 @@
-"""`elastica bow`: a rod or strip that a cord between its ends holds bent."""
+"""`elastica bow`: a rod or strip that is held bent by a cord between its ends."""
 
 from functools import partial
 from pathlib import Path
@@ -101,7 +101,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
         "deviation_mm": made.deviation, "ratio": made.strip.rod.ratio, "max_strain": made.strip.max_strain,
         "strain_limit": made.strip.strain_limit if known else None,
         "margin": stability(made.strip.rod).margin, "warnings": list(made.strip.warnings) if known else [],
-        # JSON has no infinity: a straight rod has no strain
+        # JSON has no infinity: the safety of a straight rod becomes null
         "shorter": {name: [v if np.isfinite(v) else None for v in values] for name, values in table.items()},
     }  # fmt: skip
     written = _write(made, shorter, table, report, requested.name, chosen)
@@ -115,7 +115,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
 def _made(
     requested: RequestedCurve, sheet: Sheet, fields: dict[str, Any], shares: list[float]
 ) -> tuple[Bow, Travel]:
-    """Return the bow, and its states with shorter cords; after a refusal, suggest the nearest curve."""
+    """Return the bow, and its states with shorter cords. If the curve is refused, suggest the nearest curve."""
     curve = requested.bendable(fields["smooth"]) if "smooth" in fields else requested.curve
 
     suggest_later(lambda _: StripSpec(curve, sheet, supports=ENDS, **fields), typed_change, ["nearest"])
@@ -124,7 +124,7 @@ def _made(
 
 
 def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
-    """Return the sheet and the fields of the request; without --sheet, a material of 1 GPa."""
+    """Return the sheet and the fields of the request. Without --sheet, the material has a modulus of 1 GPa."""
     rod, widest, least = chosen["rod"], chosen["max_width"], chosen["min_width"]
     if (rod is None) == (widest is None):
         raise InputError(
@@ -171,7 +171,7 @@ def _rows(made: Bow, *, known: bool) -> list[Row]:
 
 
 def _curve_row(made: Bow) -> Row:
-    """Return the row on the distance from the drawn curve, a warning if that is another curve."""
+    """Return the row with the distance from the drawn curve. It is a warning if the distance is visible."""
     text = f"at most {made.deviation:.3g} mm from the drawn curve"
     if made.deviation <= FAR_SHARE * made.length:
         return Row("Curve", text)
@@ -179,7 +179,10 @@ def _curve_row(made: Bow) -> Row:
 
 
 def _table(shares: list[float], shorter: Travel, *, known: bool) -> dict[str, Any]:
-    """Return columns by name: the cord, pull, rise, strain and safety; pull and safety need the material."""
+    """Return the columns of the table: cord, pull, rise, strain and safety.
+
+    Pull and safety require a known material.
+    """
     cord = np.hypot(*shorter.end.T)
     return {
         "shorter_percent": [100 * share for share in shares],

@@ -57,12 +57,15 @@ if TYPE_CHECKING:
     from elastica_cad.strip.suggestions import Suggestion
 
 MOST_SHEETS = 3
-"""Largest number of sheets in a row without -v. They are the thickest suitable sheet of each kind. If no sheet is
-suitable, they are the sheets for which the curve must be enlarged least."""
+"""Largest number of sheets in the row of sheets without -v.
 
-EVEN = 1.005  # largest ratio of widths that is not visible
+The row has the thickest suitable sheet of each kind. If no sheet is suitable, it has the sheets for which the
+curve must be enlarged least.
+"""
+
+EVEN = 1.005  # largest ratio of widths at which a strip looks even
 WIDE_MM = 40.0
-"""Usual width of a strip, mm, for illustrating a ratio of widths."""
+"""Width of a strip, mm, by which messages illustrate a ratio of widths."""
 
 
 @click.command()
@@ -171,7 +174,10 @@ class _Request:
     between: tuple[Element, ...] = ()
 
     def examined(self, requested: RequestedCurve) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
-        """Return the check of the bent part of a curve, with the straight ends and the smoothing before it."""
+        """Separate the straight ends of a curve, smooth the curve, and check its bent part.
+
+        Return all three results.
+        """
         supports, rest, smooth = self.supports, self.natural_curvature, self.smooth
         ends = StraightEnds.of(requested.bendable(smooth), supports, rest)
         spec = RodSpec(
@@ -180,13 +186,13 @@ class _Request:
         return ends, spec.smoothing, spec.check if not self.between else _check_on_elements(spec)
 
     def rod(self, curve: PlaneCurve) -> Rod:
-        """Return the rod with the least stiffness ratio in a possible curve."""
+        """Return the rod, with the least stiffness ratio, that bends into a possible curve."""
         return optimal_rod(
             curve, supports=self.supports, natural_curvature=self.natural_curvature, between=self.between
         )
 
     def judged(self, requested: RequestedCurve) -> dict[str, Any]:
-        """Return the report on a curve; one of several curves may also be a curve that is not open and smooth."""
+        """Return the report on a curve. If there are several curves, errors of a curve are part of the report."""
         try:
             return self._report(requested)
         except ElasticaError as problem:
@@ -215,7 +221,7 @@ class _Request:
         return report
 
     def _smoothed(self, requested: RequestedCurve, verdict: EquilibriumCheck) -> tuple[Refusal, ...]:
-        """Return a note whether noisy points of an impossible curve give a possible curve after smoothing."""
+        """Return a message on whether smoothing makes an impossible curve through noisy points possible."""
         points = measured_points(verdict.curve)
         if verdict.realizable or points is None or points.outlier:
             return ()
@@ -230,20 +236,22 @@ class _Request:
         ),)  # fmt: skip
 
     def request(self, requested: RequestedCurve, problem: ElasticaError) -> "StripSpec | None":
-        """Return the request for a strip of a common sheet, or None if it cannot have the options of the check."""
+        """Return the request for a strip of a common sheet, or None if a strip cannot have the options of the
+        check.
+        """
         settled = self.natural_curvature or self.smooth is not None or self.between
         if settled:
             return None
         return common_request(requested.curve, self.supports) if problem.refusal.changes else None
 
     def cures(self, requested: RequestedCurve) -> list[Cure]:
-        """Return the changes that make a curve possible that no strip takes."""
+        """Return changes that make an impossible curve possible."""
         problem = NotRealizable(self.examined(requested)[2])
         spec = self.request(requested, problem)
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
     def typed(self, suggestion: "Suggestion") -> str:
-        """Return the command `elastica strip` for a suggested strip."""
+        """Return the command `elastica strip` that makes a suggested strip."""
         from elastica_cad.cli.strip_options import typed_change  # imports all records
 
         spec = suggestion.requests[0]
@@ -278,7 +286,9 @@ def _widths_row(ratio: float) -> Row:
 
 
 def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
-    """Return the thickest sheets that bend to the curve, or else those for the least enlarged curve."""
+    """Return the row with the thickest suitable sheets, or else with the sheets for which the curve must be
+    enlarged least.
+    """
     known = [(Sheet.named(sheet["name"]), sheet["scale"]) for sheet in sheets]
     fitting = _kinds_first([sheet for sheet, scale in known if scale <= 1][::-1])
     larger = [f"{sheet.full_name} at {ceil(100 * scale)} %" for sheet, scale in known if scale > 1]
@@ -292,19 +302,19 @@ def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
 
 
 def _kinds_first(sheets: Sequence[Sheet]) -> list[str]:
-    """Return the names of sheets, beginning with the first sheet of each kind."""
+    """Return the names of sheets, with the first sheet of each kind at the front."""
     first = list({sheet.kind: sheet for sheet in reversed(sheets)}.values())[::-1]
     return [sheet.full_name for sheet in (*first, *(sheet for sheet in sheets if sheet not in first))]
 
 
 def _some(names: Sequence[str]) -> str:
-    """Return the first names in a text, with the number of the others, which -v lists."""
+    """Return a text with the first names and the number of the other names, which are listed with -v."""
     more = len(names) - MOST_SHEETS
     return f"{', '.join(names[:MOST_SHEETS])}{f' and {more} others (-v)' if more > 0 else ''}"
 
 
 def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
-    """Write the picture of a check, or of a rod on elements with its thrust line."""
+    """Write the picture of a check, or of a rod with supports between its ends and its thrust line."""
     from elastica_cad.plot.canvas import save_figure
     from elastica_cad.plot.check_picture import check as draw_check
     from elastica_cad.plot.strip_pictures import rod as draw_rod
@@ -315,7 +325,7 @@ def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
 
 
 def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
-    """Return the verdict on a curve with elements between the ends, with the reasons of its linear program."""
+    """Return the check of a curve with rails, pins or ties. A linear program decides it and gives the reasons."""
     try:
         solve_rod(spec)
     except NotRealizable as problem:
@@ -324,7 +334,7 @@ def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
 
 
 def _on_elements(rod: Rod) -> dict[str, Any]:
-    """Return the stability of a rod on elements, and the side of the bar of each rail."""
+    """Return the stability of a rod with rails, pins or ties, and on which side of it each rail is."""
     verdict, sides = stability(rod), []
     for action in rod.between:
         if isinstance(action.element, Rail):
@@ -349,7 +359,9 @@ def _stability_row(report: Mapping[str, Any]) -> Row:
 
 
 def _fitting_sheets(curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature) -> dict[str, Any]:
-    """Return the least stiffness ratio, and the sheets that bend to the curve at this or a larger size."""
+    """Return the least stiffness ratio, and the sheets that can be bent into the curve at this or a larger
+    size.
+    """
     known = sheets_for_curve(curve, natural_curvature)
     sheets = [{"name": sheet.sheet.name, "scale": round_numbers(sheet.scale)} for sheet in known]
     advice = [_widths_row(ratio).text, _sheets_row(sheets).text]

@@ -1,4 +1,6 @@
-"""Group of commands and their common behaviour: errors as sentences, JSON, limits of numbers, watched files."""
+"""The command group `elastica`, and what all commands share: error messages, JSON, limits of numbers,
+watching of files.
+"""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, nullcontext
@@ -45,14 +47,14 @@ COMMANDS = {
     "studio": "studio_command:studio",
     "help": "help_command:help_command",
 }
-"""Module and function of each command, imported on first use."""
+"""Module and function of each command; the module is imported on first use."""
 
 MM_IN_KEYS = ("settings",)
 PER_MM = ("natural_curvature",)
-"""Options that `--units` does not change: keys as in a design file, and curvatures."""
+"""Options to whose values `--units` does not apply, because they are curvatures."""
 
 ALIKE = {"name": "label"}
-"""Options of a command, by the name of the same option in other commands."""
+"""Alternative names of an option that has different names in different commands."""
 
 FILES = {
     "curve": "name the file with the curve (DXF, SVG, CSV, JSON, STEP), or - for standard input",
@@ -60,7 +62,7 @@ FILES = {
     "design": "name a design file; `elastica new pavilion` writes an example",
     "mesh": "name the file of a mesh (OBJ, STL, PLY) or of a STEP body",
 }
-"""Instructions for missing input files, by the name of the argument."""
+"""Instructions if an input file is missing, by the name of its argument."""
 
 EXIT_CODES: dict[type[ElasticaError], tuple[str, int]] = {
     NotRealizable: ("Not realizable: ", NOT_REALIZABLE),
@@ -68,7 +70,7 @@ EXIT_CODES: dict[type[ElasticaError], tuple[str, int]] = {
     NotMetError: ("Not within these limits: ", NOT_REALIZABLE),
     ElasticaError: ("", BAD_INPUT),
 }
-"""Beginning of an error message and exit code by class of error; the first match counts."""
+"""Beginning of the error message and exit code for each class of errors. The first matching class is used."""
 
 
 def _print_version(ctx: click.Context, _: click.Parameter, is_wanted: bool) -> None:
@@ -79,7 +81,7 @@ def _print_version(ctx: click.Context, _: click.Parameter, is_wanted: bool) -> N
 
 
 class _OnDemand(Mapping[str, click.Command]):
-    """Commands by name, each imported on first use."""
+    """Mapping from names to commands, which are imported on first use."""
 
     def __getitem__(self, name: str) -> click.Command:
         return _imported(name)
@@ -101,7 +103,7 @@ def _imported(name: str) -> click.Command:
 
 @contextmanager
 def _quiet_pipes() -> Iterator[None]:
-    """End without a message if the reader of the output has ended, as in `elastica sheets | head -1`."""
+    """End without a message if the program that reads the output has ended, as in `elastica sheets | head -1`."""
     try:
         yield
     except BrokenPipeError:
@@ -160,7 +162,7 @@ def _spelled(path: str) -> str:
 
 
 ANYWHERE = {"-q": 0, "--quiet": 0, "--watch": 0, "--units": 1}
-"""Options of `elastica` that may also follow a command, and the number of their values."""
+"""Options of `elastica` that may also follow the name of a command, with the number of their values."""
 
 
 def _own_first(args: list[str]) -> list[str]:
@@ -205,7 +207,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
 
 
 def _what_to_give(param: click.Parameter | None) -> str:
-    """Return the missing parameter of a command, or "" if click lists the choices."""
+    """Return an instruction for a missing parameter, or "" if click lists the choices."""
     if isinstance(param, click.Option) and param.metavar and param.help:
         return f"give {param.opts[0]} {param.metavar}. {param.help.rstrip('.')}"
     return FILES.get(param.name or "", "") if isinstance(param, click.Argument) else ""
@@ -247,7 +249,7 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
 def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     """Return the command with `--json` and `-v`, and with the options of `elastica` applied.
 
-    With `huge` the command itself rejects numbers that are too large for a drawing.
+    `huge` means that the command itself rejects numbers that are too large for a drawing.
     """
     run, own = command.callback, {param.name for param in command.params}
     assert run is not None
@@ -281,7 +283,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
                 _refuse(problem)
                 return
             if "force" in own:
-                chosen["force"] = True  # files that this run wrote earlier are overwritten
+                chosen["force"] = True  # with --watch, later runs overwrite the files of earlier runs
 
         remake_on_change(make, partial(echo, err=True))
 
@@ -290,7 +292,9 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
 
 
 def _check_numbers(chosen: Mapping[str, Any], *, huge: bool) -> None:
-    """Refuse nan and inf among the options; without `huge` also numbers that are too large for a drawing."""
+    """Refuse nan and inf as values of options; without `huge`, refuse also numbers that are too large for a
+    drawing.
+    """
     for option in click.get_current_context().command.params:
         kinds = option.type.types if isinstance(option.type, click.Tuple) else [option.type]
         is_length = any(isinstance(kind, Length) for kind in kinds)
@@ -320,7 +324,7 @@ def _numbers(value: Any) -> Iterator[float]:
 
 
 def _speaking(*names: str, help: str) -> click.Option:
-    """Return an option for the output of the command; it takes effect before other options are processed."""
+    """Return a flag for the output of a command. It takes effect before other options are processed."""
 
     def set_voice(_: click.Context, param: click.Parameter, value: bool) -> None:
         if value:
@@ -332,7 +336,7 @@ def _speaking(*names: str, help: str) -> click.Option:
 
 
 def _notes_on_mm() -> list[str]:
-    """Return sentences on the given options that `--units` does not change."""
+    """Return messages on the given options to which `--units` does not apply."""
     context = click.get_current_context()
     sentences = {
         MM_IN_KEYS: 'lengths are in mm, as in design files, and not in --units; 5 inches are "5*inch"',
@@ -351,7 +355,7 @@ def _notes_on_mm() -> list[str]:
 
 
 def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
-    """Run the command, and print its record at the end with any exit code."""
+    """Run the command. At its end, print its JSON record, whatever the exit code is."""
     voice().begin()
     for sentence in in_mm:
         warn(sentence)
@@ -370,7 +374,7 @@ def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
 
 
 def _refuse(problem: ElasticaError) -> int:
-    """Print an error and changes that work, and return the exit code."""
+    """Print an error and suggested changes, and return the exit code."""
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
     begins, code = next((row for kind, row in EXIT_CODES.items() if isinstance(problem, kind)))

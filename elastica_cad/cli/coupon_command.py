@@ -1,4 +1,4 @@
-"""`elastica coupon`: a strip to cut, hang and measure, and the sheet properties from the measurement."""
+"""`elastica coupon`: write a test strip of a sheet, and compute the sheet's properties from its measured droop."""
 
 from dataclasses import replace
 from functools import partial
@@ -25,10 +25,12 @@ GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
 """Assumed modulus (between card and plywood) and strain limit of an unknown sheet, for the length of its coupon."""
 
 LEAST_DROOP_MM = 10.0
-"""Least useful droop, mm; position and level of the clamp are hardly known to half a mm."""
+"""Least useful droop, mm, because the position and height of the clamp have errors of about half a mm."""
 
 SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
-"""Least difference of contradictory readings, in uncertainties and as a fraction."""
+"""Two readings contradict each other if they differ by more than this many standard deviations and by this
+fraction.
+"""
 
 
 @click.command()
@@ -111,7 +113,7 @@ _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "wit
 
 
 def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Calibration) -> None:
-    """Warn of two measurements that differ by more than their errors explain."""
+    """Warn if two readings differ by more than their errors explain."""
     readings = sorted(zip(result.readings, result.reading_uncertainties, measured, strict=True))
     (low, low_error, near), (high, high_error, far) = readings[0], readings[-1]
     if high - low > max(SIGMAS * hypot(low_error, high_error), LEAST_CONTRADICTION * low):
@@ -124,7 +126,10 @@ def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Ca
 
 
 def _known(chosen: dict[str, Any]) -> Sheet:
-    """Return the named sheet with the measured thickness and density, or an assumed sheet if it is unknown."""
+    """Return the named sheet with the measured thickness and density.
+
+    If the name is unknown, assume other properties.
+    """
     thickness, density = chosen["thickness"], chosen["density"]
     for option, value, key in (
         ("--thickness", thickness, "thickness_mm"),
@@ -146,7 +151,7 @@ def _known(chosen: dict[str, Any]) -> Sheet:
             max_strain=GUESSED_STRAIN,
         )
     sheet = Sheet.named(chosen["sheet"])
-    if thickness is not None:  # a measured thickness does not change the name of the sheet
+    if thickness is not None:  # the name is unchanged, although it contains the nominal thickness
         sheet = replace(sheet.with_thickness(thickness), name=sheet.name)
     return sheet if density is None else replace(sheet, density=density, density_range=None)
 
@@ -168,7 +173,9 @@ def _kept() -> Path:
 
 
 def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
-    """Print the result of the readings, with the listed values of a known sheet, and write the sheet."""
+    """Print the properties from the readings beside the listed properties of a known sheet, and write the
+    sheet.
+    """
     measured, least_radius, listed = chosen["measured"], chosen["least_radius"], chosen["sheet"] is not None
     name, output = chosen["name"] or f"my-{sheet.name}", _kept() if chosen["keep"] else chosen["output"]
     result = calibrate_cantilever(
@@ -223,7 +230,7 @@ def _warn_row(label: str, text: str) -> None:
 
 
 def _with_readings(sheet: Sheet) -> Sheet:
-    """Return the sheet with its modulus rounded to six digits, more than readings can determine."""
+    """Return the sheet with its modulus rounded to six digits; readings are less accurate."""
     given = (sheet.youngs_modulus, *(sheet.youngs_modulus_range or ()))
     E, *limits = (float(f"{modulus:.6g}") for modulus in given)
     return replace(sheet, youngs_modulus=E, youngs_modulus_range=(limits[0], limits[1]) if limits else None)

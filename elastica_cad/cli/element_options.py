@@ -1,4 +1,6 @@
-"""Options for rails, pins, ties and loads between the ends of a strip, made from their records."""
+"""Command-line options for rails, pins, ties and loads between the ends of a strip, generated from their
+records.
+"""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
@@ -17,18 +19,18 @@ RECORDS: dict[str, tuple[type, str]] = {
     "point_force": (PointForce, "Force in newtons, along x and y."),
     "point_mass": (PointMass, "Mass in g that hangs at a place."),
 }
-"""Record and help of each option."""
+"""Record class and help text of each option."""
 
 ELEMENTS, LOADS = ("rail", "pin", "tie"), ("point_force", "point_mass")
 
 
 class Place(Length):
-    """Place of a strip: a length along its curve, or a point X,Y near it."""
+    """Parameter type of a position on a strip: a length along its curve, or a point X,Y near it."""
 
     name = "place"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Return mm along the curve, or a pair of mm."""
+        """Return the length along the curve, mm, or the point (x, y), mm."""
         if not isinstance(value, str) or value.count(",") != 1:
             return super().convert(value, param, ctx)
         return tuple(super(Place, self).convert(part, param, ctx) for part in value.split(","))
@@ -39,7 +41,7 @@ def _fields(name: str) -> list[Field]:
 
 
 def _types(field: Field) -> Iterator[tuple[Any, str]]:
-    """Yield the types of the values of a field, and their words in help."""
+    """Yield the type of each value of a field, and its placeholder in help."""
     if field.option.unit == "mm":
         yield Place(), field.name.upper()
     elif field.kind.name == "list":
@@ -63,7 +65,7 @@ def element_options(names: Iterable[str] = tuple(RECORDS)) -> Callable[[Any], An
 
 
 def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the keys `between` and `loads` of a design file for the options that were given."""
+    """Return the keys `between` and `loads`, as in a design file, for the given options."""
     table: dict[str, Any] = {}
     for key, names in (("between", ELEMENTS), ("loads", LOADS)):
         rows = [
@@ -76,14 +78,14 @@ def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def elements_of(chosen: Mapping[str, Any], names: Iterable[str]) -> tuple[Any, ...]:
-    """Return the records of the options that were given."""
+    """Return a record for every given option."""
     return tuple(
         RECORDS[name][0](**_row(name, values)) for name in names for values in chosen.get(name) or ()
     )
 
 
 def _row(name: str, values: Any) -> dict[str, Any]:
-    """Return the values of one option by the fields of its record."""
+    """Return the values of an option by the names of the fields of its record."""
     fields = _fields(name)
     left = [values] if len(fields) == 1 else list(values)
     row: dict[str, Any] = {}

@@ -1,4 +1,4 @@
-"""`elastica help`: all options, key by key."""
+"""`elastica help`: explain all keys of a strip and of a design file."""
 
 from typing import Any
 

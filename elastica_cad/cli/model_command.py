@@ -1,4 +1,4 @@
-"""`elastica model`: from a design file to a folder with everything that is needed to build it."""
+"""`elastica model`: write a folder with everything that is needed to build the model of a design file."""
 
 from collections import Counter
 from collections.abc import Iterable, Iterator
@@ -123,14 +123,14 @@ def model(
 
 
 KEYS = {"nearest": "limits = {{}}", "lap": "shop = {{ lap = {value:g} }}"}
-"""Lines of a design file for changes that are not written as FIELD = VALUE."""
+"""Lines in a design file for suggested changes that are not of the form FIELD = VALUE."""
 
 FIELDS = ("nearest", "lap", "max_width", "smooth", "thickness")
-"""Fields that a line in the table of a strip changes."""
+"""Fields that can be changed by a line in the table of a strip."""
 
 
 def _refused(design: Design, problem: ElasticaError) -> StripSpec | None:
-    """Return the request of the refused strip, or None if there is not exactly one."""
+    """Return the request of the strip that was refused, or None if its table describes several strips."""
     label = problem.refusal.where.get("strip")
     specs = [entry.spec for entry in design.entries if entry.called == label]
     return specs[0] if len(specs) == 1 else None
@@ -198,7 +198,7 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
 
 
 def _largest_move(contents: KitContents) -> Row | None:
-    """Return the row on the strip that is farthest from its drawn curve, or None if no curve was changed."""
+    """Return the row with the strip that is farthest from its drawn curve, or None if no curve was changed."""
     drawn = {entry.label: entry.curve for entry in contents.entries if entry.spec.may_change}
     moved = [
         (largest_deviation(drawn[part.strip.label], part.strip.rod.curve), part.name)
@@ -212,7 +212,7 @@ def _largest_move(contents: KitContents) -> Row | None:
 
 
 def _before_you_cut(contents: KitContents, kit: Kit, output: Path) -> None:
-    """Print messages about the model; without -v only the first of them."""
+    """Print messages about the model; without -v, only the first messages."""
     model = contents.model
     messages = [*contents.notes, *model.reports, *_warnings(model)]
     if old := left_behind(kit, output):
@@ -239,8 +239,10 @@ def _warnings(model: Model) -> Iterator[Refusal]:
 
 
 def _one_of_each(messages: Iterable[str]) -> Iterator[str]:
-    """Yield messages; if messages differ only in numbers and names, the first with the number of the other
-    messages."""
+    """Yield messages.
+
+    Of messages that differ only in numbers and names, yield the first, with the number of the others.
+    """
     kinds: dict[str, list[str]] = {}
     for message in dict.fromkeys(messages):
         kinds.setdefault(getattr(message, "text", message), []).append(message)

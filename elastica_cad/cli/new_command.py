@@ -1,4 +1,4 @@
-"""`elastica new`: a commented design file to start from, which runs as it is, and its schema for editors."""
+"""`elastica new`: write a commented design file that can be used unchanged, and its schema for editors."""
 
 import json
 import os
@@ -23,7 +23,7 @@ KINDS = ("arch", "lamp", "pavilion", "revolution", "sections", "schema")
 ARCH_MM = (
     (0, 0), (40, 5), (80, 40), (125, 160), (200, 175), (275, 160), (320, 40), (360, 5), (400, 0),
 )  # fmt: skip
-BOWL_MM = (60.0, 45.0, 140.0)  # least radius, bulge and height of the mesh that `sections` starts with
+BOWL_MM = (60.0, 45.0, 140.0)  # least radius, bulge and height, mm, of the mesh for the example of `sections`
 AROUND, UP = 48, 25  # its points
 
 
@@ -63,7 +63,7 @@ def new(kind: str, output: Path, force: bool) -> None:
 
 
 def _holds(path: Path, text: str) -> bool:
-    """Return True if the file exists with this text."""
+    """Return True if the file exists and contains this text."""
     return os.path.isfile(path) and path.read_bytes() == text.encode()
 
 

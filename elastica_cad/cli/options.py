@@ -1,4 +1,4 @@
-"""Options that several commands share, with lengths in units."""
+"""Options that several commands share, and lengths with units."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 UNITS = {"mm": 1.0, "inch": MM_PER_INCH}
-"""Values of `--units`, in mm."""
+"""Size in mm of each unit that `--units` accepts."""
 
 _NAMED = MILLIMETRES | {"inch": MM_PER_INCH, '"': MM_PER_INCH}
 
@@ -37,7 +37,7 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         self.positive, self.words = positive, words
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | str:
-        """Return the length in mm, or a permitted word; defaults are in mm already."""
+        """Return the length in mm, or a permitted word. Numbers (defaults) are in mm."""
         if not isinstance(value, str):
             return float(value)
         if value in self.words:
@@ -70,7 +70,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def option_name(name: str) -> str:
-    """Return the option that sets a parameter, as it is typed: `--max-width`."""
+    """Return the option that sets a parameter, as the user types it: `--max-width`."""
     return f"--{name.replace('_', '-')}"
 
 
@@ -96,7 +96,7 @@ def option_of(
 
 
 def _typed_as(field: Field) -> tuple[Any, str | None]:
-    """Return the type of an option's value and its placeholder in help."""
+    """Return the parameter type of an option and its placeholder in help."""
     from elastica_cad.design.records import written  # imports all records
 
     kinds = written(field.kind).alternatives
@@ -114,7 +114,7 @@ def given_of(chosen: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
 
 
 def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:
-    """Return a decorator that adds several options; help lists them in this order."""
+    """Return a decorator that adds several options, in the order of help."""
 
     def add(function: F) -> F:
         for option in reversed(options):
@@ -133,8 +133,10 @@ smooth_option = click.option(
 
 
 class _Folder(click.Path):
-    """Parameter type of the output folder; it refuses an option as the name, because the name was probably
-    forgotten."""
+    """Parameter type of the output folder.
+
+    It refuses a name that looks like an option, because the name was probably forgotten.
+    """
 
     def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
         if str(value).startswith("-"):
@@ -168,7 +170,7 @@ def requested_sheet(chosen: Mapping[str, Any]) -> "Sheet":
     Raises
     ------
     InputError
-        There is no such sheet or file, or no sheet has this thickness.
+        The sheet or file does not exist, or no sheet has this thickness.
     """
     from elastica_cad.mechanics.sheets import Sheet
 

@@ -39,7 +39,7 @@ FILE = click.Path(path_type=Path)
 
 @dataclass(frozen=True)
 class PairKeys:
-    """Options of `elastica pair` for its part."""
+    """Options of `elastica pair` that describe its part."""
 
     BESIDE: ClassVar[Record] = FlexureSpec
     WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
@@ -89,7 +89,7 @@ def pair(**chosen: Any) -> None:
     else:
         spec, cutting = _spec_of(chosen, settings), cutting_of({"cut": cut})
     name = chosen["name"] or path.stem
-    cutting.options(Sheet.of(spec.sheet))  # refuses an unknown kerf before the computation
+    cutting.options(Sheet.of(spec.sheet))  # refuse an unknown kerf before the computation
     if matched := spec.matched:
         say_row(Row("Curves", str(matched)))
     say_step("looking for the rod that rests in both curves")

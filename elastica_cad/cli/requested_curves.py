@@ -1,4 +1,4 @@
-"""The CURVE argument: the curves of a file that a command reads, their names, supports and rest shape."""
+"""The CURVE argument of commands: curves of a file, with their names, supports and rest shape."""
 
 import re
 import sys
@@ -31,7 +31,7 @@ from elastica_cad.strip.lettering import engravable
 F = TypeVar("F", bound=Callable[..., Any])
 
 CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
-"""Options that select a curve in a file with several curves."""
+"""Options, in messages, that select a curve in a file with several curves."""
 
 
 def curve_argument(*, required: bool = True) -> Callable[[F], F]:
@@ -70,7 +70,7 @@ def _standard_input(ctx: click.Context) -> Path:
 
 
 def _kind(data: bytes) -> str:
-    """Return the suffix of files with this beginning."""
+    """Return the suffix of the kind of file that begins with these bytes."""
     head = data[:4096].lstrip(b"\xef\xbb\xbf \t\r\n")
     if head.startswith((b"<", b"\x1f\x8b")):
         return ".svg"
@@ -119,7 +119,7 @@ class RequestedCurve:
         File with the curve.
     drawn : DrawnCurve
     whole : DrawnCurve
-        Curve before splitting; the same as `drawn` if it was not split.
+        Curve before splitting; it is `drawn` if the curve was not split.
     count : int
         Number of curves in the file.
     name : str
@@ -129,9 +129,9 @@ class RequestedCurve:
     unit : str or None
         Unit of the file, if it was given.
     own : str
-        Name of the curve in a file with several curves; empty for a generated name.
+        Name that a person gave to the curve in a file with several curves, or "".
     alone : bool
-        True if no other curve has this name.
+        True if no other curve of the file has this name.
     """
 
     path: Path
@@ -146,7 +146,9 @@ class RequestedCurve:
 
     @property
     def label(self) -> str:
-        """Default text engraved on the strip: the name of the curve with its piece, or the stem of its files."""
+        """Default for the engraved text: the name of the curve with the number of its piece, or the stem of
+        its files.
+        """
         piece = f"-{self.drawn.piece}" if self.drawn.pieces > 1 else ""
         return engravable(f"{self.own}{piece}" if self.own else self.name)
 
@@ -163,7 +165,7 @@ class RequestedCurve:
             return self.drawn.curve
 
     def bendable(self, smooth: float | None) -> PlaneCurve:
-        """Return the curve as drawn, and refuse it if smoothing by `smooth` mm does not remove its corners.
+        """Return the curve as drawn. Refuse it if smoothing by `smooth` mm does not remove its corners.
 
         Raises
         ------
@@ -177,7 +179,7 @@ class RequestedCurve:
 
     @contextmanager
     def _named(self) -> Iterator[None]:
-        """Add file and curve to errors."""
+        """Add the names of file and curve to errors."""
         try:
             yield
         except InputError as problem:
@@ -199,16 +201,17 @@ def requested_curves(
     corners: bool = True,
     how: str = CHOICE,
 ) -> tuple[RequestedCurve, ...]:
-    """Return the curve selected by number, id or layer, or `every` selected curve; with `split` their pieces.
+    """Return the curve selected by number, id or layer.
 
-    Without `corners`, curves that meet at a corner are not joined, and joints are not reported. `how` names the
+    With `every`, several curves may be selected. With `split`, curves are divided at corners. Without
+    `corners`, curves that meet at a corner are not joined, and joints are not reported. `how` names the
     options that select a single curve, for messages.
 
     Raises
     ------
     InputError
-        There is no such curve, or there are several although a single curve is required. The message names the
-        file.
+        No curve is selected, or several curves are selected although a single curve is required. The message
+        names the file.
     """
     drawing = drawn_curves(path, unit, number, layer, how, corners=corners)
     several = every and len(drawing) > 1 and number is None
@@ -265,7 +268,7 @@ def drawn_curves(
 
 
 def _names(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
-    """Return, by the number of each curve, its name and True if the name is unique.
+    """Return a mapping from the number of each curve to its name, and True if the name is unique.
 
     A name that several curves have is followed by the number. Curves without a name from a user have an empty name.
     """
@@ -280,7 +283,7 @@ def _names(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
 
 
 def _word(name: str) -> str:
-    """Return the name with characters that are valid in file names."""
+    """Return the name without characters that are not valid in file names."""
     return re.sub(r"[^-.A-Za-z0-9_]+", "_", engravable(name.strip()))
 
 
@@ -294,7 +297,7 @@ END_NAMES = get_args(EndName)
 
 
 def read_curves_with_note(path: Path, *, unit: str | None = None) -> list[PlaneCurve]:
-    """Read the only curve of a file, and print a note if its size is doubtful."""
+    """Read the curve of a file that has a single curve, and print a note if its size is doubtful."""
     (drawn,) = requested_curves(path, unit, None, None)
     return [drawn.bendable(None)]
 
@@ -312,7 +315,7 @@ def natural_curvature_of(value: Any) -> NaturalCurvature:
 
 
 class Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
-    """A parameter type for `natural_curvature`: a number (1/mm), a table, or a drawing of the unloaded strip."""
+    """Parameter type of `natural_curvature`: a number (1/mm), a table, or a drawing of the unloaded strip."""
 
     name = "blank"
 

@@ -1,4 +1,4 @@
-"""`elastica reshape`: pull a curve by four handles; a strip that can take it before can take it after."""
+"""`elastica reshape`: pull a curve by four handles, so that a possible curve stays possible."""
 
 import warnings
 from collections.abc import Sequence
@@ -110,7 +110,7 @@ def _map(
     handles: tuple[tuple[float, float, float, float], ...],
     corners: dict[str, tuple[float, float]],
 ) -> FloatArray:
-    """Return the map of the options."""
+    """Return the projective map (3, 3) that moves the handles as the options request."""
     if handles and corners:
         raise InputError("Corners of the box and --handle exclude each other. Leave out one of them.")
     if corners:
@@ -130,7 +130,7 @@ def _map(
 
 
 def _verdict(curve: PlaneCurve) -> dict[str, Any]:
-    """Return whether the curve can be bent, and the data of the required strip."""
+    """Return a dict: whether a strip can be bent into the curve, and the data of the strip."""
     measured = {"length": curve.length, "realizable": False, "inflections": (), "ratio": None}
     try:
         require_bendable(curve)

@@ -1,4 +1,6 @@
-"""`elastica sections`: from a mesh or a CAD body to curves that strips can follow, and a design file for them."""
+"""`elastica sections`: write curves that strips can follow on a mesh or a CAD body, and a design file for the
+strips.
+"""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -47,19 +49,21 @@ from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.curve_check import check_equilibrium
 
 ALONG = 10
-"""Default number of planes along a path."""
+"""Default number of cutting planes along a path."""
 
 GAP_MM = 20.0
-"""Distance between the curves of a drawing, which keeps them distinguishable."""
+"""Distance, mm, between neighbouring curves in the drawing."""
 
 UPRIGHT = 1e-9
-"""Largest inclination of an upright direction, as a fraction of its length, for rounding errors."""
+"""An upright direction is not used if its component in the plane is smaller than this, as a fraction of its
+length.
+"""
 
 _IDLE = {
     "--radial": ("up",), "--angle": ("up",), "--parallel": ("zero",), "--offset": ("zero",),
     "--along": ("point", "axis", "zero"),
 }  # fmt: skip
-"""Options that do not apply to a family of planes."""
+"""Options that have no effect for a family of planes."""
 
 Triple = tuple[float, float, float]
 TRIPLE = (float, float, float)
@@ -171,7 +175,9 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
 
 
 def _option_for(message: str, chosen: dict[str, Any]) -> str:
-    """Return the option that splits at corners, or closed lines in halves, if it solves the problem."""
+    """Return the option that splits curves at corners, or closed curves in halves, if it solves the problem
+    in `message`.
+    """
     changes = message.all_changes if isinstance(message, Refusal) else ()
     if AT_CORNERS in changes and chosen["split_corners"] is None:
         return " (--split-corners 20)"
@@ -264,7 +270,7 @@ def _up(chosen: dict[str, Any], along: Any) -> Triple:
 
 
 def _strip_keys(chosen: dict[str, Any], output: Path) -> dict[str, Any]:
-    """Return the table for all strips in a design file."""
+    """Return the table of a design file with the keys for all strips."""
     sheet, limits = chosen["sheet"], {"ratio": chosen["ratio"]}
     limits |= {} if chosen["margin"] is None else {"margin": chosen["margin"]}
     strips: dict[str, Any] = {"sheet": seen_from(sheet, output) if ".toml" in sheet else sheet}
@@ -297,7 +303,7 @@ def _sentence(section: dict[str, Any]) -> str:
 
 
 def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:
-    """Return the curves in a row with gaps, so that a drawing shows them all and their ends do not meet."""
+    """Return the curves moved side by side, with gaps, so that their ends do not meet in the drawing."""
     placed, x = [], 0.0
     for curve in curves:
         (left, low), (right, _) = curve.bounds

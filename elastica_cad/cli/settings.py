@@ -1,4 +1,4 @@
-"""Keys of requests by their path, such as `limits.ratio`, for `--set` and `elastica help`."""
+"""Keys of design files by their path, such as `limits.ratio`, for `--set` and `elastica help`."""
 
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -17,7 +17,7 @@ from elastica_cad.errors import InputError, quoted
 F = TypeVar("F", bound=Callable[..., Any])
 
 GROUPS = ("curve", "sheet", "widths", "ends", "limits", "weight", "files")
-"""Order of the groups in which options of a strip are listed."""
+"""Groups of the options of a strip, in the order of help."""
 
 
 @dataclass(frozen=True)
@@ -73,12 +73,12 @@ class BentKeys(StripKeys):
 
 
 def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
-    """Return the table of `KEY=VALUE` texts; values are TOML, and a word without quotes is a text.
+    """Return the table that `KEY=VALUE` texts define. Values are TOML; a word without quotes is a string.
 
     Raises
     ------
     InputError
-        A text has no "=", or a key is unknown; the message has the most similar key.
+        A text has no "=", or a key is unknown. The message contains the most similar key.
 
     Examples
     --------
@@ -112,7 +112,10 @@ def _value(text: str) -> Any:
 
 
 def twice(table: Mapping[str, Any], others: Mapping[str, Any], way: str = "") -> Iterator[str]:
-    """Yield paths with different values in two tables; `true` matches any table or list."""
+    """Yield the paths of keys that have different values in two tables.
+
+    The value `true` equals any table or list.
+    """
     for key in table.keys() & others.keys():
         mine, theirs = table[key], others[key]
         if isinstance(mine, dict) and isinstance(theirs, dict):
@@ -122,7 +125,7 @@ def twice(table: Mapping[str, Any], others: Mapping[str, Any], way: str = "") ->
 
 
 class Setting(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
-    """A parameter type for `KEY=VALUE` with the keys of a record, which shells complete."""
+    """Parameter type of `KEY=VALUE` with the keys of a record; shells can complete them."""
 
     name = "setting"
 
@@ -130,7 +133,7 @@ class Setting(click.ParamType):  # type: ignore[type-arg]  # no generic class be
         self.record = record
 
     def shell_complete(self, _: click.Context, __: click.Parameter, incomplete: str) -> list[Any]:
-        """Return the keys that begin as typed, or the values of a whole key."""
+        """Return the keys that begin with the typed text, or, after a complete key, its possible values."""
         from click.shell_completion import CompletionItem
 
         path, given, typed = incomplete.partition("=")
@@ -152,7 +155,7 @@ def set_option(record: Record) -> Callable[[F], F]:
 
 
 def _values(kind: Kind) -> list[str]:
-    """Return the words that are possible values."""
+    """Return the possible values that are words."""
     words = list(kind.choices)
     for part in written(kind).alternatives:
         words += ["true", "false"] if part.name == "flag" else [] if part == kind else _values(part)
@@ -160,4 +163,7 @@ def _values(kind: Kind) -> list[str]:
 
 
 DEEPEST = 1
-"""Largest number of dots in the paths that `elastica help` lists; longer paths are explained with their tables."""
+"""Largest number of dots in the paths that `elastica help` lists.
+
+Keys with longer paths are explained with their table.
+"""

@@ -70,7 +70,7 @@ def sheets(name: str | None) -> None:
 
 
 def _published(sheet: Sheet) -> dict[str, str]:
-    """The published radii of plywood, along and across its face grain."""
+    """Return the published bending radii of plywood, along and across its face grain."""
     along, across = (least_plywood_radius(sheet.thickness, way) for way in ("along", "across"))
     if sheet.kind != "plywood" or along is None or across is None:
         return {}

@@ -1,4 +1,4 @@
-"""`elastica strip`: from a drawn curve to the files that a laser cutter needs."""
+"""`elastica strip`: make the strip for a drawn curve, and write its files for a laser cutter."""
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
@@ -45,13 +45,15 @@ from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.summary import size_row, strip_rows
 
 STRAYED_SHARE = 3e-4
-"""Deviation of a strip as made, as a fraction of its length, above which corrected widths are suggested."""
+"""If the deviation of a cut strip from its curve exceeds this fraction of its length, corrected widths are
+suggested.
+"""
 
 WORTH_CORRECTING = 0.8
-"""Largest expected deviation with corrected widths, as a fraction of the deviation without, that is suggested."""
+"""Corrected widths are suggested if they reduce the expected deviation to at most this fraction."""
 
 MOST_ADVICE = 1
-"""Largest number of suggestions after a success; each needs one or two solutions."""
+"""Largest number of suggestions after a strip was made; each requires one or two further solutions."""
 
 
 def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
@@ -195,12 +197,12 @@ def _made(requested: RequestedCurve, spec: StripSpec) -> StripResult:
 def _refused(
     spec: StripSpec, requested: RequestedCurve, chosen: Mapping[str, Any], problem: ElasticaError
 ) -> StripSpec | None:
-    """Return the refused request, or None if the command fails with any change."""
+    """Return the refused request, or None if no change can help."""
     return spec if problem.refusal.changes and not _is_taken(requested, chosen) else None
 
 
 def _is_taken(requested: RequestedCurve, chosen: Mapping[str, Any]) -> bool:
-    """Return True if output files exist already, because the command then fails with any change."""
+    """Return True if output files exist already, so that no change of the request can help."""
     folder: Path = chosen["output"]
     there = next(parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists())
     if not there.is_dir():
@@ -211,7 +213,7 @@ def _is_taken(requested: RequestedCurve, chosen: Mapping[str, Any]) -> bool:
 
 
 def _compensated(result: StripResult) -> Iterator[Row]:
-    """Yield the accuracy with corrected widths, if it is much better."""
+    """Yield the row with the accuracy of corrected widths, if it is much better."""
     strip = result.strip
     if result.spec.compensate or result.spec.law is not None or strip.rod.acting:
         return
@@ -226,7 +228,7 @@ def _compensated(result: StripResult) -> Iterator[Row]:
 
 
 def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> None:
-    """Print the report in rows; for one of several strips only its size and warnings."""
+    """Print the report in rows. If there are several strips, print only the size and the warnings of each."""
     strip = result.strip
     rows = strip_rows(strip, result.near, result.stability)
     voice().notes.extend(text for text in strip.warnings if not is_reported(text))

@@ -1,4 +1,4 @@
-"""Options of a strip and its supports, and their request."""
+"""Command-line options of a strip and its supports, and their conversion to a request."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -34,18 +34,18 @@ if TYPE_CHECKING:
 CALLED = {
     "style.kind": "style", "style.width": "outer_width", "keep.length": "keep_length", "ends.length": "tab",
 }  # fmt: skip
-"""Options with a name other than the last name of the key that they set."""
+"""Names of options that differ from the last part of the key that they set."""
 
 BY_HAND = ("style", "keep", "ends", "supports", "gravity", "natural_curvature", "limits", "cut", "keep.ends",
            "keep.tangents", "limits.strain")  # fmt: skip
-"""Keys whose option values have another form than in a table, and keys that are replaced by their subkeys."""
+"""Keys without a generated option: their options have values of another form, or set their subkeys."""
 
 FLAGS = ("keep.length", "ignore_limits")
-"""Keys that an option without a value sets to true."""
+"""Keys whose options are flags that set them to true."""
 
 
 def typed_name(path: str) -> str:
-    """Return the spelling of a key: its option, or else `--set`.
+    """Return how a user sets a key: by its option, or else by `--set`.
 
     Examples
     --------
@@ -58,12 +58,12 @@ def typed_name(path: str) -> str:
 
 
 CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split_corners"}
-"""Keys with another name in the suggested changes of a refusal."""
+"""Keys of the fields that have another name in suggested changes."""
 
 
 def _option_words(change: Change) -> tuple[str, ...]:
-    """Return the arguments for a suggested change, or none if no option makes it."""
-    if change.field == "between":  # the option has the name of the record, and its values are the places
+    """Return the arguments that make a suggested change, or an empty tuple if no option makes it."""
+    if change.field == "between":  # the option is named after the record, and its values are positions
         record: Any = type(change.value)
         places = [
             getattr(change.value, entry.name) for entry in declared(record) if entry.default is REQUIRED
@@ -81,7 +81,7 @@ def _option_words(change: Change) -> tuple[str, ...]:
 
 
 def typed_change(suggestion: "Suggestion", *options: str, instead: str | None = None) -> str:
-    """Return the running command with a change, or the change as an instruction if no option makes it."""
+    """Return the running command with a suggested change, or an instruction if no option makes the change."""
     words = _option_words(suggestion.change)
     return f"`{typed_line(*options, *words, instead=instead)}`" if words else suggestion.title
 
@@ -108,7 +108,7 @@ _OWN_OPTIONS = {
     "natural_curvature": "natural_curvature",
 }  # fmt: skip
 OPTIONS = _common()
-"""Parameters of the options that are made from declarations, by the path of the key that they set."""
+"""Names of the options that are generated from declarations, by the path of the key that they set."""
 
 DEFAULTS = {
     "label": "the file's name", "ends.length": "10", "style.kind": "plain", "cut.kerf": f"{KERF:g}",
@@ -167,7 +167,9 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
 
 
 def strip_options(function: Any) -> Any:
-    """Add all options of a strip, except its file, to a command: common keys, and `--set` for other keys."""
+    """Add all options of a strip, except its file, to a command: options of common keys, and `--set` for the
+    others.
+    """
     groups = []
     for group in GROUPS:
         own = [(path, name) for path, name in OPTIONS.items() if _group(path) == group]
@@ -180,7 +182,7 @@ def _group(path: str) -> str:
 
 
 def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter]]:
-    """Return options by their group in help; options of every command are last."""
+    """Return the options by their group in help. Options that every command has are in the last group."""
     of = {name: _group(path) for path, name in OPTIONS.items()}
     for group, options in _HAND_MADE.items():
         probe: Any = join_options(*options)(lambda: None)
@@ -192,7 +194,7 @@ def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter
 
 
 def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the table of the options, as in a design file; `--set` is applied first.
+    """Return the options as the table of a design file; `--set` is applied first.
 
     Raises
     ------
@@ -249,7 +251,7 @@ def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict
 
 
 def spec_from_options(curve: PlaneCurve, label: str, table: Mapping[str, Any]) -> StripSpec:
-    """Return the strip request of the options' table, with this default `label`.
+    """Return the request for a strip from the table of the options, with a default for the label.
 
     Raises
     ------

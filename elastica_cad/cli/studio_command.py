@@ -1,4 +1,4 @@
-"""`elastica studio`: a web page for drawing curves, which shows the strip immediately."""
+"""`elastica studio`: open a web page in which curves are drawn, and which shows their strips immediately."""
 
 import webbrowser
 from importlib.util import find_spec

@@ -1,4 +1,4 @@
-"""The typed command, and suggestions of a command that works."""
+"""The command as the user typed it, and suggestions how to change it after an error."""
 
 import shutil
 import sys
@@ -19,7 +19,9 @@ if TYPE_CHECKING:
 
 
 def name_program() -> str:
-    """Return the command of this program: its name, its path if the name finds another program, or the module."""
+    """Return how this program is run: by its name, by its path if the name runs another program, or as a
+    module.
+    """
     called = Path(sys.argv[0])
     if called.parts[-2:] == ("elastica_cad", "__main__.py"):
         return f"{quote_words([sys.executable])} -m elastica_cad"
@@ -30,10 +32,10 @@ def name_program() -> str:
 
 
 TYPED = "elastica.typed"
-"""Key of the words that the user typed, in click's `meta`."""
+"""Key, in click's `meta`, of the arguments that the user typed."""
 
 MOST_REFUSALS = 7
-"""Largest number of curves of a file whose refusals are printed."""
+"""Largest number of refused curves of a file for which messages are printed."""
 
 
 def typed_line(*added: str, instead: str | None = None) -> str:
@@ -49,22 +51,21 @@ def typed_line(*added: str, instead: str | None = None) -> str:
 
 
 def typed_length(mm: float) -> str:
-    """Return a length (mm) as an argument of the running command, with its unit if the command uses another
-    unit."""
+    """Return a length in mm as an argument of the running command, with the unit if the default unit is not mm."""
     context = click.get_current_context(silent=True)
     units = "mm" if context is None else context.find_root().params.get("units", "mm")
     return f"{mm:g}" if units == "mm" else f"{mm:g}mm"
 
 
 def listing_note(refused: int) -> str:
-    """Return a text on which of many rejected curves are printed."""
+    """Return a sentence on which of many refused curves have messages, or ""."""
     if refused <= MOST_REFUSALS:
         return ""
     return f"; the first {MOST_REFUSALS} are listed, all with -v"
 
 
 Cure: TypeAlias = dict[str, Any]
-"""Change as a table for reports, see `Suggestion.as_dict`; its text is what is printed."""
+"""Suggested change as a dict for reports: the keys of `Suggestion.as_dict`, and the printed text."""
 
 SUGGEST = "elastica.suggest"
 """Key, in click's `meta`, of the function that searches for a suggestion after an error."""
@@ -75,9 +76,10 @@ def suggest_later(
     spelled: "Callable[[Suggestion], str]",
     fields: Collection[str] | None = None,
 ) -> None:
-    """Register a search for changes that is made after an error of the running command is printed.
+    """Register the search for changes that runs after an error of the running command was printed.
 
-    `request` returns the refused request, or None. `spelled` returns a change as the user types it.
+    `request` returns the refused request, or None. `spelled` converts a change to a command or
+    instruction.
     """
 
     def search(problem: ElasticaError) -> list[Cure]:
@@ -96,7 +98,7 @@ def _inside(context: click.Context, search: Callable[[], list[Cure]]) -> list[Cu
 
 
 def cures_after(problem: ElasticaError) -> list[Cure]:
-    """Return the changes that the running command registered for this error."""
+    """Run the registered search for changes that avoid this error, and return them."""
     search = click.get_current_context().meta.get(SUGGEST)
     return [] if search is None else search(problem)
 
@@ -107,7 +109,7 @@ def cures_of(
     spelled: "Callable[[Suggestion], str]",
     fields: Collection[str] | None = None,
 ) -> list[Cure]:
-    """Return the changes that make the request possible, as tables with a printed text; Ctrl-C ends the search."""
+    """Return the changes that make the request possible, as dicts with a printed text. Ctrl-C ends the search."""
     from elastica_cad.strip.suggestions import suggest
 
     found: list[Cure] = []

@@ -1,5 +1,7 @@
-"""Output of commands for people and programs (messages, warnings, answers), and repetition after changes of
-files."""
+"""Output of commands: messages, warnings, answers and the JSON record.
+
+Repetition of commands when files change.
+"""
 
 import json
 import sys
@@ -36,7 +38,8 @@ class Voice:
     step : str
         Current step of the command.
     as_json, quiet, verbose : bool
-        Print a single record instead of lines; only problems; every step and all notes.
+        `as_json` prints a single record instead of lines, `quiet` prints only problems, and `verbose` all
+        steps and notes.
     """
 
     command: str
@@ -75,7 +78,7 @@ class Voice:
     def refuse(
         self, text: str, problem: ElasticaError, code: int, suggest: Callable[[], list[dict[str, Any]]]
     ) -> None:
-        """Print the error, then changes that work; Ctrl-C ends the search for them."""
+        """Print the error, then suggested changes. Ctrl-C ends the search for changes."""
         _clear_step()
         cures: list[dict[str, Any]] = []
         _print_row(Row("Error", text, severity="error"), err=True)
@@ -98,7 +101,7 @@ class Voice:
 
 
 def voice() -> Voice:
-    """Return the output of the running command."""
+    """Return the output settings of the running command."""
     ctx = click.get_current_context()
     current: Voice = ctx.meta.setdefault(_KEY, Voice(ctx.info_name or "elastica"))
     return current
@@ -110,16 +113,16 @@ def echo(text: str, *, nl: bool = True, err: bool = False) -> None:
 
 
 def say(text: str = "") -> None:
-    """Print a line of the answer, for people."""
+    """Print a line of the answer, unless the output is JSON or quiet."""
     if not (voice().as_json or voice().quiet):
         _clear_step()
         echo(text)
 
 
 def warn(text: str, *, printed: bool = True, in_notes: bool = True) -> None:
-    """Print a warning to stderr, and add it to the notes of the JSON record if it is `in_notes`.
+    """Print a warning to stderr, and with `in_notes` add it to the notes of the JSON record.
 
-    Without `printed` it is only printed with -v.
+    Without `printed`, the warning is only printed with -v.
     """
     if in_notes:
         voice().notes.append(text)
@@ -129,9 +132,10 @@ def warn(text: str, *, printed: bool = True, in_notes: bool = True) -> None:
 
 
 def say_row(row: Row, *, is_answer: bool = False) -> None:
-    """Print a row, with its details under -v.
+    """Print a row of the report, and with -v its details.
 
-    A row that stops the user is a warning on stderr and in the JSON notes, unless it `is_answer` to the request.
+    A row about a problem is printed as a warning to stderr and added to the notes of the JSON record, unless
+    it `is_answer` to the request.
     """
     speaker = voice()
     warns = row.stops and not is_answer
@@ -148,7 +152,7 @@ def say_row(row: Row, *, is_answer: bool = False) -> None:
 def _print_row(row: Row, *, err: bool) -> None:
     label, text = printed_row(row)[:LABEL_WIDTH], printed_row(row)[LABEL_WIDTH:]
     label = click.style(printable(label), fg="red") if row.stops else printable(label)
-    click.echo(label + printable(text), err=err)  # without the colour if the output is not a terminal
+    click.echo(label + printable(text), err=err)  # click removes colours if the output is not a terminal
 
 
 def say_table(columns: Mapping[str, Sequence[str]]) -> None:
@@ -159,7 +163,7 @@ def say_table(columns: Mapping[str, Sequence[str]]) -> None:
 
 
 def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyType({})) -> None:
-    """Report the written files in a row, with the `contents` of files that have a name there."""
+    """Report the written files in a row. `contents` maps the names of files to descriptions."""
     listed = list(paths)
     voice().files += map(str, listed)
     names = [
@@ -172,12 +176,14 @@ def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyT
 
 
 def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
-    """Print the answer for programs: records, arrays and paths become plain JSON."""
+    """Set the JSON record of the command; records, arrays and paths become plain JSON."""
     voice().record = _simplify(record)
 
 
 def say_step(text: str, number: int = 0, count: int = 0) -> None:
-    """Report a step in progress to stderr: on a terminal in an overwritten line, with -v in separate lines."""
+    """Report the current step to stderr: on a terminal in a line that is overwritten, with -v in separate
+    lines.
+    """
     speaker = voice()
     speaker.step = counted = f"{text} ({number} of {count})" if count > 1 else text
     if speaker.verbose:
@@ -188,12 +194,12 @@ def say_step(text: str, number: int = 0, count: int = 0) -> None:
 
 
 PATIENCE_S = 5.0
-"""Time, s, after which a command shows that it is working, and the interval of further messages."""
+"""Time, s, after which a command reports its progress, and the interval between further reports."""
 
 
 @contextmanager
 def progress_shown() -> Iterator[None]:
-    """Show on stderr which step takes more than a few seconds, and for how long the command has been running."""
+    """Report on stderr each step that takes more than a few seconds, with the running time of the command."""
     speaker, screen, ended = voice(), sys.__stderr__, Event()
 
     def show() -> None:
@@ -223,7 +229,7 @@ def _print_json(record: Any) -> None:
 
 
 def _simplify(value: Any) -> Any:
-    """Return the value for JSON, with numbers to ten digits and non-finite numbers as null.
+    """Return the value for JSON. Numbers are rounded to ten digits; numbers that are not finite become null.
 
     Examples
     --------
@@ -253,13 +259,13 @@ LOOK_S = 0.2
 """Interval between two checks of the files, s."""
 
 GONE_LOOKS = 5
-"""Number of checks for which a file may be missing while a program replaces it."""
+"""A file that a program is replacing may be missing for this many checks."""
 
 
 def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> None:
-    """Run `make`, and again after every change of a file that it read, until the user interrupts.
+    """Run `make`, and run it again after every change of a file that it read, until the user presses Ctrl-C.
 
-    It waits for files that programs replace or are still writing. Changes while `make` runs also count.
+    It waits until programs have finished writing or replacing a file. Changes while `make` runs also count.
 
     Raises
     ------
@@ -279,7 +285,7 @@ def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> N
 
 
 def _wait_for_change(read: dict[Path, FileMark]) -> None:
-    """Wait until a file differs from the version that was read and no file is being changed."""
+    """Wait until a file differs from the version that was read, and no file is being written."""
     before, still = read, 0
     while True:
         time.sleep(LOOK_S)

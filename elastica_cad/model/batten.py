@@ -243,9 +243,9 @@ class BattenSpec:
         return 1 - 2.4 * self.camber**2
 
     def _place_of(self, taper: float, chord: float) -> float:
-        """Return the place of the camber for this taper, with the chord adjusted to the requested depth.
+        """Return the place of the camber for this taper. The chord is adjusted to the requested depth.
 
-        The depth grows with the square root of length minus chord.
+        The adjustment uses that the depth is proportional to the square root of length minus chord.
         """
         for _ in range(MOST_STEPS):
             depth, place = camber_of(_pressed(self, taper, chord, SEARCH_NODES))

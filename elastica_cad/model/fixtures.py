@@ -1,4 +1,4 @@
-"""Tabs of strips in space, and printed blocks that hold them."""
+"""Tabs of strips in space, and printed blocks that hold tabs."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
@@ -27,7 +27,7 @@ Key: TypeAlias = tuple[float, ...]
 
 
 def tab_name(strip: str, end: StripEnd) -> str:
-    """Return the part number of the tab at an end of a strip, as engraved in its label."""
+    """Return the part number of the tab at an end of a strip, as engraved on the strip."""
     return f"{strip}:{1 if end == 'start' else 2}"
 
 
@@ -40,11 +40,8 @@ class PlacedTab:
     frame : Frame
         The origin is the end of the free part, at half the thickness. The x axis points out of the strip into the
         tab, y across the tab, and z away from the strip's upper side.
-    length, width, thickness : float
-        mm.
-    holes : tuple of Hole
-        Seen along y of this frame.
-    name : str
+    length, width, thickness : float Size of the tab, mm. holes : tuple of Hole Holes of the tab, viewed along
+    y of the frame. name : str
         Part number: the strip's name with 1 for the start and 2 for the end, as in the engraved label.
     t_slot : TSlot or None
         Slot for a screw that is inserted at the tip.
@@ -86,12 +83,12 @@ class PlacedTab:
 
     @cached_property
     def key(self) -> Key:
-        """Rounded position, the key for matching holders with strips."""
+        """Rounded position of the tab, by which holders are matched with strips."""
         return tuple(np.round([*self.frame.origin, *self.frame.x_axis], 6).tolist())
 
     @property
     def tip(self) -> FloatArray:
-        """Middle of the tab's far end (3,), mm."""
+        """Middle (3,), mm, of the end of the tab that is away from the strip."""
         return self.frame.point((self.length, 0.0, 0.0))
 
     @property
@@ -102,7 +99,7 @@ class PlacedTab:
 
 
 def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
-    """Return the tabs of all strips at these ends, strip by strip, with names from the strips."""
+    """Return the tabs of all strips at these ends, in the order of the strips, named after the strips."""
     return [
         PlacedTab.of(member.strip, end, member.frame, name=name)
         for member, name in zip(placed, strip_names(placed), strict=True)
@@ -111,7 +108,7 @@ def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> lis
 
 
 def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
-    """Return the placed tabs for holders, or raise InputError for strips that no holder fits."""
+    """Return the placed tabs as `place_tabs` does, and refuse strips whose ends fit no holder."""
     require_ends(ends)
     for member, name in zip(require_placed(placed), strip_names(placed), strict=True):
         _require_holdable(member.strip, name)
@@ -126,7 +123,7 @@ def require_ends(ends: object) -> None:
 
 
 def _require_holdable(strip: Strip, name: str | None = None) -> None:
-    """Refuse a strip whose ends fit no holder of this package."""
+    """Refuse a strip with ends that no holder of this package fits."""
     if strip.layout.stack is not None:
         raise InputError(
             f"{name or strip.label or 'strip'}: a holder does not fit a stack of plies, which "
@@ -143,47 +140,45 @@ at a
 height of 4 mm; the depth is then two fine layers."""
 
 LABEL_MM = 4.0
-"""Height of the part number, mm, if there is room."""
+"""Height of the part number, mm, if the surface is large enough."""
 
 LEVEL = 1e-6
-"""Tolerance for heights, mm, and directions."""
+"""Tolerance for heights (mm), and for components of unit vectors."""
 
 BEYOND_MM = 1.0
-"""Extension of holes and pockets beyond the faces that they open, mm."""
+"""Distance, mm, by which cutting bodies of holes and pockets extend beyond the faces of the block."""
 
 
 @dataclass(frozen=True, eq=False)
 class EndFixture(EqualByValue):
-    """Block with a pocket for one tab, and a foot with two screw holes.
+    """Block with a pocket for a tab, and a foot with two screw holes.
 
     Parameters
     ----------
     tab : PlacedTab
         Tab in the pocket; see `EndFixture.of`.
     floor : Frame, optional
-        Plane under the block, z up; it must be perpendicular to the plane of the strip's curve. By default it is
-        perpendicular to the tab, behind its tip.
+        Plane under the block, z up; it must be perpendicular to the plane of the strip's curve. The default
+        plane is perpendicular to the tab, behind its tip.
     clearance : float
         Clearance around the tab on every side, mm.
     wall : float
         Least thickness around the pocket, mm.
     foot : float
-        Width of the foot on either side, mm; 0 for no foot.
-    foot_height : float
-        mm.
+        Width of the foot on each side, mm; 0 for no foot. foot_height : float Height of the foot, mm.
     screw : float
         Diameter of the screw holes in the foot, mm; 0 for no holes. Holes of the tab also pass through the block,
         for clamping screws.
     engrave : str, optional
         Engraved text; by default the tab's name, empty for no text.
     lean : (float, float)
-        Shift of the pocket to the left of the curve, mm, and its turn to the left, rad; see `of`.
+        Shift of the pocket to the left of the curve, mm, and its rotation to the left, rad; see `of`.
 
     Raises
     ------
     InputError
-        The strip has no tab there, a size is impossible, or the floor is above the tab or not perpendicular to the
-        plane of the curve.
+        The strip has no tab at this end, a size is impossible, or the floor is above the tab or not
+        perpendicular to the plane of the curve.
 
     Examples
     --------
@@ -258,17 +253,18 @@ class EndFixture(EqualByValue):
     ) -> "EndFixture":
         """Return the fixture of a strip's "start" or "end"; `frame` is the plane of its curve, by default xy.
 
-        The pocket is shifted and turned against the strip's force and moment. After the tab has taken up the
-        clearance, it is at its designed position.
+        The pocket is shifted and rotated against the force and moment of the strip. So the tab is at its
+        designed position when it touches the walls of the pocket.
         """
         tab = PlacedTab.of(strip, end, frame)
         _require_holdable(strip)
         return cls(tab, floor, engrave=engrave, **sizes).leaning(strip, end)
 
     def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
-        """Return the fixture with its pocket shifted and turned against the load of the strip's end.
+        """Return the fixture with its pocket shifted and rotated against the load at the end of the strip.
 
-        The loaded tab bends between the walls. The solid of the tab is straight, so it overlaps the walls slightly.
+        A loaded tab bends between the walls. Its body is drawn straight, so it overlaps the walls
+        slightly.
         """
         require_record(strip, Strip, "what is held", "a Strip")
         require_ends([end])
@@ -279,7 +275,7 @@ class EndFixture(EqualByValue):
 
     @property
     def warnings(self) -> tuple[Refusal, ...]:
-        """Message about a pocket that leans, with its angle and its overlap with the straight tab."""
+        """Message that the pocket is rotated, with its angle and its overlap with the straight body of the tab."""
         depth = -float(self.seat.gaps(0.0, 0.0, 1).min())
         if depth <= 0:
             return ()
@@ -295,7 +291,7 @@ class EndFixture(EqualByValue):
 
     @property
     def label(self) -> str:
-        """Name in assemblies."""
+        """Name of the block in assemblies."""
         return f"fixture {self.engrave or self.tab.name}"
 
     @property
@@ -314,7 +310,9 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def _profile(self) -> Frame:
-        """Frame of the profiles: x points out of the strip, y away from its upper side, z across it."""
+        """Frame in which profiles are drawn: x points out of the strip, y away from its upper side, and z
+        across the strip.
+        """
         return Frame(self.tab.frame.origin, self.tab.frame.x_axis, self.tab.frame.z_axis)
 
     @cached_property
@@ -326,7 +324,9 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def _up(self) -> tuple[FloatArray, FloatArray, float]:
-        """Unit vectors up and along the floor (2,), and the floor's height, in the profile's frame."""
+        """Unit vectors (2,) normal to the floor and along it, and the height of the floor, in the frame of
+        the profiles.
+        """
         n = self.ground.z_axis
         up = np.array([n @ self._profile.x_axis, n @ self._profile.y_axis])
         up = up / np.hypot(*up)
@@ -341,20 +341,20 @@ class EndFixture(EqualByValue):
 
     @property
     def lowest_height(self) -> float:
-        """Least z in space of the block about the pocket, mm."""
+        """Least z in space, mm, of the block around the pocket."""
         return float(self._profile.point(self._core)[:, 2].min())
 
     @property
     def seat(self) -> TabSeat:
-        """Seat of the tab in the pocket."""
+        """Pocket as a seat of the tab, with its play."""
         pocket = TabSeat.pocket(self.tab.length, self.tab.thickness, self.clearance)
         return pocket.moved(*self.lean)
 
     @cached_property
     def solid(self) -> PrismSolid:
-        """Block as a union and difference of prisms, the pocket first.
+        """Block as a union and difference of prisms; the pocket is the first prism.
 
-        Its joint "tab" is at the end of the free part of the strip.
+        The joint "tab" of the body is at the end of the free part of the strip.
         """
         up, along, height = self._up
         core = self._core
@@ -379,13 +379,13 @@ class EndFixture(EqualByValue):
         return FlatSolid(_polygon(corners), (), across, self._profile.shifted(z=-across / 2))
 
     def _pocket(self) -> FlatSolid:
-        """Return the pocket of the tab, open to the strip."""
+        """Return the pocket of the tab, which is open towards the strip."""
         half = self.tab.thickness / 2 + self.clearance
         back, front = self.tab.length + self.clearance, -BEYOND_MM
         shift, turn = self.lean
         cos, sin = np.cos(turn), np.sin(turn)
         corners = np.array([(front, -half), (back, -half), (back, half), (front, half)])
-        # the left of the curve is the lower side of the strip, and -y of the profile
+        # the left side of the curve is the lower side of the strip, and in direction -y of the profile
         leaned = corners @ np.array([[cos, -sin], [sin, cos]]) - (0.0, shift)
         return self._prism(leaned, self.tab.width + 2 * self.clearance)
 
@@ -399,7 +399,7 @@ class EndFixture(EqualByValue):
         ]
 
     def _tip_hole(self, body: FloatArray) -> list[FlatSolid]:
-        """Hole for the screw of a T-slot, through the wall behind the tip and everything below it."""
+        """Return the hole for the screw of a T-slot, through the wall behind the tip and everything below."""
         slot, tab = self.tab.t_slot, self.tab.frame
         if slot is None:
             return []
@@ -419,7 +419,7 @@ class EndFixture(EqualByValue):
         return FlatSolid(Path.circle((0.0, 0.0), self.screw / 2), (), self.foot_height + 2 * BEYOND_MM, frame)
 
     def _letters(self) -> list[FlatSolid]:
-        """Return the engraved text as grooves in the side, along the tab."""
+        """Return the engraved text as grooves in a side face, along the tab."""
         if not self.engrave:
             return []
         (_, low), (long, high) = self._core[0], self._core[2]
@@ -444,7 +444,9 @@ def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSo
 
 
 def _groove(middle: Segment, width: float) -> Path:
-    """Return the outline of a groove along a line or an arc, or a dot if it is shorter than wide."""
+    """Return the outline of a groove along a line or an arc, or a round hole if the groove is shorter than
+    wide.
+    """
     if middle.length <= width:
         return Path.circle(middle.at(0.5), width / 2)
     ends, along = middle.at(np.array([0.0, 1.0])), middle.tangent_at(np.array([0.0, 1.0]))
@@ -458,7 +460,7 @@ def end_fixtures(
 ) -> tuple[EndFixture, ...]:
     """Return blocks for these ends of every strip that has tabs; sizes as in `EndFixture`.
 
-    Without `floor`, blocks of strips with a vertical plane share one horizontal floor below the lowest block. The
+    By default, blocks of strips in vertical planes have a common horizontal floor below the lowest block. The
     floor of every other block is perpendicular to its tab.
     """
     refuse_unknown(
@@ -488,10 +490,10 @@ def _polygon(corners: FloatArray) -> Path:
 
 
 TOUCHING_MM = 0.1
-"""Largest permitted overlap of blocks, mm; it can be filed off."""
+"""Largest permitted overlap of blocks, mm. Such an overlap can be filed off."""
 
 PITCH_MM = 0.5
-"""Distance, mm, between the points of strips and edges of blocks that are tested for overlap with blocks."""
+"""Distance, mm, between sample points on strips and on edges of blocks that are tested for overlap."""
 
 
 def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tuple[str, ...]:
@@ -532,7 +534,7 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
 
 
 def _crossed(placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Sequence["_Prism"]]) -> list[int]:
-    """Return the blocks that a strip runs through, except those at its own ends."""
+    """Return the indices of the blocks that a strip runs through, except the blocks that hold it."""
     tab_keys = {PlacedTab.of(placed.strip, end, placed.frame).key for end in ENDS}
     rod, frame = placed.strip.rod, placed.frame
     s = np.linspace(0.0, rod.length, int(rod.length / PITCH_MM) + 2)
@@ -552,7 +554,9 @@ def _reach_into(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Prism:
-    """Convex prism in space: points (n, 3) along its edges, and a point and normal (k, 3) of each face."""
+    """Convex prism in space: sample points (n, 3) along its edges, and for each of its k faces a point and a
+    normal.
+    """
 
     edges: FloatArray
     faces: FloatArray
@@ -573,6 +577,6 @@ class _Prism:
         return cls(edges.reshape(-1, 3), np.concatenate([lower, upper[:1], lower[:1]]), outward)
 
     def depths(self, points: FloatArray) -> FloatArray:
-        """Depth of points (n, 3) within the prism, mm; negative outside."""
+        """Return the depths (n,), mm, of points (n, 3) below the surface of the prism; negative outside."""
         heights = (self.faces * self.outward).sum(axis=1)
         return np.asarray((heights - points @ self.outward.T).min(axis=1))

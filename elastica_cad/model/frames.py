@@ -1,5 +1,6 @@
-"""Slotted frames of rails that hold the tabs and ribs that join the rails, and feet that hold tabs at their
-angle."""
+"""Slotted frames, whose rails hold tabs and are joined by ribs, and feet (gussets) that hold tabs at their
+angle.
+"""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -34,31 +35,36 @@ from elastica_cad.strip.uncuttable_parts import (
 )
 
 SHOULDER_MM = 5.0
-"""Width of a rib's shoulder beside its tongue, mm, which rests against the rail."""
+"""Width, mm, of the shoulder beside a rib's tongue; the shoulder rests against the rail."""
 
 SLOT_ROOM_MM = 3.0
-"""Least distance between the slots of ribs and of tabs, mm; the sheet may need more."""
+"""Least distance, mm, between slots of ribs and slots of tabs. Some sheets need a larger distance."""
 
 LABEL_MM = 6.0
-"""Height of the name of a rib, mm, if there is room."""
+"""Height of the name of a rib, mm, if the rib is large enough."""
 
 MOST_RIBS = 200
 """Largest number of ribs of a frame."""
 
 STEP_MM = 2.5
-"""Step on each side of a tongue, mm. The tongue is narrower in the first of two rails, so the step keeps their
-gap."""
+"""Step, mm, on each side of a tongue.
+
+Behind the step the tongue is narrower; the step keeps the distance between two rails.
+"""
 
 ON_SIDE_MM = 1e-6
-"""Largest distance, mm, by rounding, of a point on a side of the rib from this side."""
+"""Rounding error, mm, of the distance between a side of the rib and a point on it."""
 
 PARALLEL_SINE = 0.1
-"""Largest sine of the angle between normals of parallel rails; ribs are then perpendicular to the first rail."""
+"""Rails count as parallel if the sine of the angle between them is smaller.
+
+Their ribs are perpendicular to the first rail.
+"""
 
 
 @dataclass(frozen=True, eq=False)
 class Rib:
-    """Plate that joins the rails with tongues in their slots.
+    """Plate that joins the rails. Its tongues are in slots of the rails.
 
     Attributes
     ----------
@@ -67,9 +73,7 @@ class Rib:
     frame : Frame
         Middle plane of the rib.
     outline : Path
-        Closed, in the frame.
-    label : Text
-        Engraved name, in the frame.
+        Closed outline, in the frame. label : Text Engraved name, in the frame.
     warnings : tuple of str
         Reasons not to cut the rib, if limits were ignored.
     """
@@ -95,13 +99,13 @@ class Rib:
 
     @property
     def solid(self) -> FlatSolid:
-        """The rib in space."""
+        """Body of the rib in space."""
         thickness = self.sheet.thickness
         return FlatSolid(self.outline, (), thickness, self.frame.shifted(z=-thickness / 2))
 
     @property
     def piece(self) -> Piece:
-        """The rib as a piece to be cut, its name engraved."""
+        """The rib as a piece to be cut, with its engraved name."""
         drawing = Drawing(self.name, (LayeredPath(CUT_OUTER, self.outline),), (self.label,))
         return Piece(self.name, drawing, self.sheet)
 
@@ -132,7 +136,7 @@ class SlottedFrame:
 
     @property
     def solids(self) -> tuple[tuple[str, FlatSolid], ...]:
-        """Names and bodies in space."""
+        """Names of the plates, with their bodies in space."""
         return tuple((part.name, part.solid) for part in self.parts)
 
 
@@ -152,7 +156,7 @@ def slotted_frame(
     shop: FabricationLimits | None = None,
     ignore_limits: bool = False,
 ) -> SlottedFrame:
-    """Return a frame of plates: each rail holds the tabs of one end, and ribs keep the rails in position.
+    """Return a frame of plates. Each rail holds the tabs of one end, and ribs join the rails.
 
     Parameters
     ----------
@@ -161,20 +165,20 @@ def slotted_frame(
     sheet : Sheet or its name
         Sheet of the rails and ribs.
     ribs : int
-        Number of ribs, 2 or more; there are fewer if the gaps between tabs are too narrow.
+        Number of ribs, at least 2. The frame has fewer ribs if the gaps between tabs are too narrow.
     depth : float
         Depth of the ribs behind the rails, mm.
     tongue : float
         Length of the tongues of the ribs in the rails, mm.
     play, clearance : float
-        Play beside tabs and tongues on either side, and amount added to the width of slots, mm.
+        Play on each side of tabs and tongues, and addition to the width of slots, mm.
     border : float
         Least distance of slots from the edge of a rail, mm.
     gap : float, optional
         Distance, mm, between two rails that replace each single rail and hold inclined tabs at their angle.
         Steps of the tongues keep this distance.
     shop : FabricationLimits, optional
-        Limits of the workshop: bridges between slots, the largest sheet.
+        Limits of the workshop, such as the width of bridges between slots, and the largest sheet.
     ignore_limits : bool
         Make rails and ribs beyond these limits, and list the faults in their warnings.
 
@@ -242,14 +246,16 @@ class _RailPlan:
         options: PlateOptions,
         behind: float = 0.0,
     ) -> "_RailPlan":
-        """Return the rail for the tabs of one end, shifted `behind` mm along the tabs, with their slots."""
+        """Return the rail with slots for the tabs of one end, shifted `behind` mm along the tabs."""
         name = f"rail-{end}{'-outer' if behind else ''}"
         tabs = tabs_to_hold(placed, [end])
         frame = tab_plane(tabs, name).shifted(z=-behind)
         return cls(name, frame, through_slots(tabs, frame, sheet, replace(options, name=name)))
 
     def seat(self, station: float, across: FloatArray) -> "_Seat":
-        """Return the place where a rib with normal `across` (3,) meets the upper face, in the rail's middle."""
+        """Return the position at which a rib with normal `across` (3,) meets the middle of the rail's upper
+        face.
+        """
         centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
         n = self.frame.z_axis
         along = np.cross(n, across)
@@ -269,14 +275,16 @@ class _RailPlan:
         return TabSlot(corners, name, thickness)
 
     def reach(self, across: FloatArray) -> FloatArray:
-        """Return start and end of each slot (n, 2) along a direction (3,)."""
+        """Return the start and end (n, 2), mm, of n slots along a direction (3,)."""
         corners = self.frame.point(np.array([slot.corners for slot in self.slots])) @ across
         return np.column_stack([corners.min(axis=1), corners.max(axis=1)])
 
 
 @dataclass(frozen=True, eq=False)
 class _Seat:
-    """Place of a rib in a rail: a point of the rail's upper face, the direction of the rib, the face normal."""
+    """Position of a rib in a rail: a point on the upper face of the rail, the direction of the rib, and the
+    normal of the face.
+    """
 
     point: FloatArray
     along: FloatArray
@@ -285,7 +293,7 @@ class _Seat:
 
 @dataclass(frozen=True, eq=False)
 class _RibPlan:
-    """A rib before it is drawn."""
+    """A rib before its outline is drawn."""
 
     name: str
     station: float
@@ -293,7 +301,10 @@ class _RibPlan:
     seats: tuple[_Seat, ...]
 
     def rib(self, sheet: Sheet, tongue: float, depth: float, *, behind: float, step: float) -> Rib:
-        """Return the rib behind all rails, with tongues that are narrower in the first of two rails."""
+        """Return the rib behind all rails.
+
+        If there are two rails at each end, its tongues are narrower in the first of them.
+        """
         x_axis = self.seats[0].along
         frame = Frame(self.seats[0].point, x_axis, np.cross(self.across, x_axis))
         rest, under = tongue / 2 + SHOULDER_MM, sheet.thickness + behind
@@ -312,7 +323,7 @@ class _RibPlan:
             for base in bases:
                 drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
             if drawn is not None and self_crossing(drawn, closed=True) is None:
-                # for the part of the rib behind the first tongue
+                # the label is on the part of the rib behind the first tongue
                 label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
                 return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
         raise InputError(
@@ -328,7 +339,7 @@ class _Corner:
         self.inward = seat.along if (other.point - seat.point) @ seat.along >= 0 else -seat.along
 
     def at(self, inward: float, behind: float) -> FloatArray:
-        """The point (2,)."""
+        """Return the point (2,) in the frame of the rib."""
         point = self.seat.point + inward * self.inward - behind * self.seat.normal
         return self.frame.local(point)[:2]
 
@@ -344,7 +355,11 @@ def _across(rails: Sequence[_RailPlan]) -> FloatArray:
 
 
 def _stations(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: float) -> list[float]:
-    """Return the places of the ribs: before the first tab, behind the last tab, and evenly in gaps between tabs."""
+    """Return the stations of the ribs.
+
+    One rib is before the first tab, one is behind the last tab, and the others are evenly distributed to gaps
+    between tabs.
+    """
     reach = np.concatenate([rail.reach(across) for rail in rails])
     reach = reach[np.argsort(reach[:, 0])]
     first, last = float(reach[:, 0].min()), float(reach[:, 1].max())
@@ -362,12 +377,12 @@ def _stations(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: 
 def _with_tongue(
     loop: FloatArray, base: FloatArray, heights: tuple[float, float], step: float
 ) -> FloatArray | None:
-    """Return the anticlockwise loop with an outward tongue on `base`, two points inside one of its sides.
+    """Add an outward tongue to an anticlockwise loop.
 
-    `heights` are distances from the side. Beyond the first height the tongue is narrower by `step` on both sides,
-    and
-    it ends at the second height.
-    Return None if the points are not on a side.
+    `base` contains two points on a side of the loop, the ends of the tongue.
+
+    `heights` are two distances from the side. Beyond the first, the tongue is narrower by `step` on both
+    sides; at the second, it ends. Return None if the points are not on a side.
     """
     low, high = heights
     for i, (p, q) in enumerate(zip(loop, np.roll(loop, -1, axis=0), strict=True)):
@@ -388,7 +403,7 @@ LEAST_GLUED_MM = 4.0
 """Least length of a tab behind its plate for gluing, mm."""
 
 FOOT_LABEL_MM = 3.0
-"""Height of the name of a foot, mm, if there is room."""
+"""Height of the name of a foot, mm, if the foot is large enough."""
 
 
 def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib, ...]:
@@ -400,12 +415,12 @@ def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib,
     Parameters
     ----------
     size : float
-        Length of the feet along the tab, and along the plate beside the slot, mm.
+        Length, mm, of the two glued sides of a foot: along the tab, and along the plate beside the slot.
 
     Raises
     ------
     InputError
-        A tab is too short behind its plate for gluing; the message has the length that it needs.
+        A tab is too short behind its plate for gluing. The message states the length that it needs.
     """
     plates = several("plates", plates, BasePlate, "BasePlate")
     if not (is_number(size) and size >= LEAST_GLUED_MM):
@@ -420,12 +435,13 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
         tab = slot.tab
         if tab is None:
             continue
-        # profile: x out along the tab, y off its upper side; the plate's back is where n p = low
+        # in the profile, x is along the tab and y points away from its upper side; the back of the plate is
+        # the line <n, p> = low
         profile = Frame(tab.frame.origin, tab.frame.x_axis, tab.frame.z_axis)
         n = np.array([plate.frame.z_axis @ profile.x_axis, plate.frame.z_axis @ profile.y_axis])
         low = float((plate.frame.origin - profile.origin) @ plate.frame.z_axis) - thickness
         walls = profile.local(plate.frame.point(np.column_stack([slot.corners, np.full(4, -thickness)])))
-        # direction along the back of the plate, towards +y
+        # direction along the back of the plate, with positive y
         level = np.array([-n[1], n[0]]) / np.hypot(*n) * np.sign(n[0])
         for side, called in ((1.0, "a"), (-1.0, "b")):
             face = side * tab.thickness / 2
@@ -446,7 +462,7 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
 
 
 def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
-    """Yield the feet with a distinct name for each shape; copies of a strip have equal feet."""
+    """Yield the feet with a different name for each shape, because equal strips have equal feet."""
     shapes: list[tuple[str, FloatArray]] = []
     places: list[int] = []
     for foot in feet:
@@ -470,5 +486,6 @@ def _label(name: str, corners: np.ndarray) -> Text:
     """Return the name in the middle of a triangle, as large as possible."""
     sides = np.roll(corners, -1, axis=0) - corners
     (ux, uy), (vx, vy) = sides[:2]
-    inner = abs(ux * vy - uy * vx) / np.hypot(*sides.T).sum()  # radius of the inscribed circle
+    # radius of the inscribed circle of the triangle
+    inner = abs(ux * vy - uy * vx) / np.hypot(*sides.T).sum()
     return centred_text(name, corners.mean(axis=0), min(FOOT_LABEL_MM, inner / 2), 1.6 * inner)

@@ -1,4 +1,4 @@
-"""Play of tabs in their holders: pockets and slots, shapes of the held strips, and tabs that rock."""
+"""Play of tabs in pockets and slots, its effect on the shapes of strips, and tabs that rock."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
@@ -18,8 +18,9 @@ from elastica_cad.strip.tab_seats import WALL_PLACES, TabSeat
 
 
 def _seat_between(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSeat:
-    """Return the seat between the walls (2, n, 2) of a slot, in the plane of the strip's curve."""
-    # for a wall that begins beyond the tip of the tab, use its edge
+    """Return the seat of a tab between the two walls of a slot, each (n, 2), in the plane of the strip's curve."""
+    # use the points of a wall up to the tip of the tab; if the whole wall is beyond the tip, use the nearest
+    # point
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
     left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))
     return TabSeat(left, right, tab.thickness, note("slot of {name}", name=plate.name))
@@ -41,18 +42,18 @@ def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     corners[..., 2] = depths
     frames = [tab.frame for _, tab in through]
     origins, axes = np.array([frame.origin for frame in frames]), np.array([frame.axes for frame in frames])
-    # coordinates along the tab, across it, and away from the upper side of the strip
+    # coordinates along the tab, across the tab, and away from the upper side of the strip
     local = (plate.frame.point(corners) - origins[:, None, None]) @ np.swapaxes(axes, 1, 2)[:, None]
     begin, finish = local[:, [0, 3]], local[:, [1, 2]]
     u = begin[..., 1] / (begin[..., 1] - finish[..., 1])
     met = begin + u[..., None] * (finish - begin)
-    # the tab's z axis points away from the strip's upper side, to the right of the curve
+    # the z axis of the tab points away from the upper side of the strip, which is to the right of the curve
     walls = met[..., [0, 2]] * (1.0, -1.0)
     return [(*which, wall) for which, wall in zip(through, walls, strict=True)]
 
 
 def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
-    """Return the seat of each tab that is held with play, by the tab's position; two plates form one seat."""
+    """Return a mapping from the position of each tab that has play to its seat. Two plates form a single seat."""
     seats: dict[Key, TabSeat] = {}
     for tab, seat in _seated(holders):
         before = seats.get(tab.key)
@@ -85,16 +86,16 @@ def _require_holders(holders: object) -> tuple[object, ...]:
 
 
 def _plates_of(holders: Iterable[object]) -> Iterator[BasePlate]:
-    """Yield the plates, and the rails of frames, in which tabs have play because they are not glued."""
+    """Yield the plates and the rails of frames whose tabs are not glued, so that they have play."""
     for holder in holders:
-        # frames are recognized by their attribute, because their module imports this module
+        # frames are recognized by their attribute `rails`, because their module imports this module
         for plate in getattr(holder, "rails", (holder,)):
             if isinstance(plate, BasePlate) and not plate.glued:
                 yield plate
 
 
 def held_shapes(placed: Sequence[Placed], holders: Iterable[object] = ()) -> tuple[HeldShape, ...]:
-    """Return the shape of each strip as made and held; ends without a holder are held as designed.
+    """Return the shape of each strip as cut and held. Ends without a holder are held as designed.
 
     Raises
     ------
@@ -112,7 +113,10 @@ def held_shapes(placed: Sequence[Placed], holders: Iterable[object] = ()) -> tup
 def hold_each(
     placed: Sequence[Placed], holders: Iterable[object] = ()
 ) -> Iterator[HeldShape | NotConvergedError]:
-    """Yield the held shape of each strip, or the error if it has no equilibrium; equal cases are computed once."""
+    """Yield the held shape of each strip, or the error if the strip has no equilibrium.
+
+    Equal cases are computed once.
+    """
     placed = require_placed(placed)
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
     for member in placed:
@@ -132,14 +136,17 @@ def _seat_of(seats: Mapping[Key, TabSeat], member: Placed, end: StripEnd) -> Tab
 
 
 ROCKING_RAD = np.radians(3.0)
-"""Largest rotation of a tab in its holder that is not reported; a larger one changes the shape by percents."""
+"""Largest rotation, rad, of a tab in its holder that is not reported.
+
+A larger rotation changes the shape by some percent.
+"""
 
 NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
-"""Largest play that is reported as no play, mm and degrees."""
+"""Smaller play, in mm and degrees, is reported as no play."""
 
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
-    """Return one sentence for each holder with the largest shift and rotation of its tabs."""
+    """Return a sentence for each holder, with the largest shift and rotation of its tabs."""
     placed, holders, messages = require_placed(placed), _require_holders(holders), []
     for name, held in _by_holder(placed, holders).items():
         turn = max(np.degrees(np.ptp(seat.turning)) for _, _, seat in held)
@@ -166,7 +173,10 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
 
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
-    """Return one sentence for each holder with rocking tabs: the worst tab, its strip's shape, and a suggestion."""
+    """Return a sentence for each holder in which tabs can rock.
+
+    It states the tab with the largest rotation, the shape of its strip, and a suggestion.
+    """
     placed, holders, messages = require_placed(placed), _require_holders(holders), []
     names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
     for holder, held in _by_holder(placed, holders).items():
@@ -185,12 +195,14 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
 
 
 def _tipping(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
-    """Return the angles, degrees, by which a strip can tip in a seat towards its other end and away from it."""
+    """Return the angles, degrees, by which a strip can tip in a seat: towards its other end, and away from
+    its other end.
+    """
     here, other = (
         PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
     )
     right, left = np.abs(np.degrees(seat.turning))
-    # if the tab turns to the left of the curve, the strip before it turns to the right, the direction of the z axis
+    # if the tab rotates to the left of the curve, the strip tips to the right, in the direction of the z axis
     lies_right = (other.origin - here.origin) @ here.z_axis > 0
     return (left, right) if lies_right else (right, left)
 
@@ -198,7 +210,7 @@ def _tipping(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float
 def _by_holder(
     placed: Sequence[Placed], holders: Iterable[object]
 ) -> dict[str, list[tuple[Placed, StripEnd, TabSeat]]]:
-    """Return strips, ends and seats by the name of their holder."""
+    """Return a mapping from the name of each holder to its strips, ends and seats."""
     seats, groups = tab_seats(holders), dict[str, list[tuple[Placed, StripEnd, TabSeat]]]()
     for strip in placed:
         for end in ENDS:
@@ -209,7 +221,7 @@ def _by_holder(
 
 
 def _shape(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
-    """Return a sentence about the shape of a strip in its seats."""
+    """Return a sentence on how a strip in its seats differs from its design."""
     try:
         strayed = member.strip.held(*(_seat_of(seats, member, end) for end in ENDS)).deviation
     except NotConvergedError:

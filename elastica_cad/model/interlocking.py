@@ -1,4 +1,7 @@
-"""Slots in strips that cross in space, half way into each strip, so that the strips slide into each other."""
+"""Slots in strips that cross in space.
+
+Slots go half way into each strip, so that the strips slide into each other.
+"""
 
 from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
@@ -21,10 +24,10 @@ from elastica_cad.strip.slots import Relief, Slot
 from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_placed, strip_names
 
 MOST_STEPS = 30
-"""Largest number of Newton steps with the slopes at the centre line."""
+"""Largest number of Newton steps, all with the derivatives at the centre line."""
 
 CLOSE_MM = 1e-6
-"""Accuracy of the meeting faces, mm, equal to the accuracy of files."""
+"""Accuracy, mm, of the points at which faces meet; it equals the accuracy of files."""
 
 
 def _bent_slot_width(
@@ -52,7 +55,8 @@ def _bent_slot_width(
     Returns
     -------
     (n,) array
-        0 where the faces do not meet, because the strips curve away from each other beside a shallow crossing.
+        Widths. They are 0 where the faces do not meet because the strips curve away from each other near a
+        shallow crossing.
     """
     along = np.gradient(rows, np.arange(len(rows)), axis=0, edge_order=2)
     along /= np.hypot(*along.T)[:, None]
@@ -65,9 +69,9 @@ def _bent_slot_width(
         for matrix in (np.linalg.inv(slopes), rows, mates, across)
     )
     z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
-    x = np.zeros((len(rows), 3))  # coordinates across the slot, and along and across the other strip
+    x = np.zeros((len(rows), 3))  # distance across the slot, and distances along and across the other strip
     error = np.full(len(rows), np.inf)
-    # bound of steps, because they grow without limit if the faces do not meet
+    # limit of the coordinates, because they would grow without limit if the faces do not meet
     farthest = ruled.length + other.length
     for _ in range(MOST_STEPS):
         here = _on_face(ruled, rows + x[:, :1] * across, z[:, :1])
@@ -82,7 +86,9 @@ def _bent_slot_width(
 
 
 def _on_face(strip: RuledStrip, flat: FloatArray, height: FloatArray) -> FloatArray:
-    """Return points (n, 3) at heights (n, 1) to the left of the curve over flat places (n, 2)."""
+    """Return points (n, 3) of a bent strip at points (n, 2) of its flat pattern and heights (n, 1) to the
+    left of its curve.
+    """
     points, tangents = strip.in_plane(flat[:, 0])
     left = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     return strip.frame.point(points + height * left) + flat[:, 1:] * strip.axis
@@ -92,19 +98,23 @@ Fit = Literal["exact", "paper"]
 Member = TypeVar("Member")
 
 SHALLOW_RAD = np.radians(15.0)
-"""Largest angle between two strips, rad, with a warning; the slot is then over 7 sheet thicknesses wide."""
+"""Smaller angles between two strips, rad, cause a warning, because slots are then over 7 sheet thicknesses
+wide.
+"""
 
 TOUCHING_RAD = np.radians(1.0)
-"""Largest angle, rad, of strips that touch rather than cross; a slot would be over 100 sheet thicknesses wide."""
+"""Strips at a smaller angle, rad, count as touching, because slots would be over 100 sheet thicknesses wide."""
 
 FORCED_SHARE = 0.5
-"""Largest difference in cost, as a fraction of the crossing's length, for which the preferred side is used."""
+"""The preferred side is used unless the other side makes slots shorter by more than this fraction of the
+crossing.
+"""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
-"""Decimals of mm and of unit vectors for comparing the placements of pairs, because copies differ by rounding."""
+"""Decimals of positions (mm) and of unit vectors at which relative placements of pairs count as equal."""
 
 PITCH_MM = 1.5
-"""Largest distance of points along a slot's centre line, mm; it resolves the curves of crossings."""
+"""Largest distance, mm, between points along the centre line of a slot, which may be curved."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,13 +126,13 @@ class Joint:
     members : (int, int)
         Indices of the strips in the model.
     slots : (Slot, Slot)
-        Slots of the strips, in the same order.
+        Slots of the strips, in the order of `members`.
     angle : (float, float)
         Smallest and largest angle between the strips along the crossing, rad.
     position : (3,) array
         Common inner end of both slots, mm.
     fit : "exact" or "paper"
-        Formula for the width of the slots.
+        Formula that was used for the width of the slots.
     """
 
     members: tuple[int, int]
@@ -135,10 +145,11 @@ class Joint:
 def slot_width(
     angle: FloatArray, *, own: float, other: float, clearance: float, fit: Fit = "exact"
 ) -> FloatArray:
-    """Return the width, mm, of a slot in a sheet of thickness `own` for a sheet of thickness `other` at an angle.
+    """Return the width, mm, of a slot in a sheet of thickness `own` for a sheet of thickness `other` at the
+    angle phi (rad).
 
-    The width is h_other / sin(phi) + h_own |cot(phi)| + clearance. The second term lets the other strip pass
-    obliquely through a cut perpendicular to the sheet; `fit="paper"` omits it (paper, section 9.1).
+    The width is other / sin(phi) + own |cot(phi)| + clearance. The second term is needed because the slot is
+    cut perpendicular to the sheet. `fit="paper"` omits it (paper, section 9.1).
     """
     angle = numbers(angle, "slot angle")
     for what, size in (("own", own), ("other", other), ("clearance", clearance)):
@@ -151,7 +162,7 @@ def slot_width(
 
 @dataclass(frozen=True, eq=False)
 class InterlockedStrips:
-    """Result of `interlock`: the placed strips with their slots, the joints, and notes."""
+    """Result of `interlock`: the placed strips with their slots, the joints, and messages."""
 
     placed: tuple[Placed, ...]
     joints: tuple[Joint, ...]
@@ -172,12 +183,12 @@ def interlock(
 ) -> InterlockedStrips:
     """Cut slots where bent strips cross, half way into each strip and from opposite sides.
 
-    The strips are taken as ruled surfaces, and their crossings are exact. The width of a slot follows the angle
-    between the strips along the crossing. Each strip is cut from the edge that the crossing reaches. If both edges
-    are possible, the slot of the earlier strip opens towards `above`, and the later strip is pushed on from there.
-    Both slots end half way without clearance, so that the strips rest on each other and are located along their
-    rulings. Tabs are not searched, so keep them clear of other strips. A crossing that reaches the end of a strip
-    instead of an edge is an error.
+    The crossings of the strips are computed exactly, as intersections of ruled surfaces. The width of a slot
+    follows the angle between the strips along the crossing. Each strip is cut from the edge that the crossing
+    reaches. If both edges are possible, the slot of the earlier strip opens towards `above`, and the later
+    strip is pushed on from that side. Both slots end exactly half way, without clearance, so that the strips
+    rest on each other and fix each other's position along their rulings. Tabs are not checked, so keep other
+    strips away from them. A crossing that reaches the end of a strip instead of an edge is an error.
 
     Parameters
     ----------
@@ -186,13 +197,13 @@ def interlock(
     clearance : float
         Amount added to the width of every slot, mm.
     fit : "exact" or "paper"
-        "paper" is the narrower h / sin(phi), too narrow below 60 degrees.
+        "paper" is the smaller width h / sin(phi), which is too narrow at angles below 60 degrees.
     relief : "square" or "round"
         Shape of the inner ends of the slots.
     pairs : iterable of (int, int), optional
         Pairs of strips to slot, by index; by default all strips that cross.
     above : (3,) array_like, optional
-        Direction in space; by default the direction of the earlier strip's rulings.
+        Direction in space. The default is the direction of the earlier strip's rulings.
 
     Raises
     ------
@@ -224,14 +235,23 @@ def interlock(
 
 _joined: WeakKeyDictionary[Placed, WeakKeyDictionary[Placed, tuple[object, tuple[Joint, ...]]]]
 _joined = WeakKeyDictionary()
-"""Cache of the last joints of two placed strips with their options; a changed strip affects only its own joints."""
+"""Cache of the joints of each pair of placed strips with their options.
+
+Only joints of changed strips are computed again.
+"""
 
 _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDictionary()
-"""Cache of slotted strips by placed strip; an unchanged strip is the same object and keeps its computed results."""
+"""Cache of slotted strips.
+
+An unchanged strip is returned as the same object, so that its computed results are kept.
+"""
 
 
 def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[Hashable, Strip]) -> Placed:
-    """Return the placed strip with more slots; it shares the layers of a strip in `drawn` with the same cut."""
+    """Return the placed strip with additional slots.
+
+    It shares the layers of a strip in `drawn` that has the same cut.
+    """
     known, slotted = _slotted.get(placed, (None, placed))
     if known != slots:
         strip = replace(placed.strip, slots=(*placed.strip.slots, *slots)) if slots else placed.strip
@@ -255,7 +275,7 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
 
 
 def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
-    """Return the rounded position of the second frame in the first, for comparing pairs of strips."""
+    """Return the rounded placement of the second frame relative to the first, for comparing pairs of strips."""
     origin = np.round(first.local(second.origin), PLACE_DIGITS) + 0.0
     axes = np.round(second.axes[:2] @ first.axes.T, TURN_DIGITS) + 0.0
     return (*origin.tolist(), *axes.ravel().tolist())
@@ -272,7 +292,10 @@ class _Cutter:
     relief: Relief
     above: FloatArray | None
     crossed: dict[Hashable, tuple[list[Joint], Frame]] = field(default_factory=dict)
-    """Joints for each relative placement of equal strips, with the frame of the first strip."""
+    """Joints of pairs of strips, and the frame of the first strip.
+
+    Pairs of equal strips with the same relative placement share an entry.
+    """
 
     def joints(
         self, members: tuple[int, int], placed: tuple[Placed, Placed], ruled: tuple[RuledStrip, RuledStrip]
@@ -298,7 +321,7 @@ class _Cutter:
         return joints_of_pair
 
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
-        """Return the joint moved to an equal pair of strips, from the frame of a first strip to another frame."""
+        """Return the joint of an equal pair of strips: `frames` are those of the first strip of both pairs."""
         first, second = (
             replace(slot, mate=self.strips[mate].label)
             for slot, mate in zip(joint.slots, members[::-1], strict=True)
@@ -307,7 +330,10 @@ class _Cutter:
         return replace(joint, members=members, slots=(first, second), position=position)
 
     def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
-        """Return both slots of a crossing, each from the half way point to the edge of its strip."""
+        """Return the joint of a crossing.
+
+        Each slot is from the middle of the crossing to the edge of its strip.
+        """
         names = [self.names[i] for i in members]
         points = crossing.course[2]
         low, high = float(points.angle.min()), float(points.angle.max())
@@ -341,7 +367,7 @@ class _Cutter:
         return Joint(members, (slots[0], slots[1]), (low, high), middle, self.fit)
 
     def _ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
-        """Return, for each strip, the end of the crossing (0 or 1) from which it is cut.
+        """Return the ends of the crossing (0 or 1) from which the first and the second strip are cut.
 
         If both ends are possible, the slot of the earlier strip opens towards `above`, by default the direction of
         its rulings.
@@ -400,7 +426,7 @@ class _Cutter:
 
 
 def strip_thickness(strip: Strip) -> float:
-    """Thickness of all layers together, mm."""
+    """Return the total thickness of all layers, mm."""
     backing = strip.layout.backing
     return strip.sheet.thickness + (0.0 if backing is None else backing.sheet.thickness)
 
@@ -410,7 +436,7 @@ def _turned(pair: tuple[Member, Member], which: int) -> tuple[Member, Member]:
 
 
 def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
-    """Return sentences on shallow angles and on the order of assembly."""
+    """Return messages on small angles between strips and on the order of assembly."""
     shallow: dict[tuple[int, int], list[Joint]] = {}
     for joint in joints:
         if joint.angle[0] < SHALLOW_RAD:
@@ -433,7 +459,7 @@ def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
 
 
 def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
-    """Return a sentence on the order of assembly and on strips that must be threaded in."""
+    """Return the message on the order of assembly and on strips that must be threaded in."""
     sides: dict[int, set[str]] = {}
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)
@@ -448,7 +474,7 @@ def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
 
 
 def _refuse_faults(strip: Strip, name: str) -> None:
-    """Raise InputError with the part's name if slots meet; this draws the outline."""
+    """Raise InputError with the name of the part if slots meet. To find out, the outline is drawn."""
     try:
         whole = strip.outline.closed
     except InputError as error:

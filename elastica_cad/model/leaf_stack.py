@@ -1,4 +1,4 @@
-"""Cut list and pattern of a strip of glued plies, with marks for the position of the next ply."""
+"""Cut list and cutting pattern of a strip of glued plies, with marks for the position of the next ply."""
 
 from dataclasses import dataclass
 
@@ -50,7 +50,7 @@ class LeafStack:
     def drawing(self) -> Drawing:
         """Pattern of the plies at full size, one below another, at their positions along the stack.
 
-        Marks across each ply show the ends of the plies that are glued on it.
+        Marks across each ply show the ends of the next plies.
         """
         pitch = float(np.ptp(self.strip.outline.bounds[:, 1])) + APART_MM
         moved = [

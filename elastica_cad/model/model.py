@@ -1,4 +1,4 @@
-"""Models: strips in space and their copies, with holders and pieces to be cut."""
+"""Models: strips in space, operations that copy them, their holders, and the pieces to be cut."""
 
 from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -39,7 +39,9 @@ FIXTURE_COLOR: Color = (0.30, 0.36, 0.42)
 """Color of printed blocks, darker than any sheet."""
 
 LEAST_SPREAD = 0.2
-"""Least ratio of the smaller to the larger spread of the slots for which strips support a plate without tipping."""
+"""Slots support a plate without tipping if the ratio of their spreads, across to along their main direction,
+is at least this.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +52,7 @@ class Stand:
     ----------
     holders : tuple of BasePlate, Rib or EndFixture
     sentence : str
-        Kind of holders, with the reason if plates cannot hold all tabs.
+        Sentence with the kind of holders, and with the reason if plates cannot hold all tabs.
     """
 
     holders: tuple[BasePlate | Rib | EndFixture, ...]
@@ -67,8 +69,8 @@ def stand(
 ) -> Stand:
     """Make the simplest holder for the tabs of all strips.
 
-    The first possible holder of this list is used: one plate, two plates joined by the strips, a slotted frame, a
-    printed block for every end.
+    The first possible holder in this order is used: one plate, two plates joined by the strips, a slotted
+    frame, a printed block for every end.
 
     Parameters
     ----------
@@ -86,7 +88,7 @@ def stand(
     Returns
     -------
     Stand
-        The holders, and a sentence with their kind.
+        The holders, and a sentence that states their kind.
 
     Raises
     ------
@@ -134,11 +136,12 @@ def stand(
 
 
 def _plates_apart(placed: Sequence[Placed], sheet: Sheet, options: RingOptions) -> tuple[BasePlate, ...]:
-    """Return two plates that strips arranged around keep apart."""
+    """Return two facing plates that are kept apart by the strips around them."""
     plates = facing_plates(placed, sheet, options)
     for plate in plates:
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
-        # a single slot has only one spread
+        # spreads of the slot centres along their two principal directions; with a single slot there is only
+        # one
         spreads = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)
         if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
             raise InputError("{name}: the slots are in one row, so the plate would tip", name=plate.name)
@@ -158,7 +161,10 @@ def mirror(
     *,
     keep: Annotated[bool, Option("Keep the original strips too.")] = True,
 ) -> tuple[Placed, ...]:
-    """Return the mirror images in the plane through `point` with this normal, after the originals if kept."""
+    """Return the mirror images of strips in the plane through `point` with a normal.
+
+    With `keep`, the originals come first.
+    """
     n, p = direction(normal, "the normal of a mirror"), three(point, "the point of a mirror")
     turn = np.eye(3) - 2 * np.outer(n, n)
     images = tuple(strip.moved(turn, 2 * (p @ n) * n) for strip in placed)
@@ -175,7 +181,10 @@ def rotate(
         float | None, Option("Angle between adjacent copies; by default they fill the full turn.", "rad")
     ] = None,
 ) -> tuple[Placed, ...]:
-    """Return `count` copies of the strips about an axis, `step` rad apart; by default they fill the full turn."""
+    """Return `count` copies of the strips about an axis, `step` rad apart.
+
+    By default, they are distributed over a full turn.
+    """
     _require_count(count, len(placed))
     require_declared(rotate, {"step": step}, "rotation")
     k, p = direction(axis, "the axis of a rotation"), three(point, "the point of a rotation")
@@ -214,15 +223,13 @@ class Model:
     Parameters
     ----------
     placed : sequence of Placed
-        In the order of assembly.
-    name : str
-        Name for titles and files.
+        Strips in the order of assembly. name : str Name for titles and files.
     reports : tuple of str
         Messages about the design, one sentence each.
     joints : tuple of Joint
         Joints cut by `interlock`.
     plates : tuple of Ring
-        Rings and caps of a surface of revolution, in their places.
+        Rings and caps of a surface of revolution, at their positions.
 
     Raises
     ------
@@ -253,7 +260,7 @@ class Model:
         return self._names[0][self._place(index)]
 
     def single_name_of(self, index: int) -> str:
-        """Return the name of strip `index`, with its place if other strips have the same label."""
+        """Return the name of strip `index`, with its number if other strips have the same label."""
         return self._names[1][self._place(index)]
 
     @cached_property
@@ -284,16 +291,16 @@ class Model:
 
     @cached_property
     def parts(self) -> tuple[EqualStrips, ...]:
-        """Strips to be cut, equal strips once with their count; see `group_equal_strips`."""
+        """Strips to be cut. Equal strips are listed once, with their count; see `group_equal_strips`."""
         return group_equal_strips(self.placed)
 
     @cached_property
     def shape_count(self) -> int:
-        """Number of different shapes of the strips, regardless of engraving."""
+        """Number of different shapes of strips; engraving is ignored."""
         return len({part.shape for part in self.parts})
 
     def with_strips(self, strips: Sequence[Strip]) -> "Model":
-        """Return the model with other strips in the same places."""
+        """Return the model with other strips at the same positions."""
         new = several("strips", strips, Strip, "Strip")
         if len(new) != len(self.placed):
             raise InputError(
@@ -318,43 +325,46 @@ class Model:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """Pieces to be cut: those of `parts`, with each layer of a laminate as a piece, then the plates."""
+        """Pieces to be cut: the strips in `parts`, with a piece for each layer of a laminate, then the plates."""
         return (*strip_pieces(self.parts), *(plate.piece for plate in self.plates))
 
     def fixtures(self, *, floor: Frame | None = None, **sizes: Any) -> tuple[EndFixture, ...]:
-        """Return printed blocks for both ends of every strip; sizes as in `EndFixture`."""
+        """Return printed blocks for both ends of every strip; `sizes` are fields of `EndFixture`."""
         return end_fixtures(self.placed, floor=floor, **sizes)
 
     def base_plate(self, sheet: Sheet | str, **options: Any) -> BasePlate:
-        """Return one slotted plate for all tabs; options: frame, and the fields of `PlateOptions`."""
+        """Return one slotted plate for all tabs. The options are `frame` and the fields of `PlateOptions`."""
         return base_plate(self.placed, sheet, **options)
 
     def slotted_frame(self, sheet: Sheet | str, **options: Any) -> SlottedFrame:
-        """Return rails for the tabs of both ends, joined by ribs; options: see `model.slotted_frame`."""
+        """Return rails for the tabs of both ends, joined by ribs. See `model.slotted_frame` for the options."""
         refuse_options_unlike(options, slotted_frame, "a slotted frame")
         return slotted_frame(self.placed, sheet, **options)
 
     def nest(self, *, others: Iterable[Piece] = (), **options: Any) -> tuple[NestedSheet, ...]:
         """Return drawings of all sheets to be cut, with the model's pieces and other pieces.
 
-        Options as in `model.nest_pieces`: sheet_size, margin, kerf, name.
+        The options are those of `model.nest_pieces`: sheet_size, margin, kerf, name.
         """
         refuse_options_unlike(options, nest_pieces, "a nest")
         more = several("other pieces", others, Piece, "Piece")
         return nest_pieces((*self.pieces, *more), **{"name": f"{self.name}-nest", **options})
 
     def cut_list(self, others: Iterable[Piece] = ()) -> CutList:
-        """Return the list of all pieces; equal pieces are listed once with their count."""
+        """Return the cut list of all pieces. Equal pieces are listed once, with their count."""
         return cut_list((*self.pieces, *several("other pieces", others, Piece, "Piece")))
 
     def held(self, *holders: object) -> tuple[HeldShape, ...]:
-        """Return the shape of each strip as made, in its rings and these holders; see `Strip.held`."""
+        """Return the shape of each strip as cut, held by the model's rings and these holders; see `Strip.held`."""
         return held_shapes(self.placed, (*self.plates, *holders))
 
     def mirrored(
         self, point: ArrayLike = (0.0, 0.0, 0.0), normal: ArrayLike = (1.0, 0.0, 0.0), *, keep: bool = True
     ) -> "Model":
-        """Return the mirror image in the plane through `point` with this normal, after the originals if kept."""
+        """Return the mirror image in the plane through `point` with this normal.
+
+        With `keep`, the originals come first.
+        """
         return self._arranged(mirror(self.placed, point, normal, keep=keep))
 
     def rotated(self, count: int, **options: Any) -> "Model":
@@ -382,20 +392,23 @@ LARGEST = 0.15
 """Largest change of the logarithm of a width."""
 
 WIDENED, GENTLER = 1.1, 0.7
-"""Largest widening of a strip in one round to keep its joints, and factor on its largest change of width otherwise.
+"""Largest factor by which a strip is widened in a round to keep its joints.
 
-A much wider strip does not help, because its shoulders beside the tabs are wider too."""
+If more were needed, its largest change of width is multiplied by the second factor instead.
+
+A much wider strip does not help, because its shoulders beside the tabs are wider too.
+"""
 
 ROUNDS, MOST_ROUNDS = 2, 10
-"""Usual and largest number of rounds; more are needed if joints are lost."""
+"""Usual and largest number of rounds. More than usual are needed if joints are lost."""
 
 
 def interlock_compensated(model: Model, which: Container[str], **options: Any) -> Model:
     """Return the interlocked model, with widths that compensate the slots.
 
-    A strip that becomes too narrow to reach its neighbours is widened by a constant factor, which does not change
-    its shape and is reported. If the factor would be large, the slots are compensated less. The remaining error is
-    each strip's `held_deviation`.
+    A strip that becomes too narrow to reach its neighbours is widened by a constant factor, which does not
+    change its shape and is reported. If the factor would be large, the slots are compensated less. The
+    remaining error of each strip is its `held_deviation`.
 
     Parameters
     ----------
@@ -404,12 +417,12 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
     which : container of str
         Labels of the strips whose widths may change.
     **options
-        Options of `Model.interlock`, which also has the errors.
+        Options of `Model.interlock`, whose errors are passed on.
     """
     first = locked = model.interlock(**options)
     wider, largest, left = [1.0] * len(model.strips), [LARGEST] * len(model.strips), ROUNDS
     for _ in range(MOST_ROUNDS):
-        # slots are cut again, because slots of the previous round may not reach the new edges
+        # cut the slots again, because slots of the previous round may not reach the new edges
         known: dict[Any, Strip] = {}
         strips = list(model.strips)
         for k, (drawn, cut) in enumerate(zip(model.strips, locked.strips, strict=True)):
@@ -448,9 +461,9 @@ def _widened(strip: Strip, scale: float) -> Strip:
 
 
 def _lost(before: Model, after: Model) -> list[tuple[int, float]]:
-    """Return the strips and the places on them, mm, of joints that were lost.
+    """Return the lost joints: for each, the index of the strip, and the arc length on it, mm.
 
-    Two strips may have several joints; each remaining joint is matched with the nearest previous joint.
+    If two strips have several joints, each remaining joint is matched with the nearest previous joint.
     """
     gone = [(joint.members, [slot.at for slot in joint.slots]) for joint in before.joints]
     for joint in after.joints:
@@ -461,7 +474,7 @@ def _lost(before: Model, after: Model) -> list[tuple[int, float]]:
 
 
 def _narrowed(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:
-    """Return the largest ratio of old to new width of each strip at the joints that it lost."""
+    """Return, for each strip that lost joints, the largest ratio of old to new width at these joints."""
     scales: dict[int, float] = {}
     for k, at in lost:
         narrower = float(before.strips[k].width(at) / after.strips[k].width(at))

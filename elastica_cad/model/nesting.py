@@ -1,4 +1,4 @@
-"""Nested sheets: pieces placed on sheets of a given size."""
+"""Nesting: pieces arranged on sheets of a given size."""
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -18,13 +18,13 @@ from elastica_cad.strip.drawing import SHEET, Drawing, LayeredPath
 from elastica_cad.strip.pieces import Piece
 
 SLACK_MM = 1e-9
-"""Tolerance, mm, for a piece as large as its row."""
+"""Tolerance, mm, so that a piece fits in a row of its exact size."""
 
 _TIE_DECIMALS = 6
-"""Decimals of mm for comparing sizes, so that pieces of equal size stay in their order."""
+"""Decimals, mm, to which sizes are compared, so that pieces of equal size stay in their order."""
 
 LEAST_GAP_MM = 0.01
-"""Least distance between the paths of the tool, mm; loops that touch cannot be offset by the kerf."""
+"""Least distance, mm, between tool paths, because touching loops cannot be offset by the kerf."""
 
 
 @dataclass(frozen=True)
@@ -43,18 +43,15 @@ class Nesting:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class NestedSheet(Drawing):
-    """Drawing of a sheet with its pieces and its border; the sheet's lower left corner is the origin.
+    """Drawing of a sheet with its pieces and its outline. The origin is the lower left corner of the sheet.
 
     Attributes
     ----------
     sheet : Sheet
-        Material of the sheet.
-    sheet_size : (width, height)
-        mm.
-    pieces : tuple of str
-        Name of each piece.
+        Material of the sheet. sheet_size : (width, height) Size of the sheet, mm. pieces : tuple of str Name
+        of each piece.
     used : float
-        Area of the rows that hold pieces, margins included, mm2.
+        Area, mm2, of the rows of pieces, with margins.
     filled : float
         Area of the pieces' bounding boxes, each with its margin, mm2.
     share : float
@@ -83,8 +80,9 @@ class NestedSheet(Drawing):
 
 @dataclass(frozen=True)
 class _Box:
-    """Piece to be placed, with its margin: index, sizes along and across the rows, and True if turned by 90
-    degrees."""
+    """A piece to be placed: its index, its sizes with margin along and across the rows, and True if it is
+    rotated by 90 degrees.
+    """
 
     piece: int
     long: float
@@ -94,7 +92,9 @@ class _Box:
 
 @dataclass
 class _Row:
-    """Row of boxes: its sheet, its start and width across the sheet, and the length that its boxes take."""
+    """Row of boxes: the number of its sheet, its start and width across the sheet, and the total length of
+    its boxes.
+    """
 
     sheet: int
     start: float
@@ -120,9 +120,9 @@ def nest_pieces(
 ) -> tuple[NestedSheet, ...]:
     """Arrange pieces in rows on as few sheets as possible, separately for each material.
 
-    Rows are parallel to the side of the sheet that needs fewer sheets, or the smaller part of the last sheet.
-    Pieces without grain may be turned by 90 degrees. The grain of a sheet is along its width, and `Sheet.grain`
-    sets the direction of pieces with grain.
+    Rows are parallel to that side of the sheet for which fewer sheets, or a smaller part of the last sheet,
+    are needed. Pieces without grain may be rotated by 90 degrees. The grain of a sheet is along its width,
+    and `Sheet.grain` sets the direction of pieces with grain.
 
     Parameters
     ----------
@@ -133,15 +133,15 @@ def nest_pieces(
     margin : float
         Least distance between pieces, and to the edge of the sheet, mm.
     kerf : float or None
-        Kerf for which the written drawings will be compensated (`compensate_kerf`), mm, or None for the kerf of
-        each sheet. The margin is kept between the paths of the tool.
+        Kerf, mm, by which the written drawings will be compensated (`compensate_kerf`). None is the kerf of
+        each sheet. The margin is the distance between tool paths.
     name : str
         First part of the names of the drawings, before the material and the number.
 
     Returns
     -------
     tuple of NestedSheet
-        Drawings in the order of materials, then sheets.
+        Drawings of all sheets, grouped by material.
 
     Raises
     ------
@@ -151,8 +151,8 @@ def nest_pieces(
     Notes
     -----
     Boxes are placed by best fit in the order of decreasing width (shelf packing; Lodi, Martello and Monaci,
-    Two-dimensional packing problems, EJOR 141, 2002). They are the exact bounds of the cut curves, so the curves
-    also keep the margin.
+    Two-dimensional packing problems, EJOR 141, 2002). A box is the exact bounding box of the cut curves, so
+    the curves keep the margin.
     """
     nesting = Nesting(sheet_size, margin)
     if kerf is not None:
@@ -170,14 +170,20 @@ def nest_pieces(
 
 
 def widened_by(sheet: Sheet, kerf: float | None) -> float:
-    """Return the difference in width, mm, between the tool path and a piece; None selects the sheet's kerf."""
+    """Return by how much the tool path around a piece is wider than the piece, mm.
+
+    `kerf` None is the kerf of the sheet.
+    """
     return max(sheet.kerf if kerf is None else kerf, 0.0)
 
 
 def _nested_group(
     sheet: Sheet, pieces: Sequence[Piece], size: tuple[float, float], margin: float, name: str
 ) -> list[NestedSheet]:
-    """Return all sheets of a material, from the better of rows along either side of the sheet."""
+    """Return all sheets of a material.
+
+    Rows along either side of the sheet are tried, and the better result is used.
+    """
     best: tuple[tuple[float, float], bool, list[_Place]] | None = None
     for upright in (False, True):
         room = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
@@ -207,7 +213,7 @@ def _nested_group(
 
 
 def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], upright: bool) -> list[_Box]:
-    """Return the orientations in which the piece fits the sheet."""
+    """Return a box for each orientation in which the piece fits on the sheet."""
     x, y = (side + margin for side in piece.size)
     boxes = []
     # the grain of the sheet is along x
@@ -220,11 +226,11 @@ def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], u
 
 
 def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float, float]) -> list[_Place]:
-    """Place boxes in the order of decreasing width, each in the row that it fills best or in a new row."""
+    """Place boxes in the order of decreasing width, each in the row that fits it best, or in a new row."""
     queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
     queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
     shortest = min(box.long for ways in boxes for box in ways)
-    rows: list[_Row] = []  # with room for the shortest box
+    rows: list[_Row] = []  # rows with space for the shortest box
     ends: list[float] = []  # end of the last row of each sheet, mm
     places: list[_Place] = []
     for ways in queue:
@@ -259,7 +265,7 @@ def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float,
 
 
 def _rounded(size: float) -> float:
-    """Return the size rounded for comparison."""
+    """Return the size, rounded so that equal sizes compare equal."""
     return round(size, _TIE_DECIMALS)
 
 
@@ -295,7 +301,9 @@ def _drawing(
 
 
 def _matrix(piece: Piece, turned: bool, x: float, y: float) -> np.ndarray:
-    """Return the matrix that moves the piece, optionally turned by 90 degrees, with its bounds to (x, y)."""
+    """Return the matrix that optionally rotates a piece by 90 degrees, and moves the corner of its bounding
+    box to (x, y).
+    """
     (x0, y0), (_, y1) = piece.bounds
     if turned:
         return np.array([[0.0, -1.0, x + y1], [1.0, 0.0, y - x0], [0.0, 0.0, 1.0]])

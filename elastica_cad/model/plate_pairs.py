@@ -1,4 +1,4 @@
-"""Plates in the best plane for tabs, single or in pairs that hold inclined tabs at their angle."""
+"""Plates in the best plane for tabs: single plates, and pairs of plates that hold inclined tabs at their angle."""
 
 from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import replace
@@ -36,10 +36,10 @@ from elastica_cad.strip.strip import Placed
 from elastica_cad.strip.tab_seats import Lean, TabSeat, lean_against
 
 LEAN_ROUNDS = 6
-"""Largest number of rounds of moving slots; three are usually enough."""
+"""Largest number of rounds in which slots are moved; three are usually enough."""
 
 LEANED_MM = 0.03
-"""Movement of slots, mm, below which the rounds end; each round reduces the movement to a tenth."""
+"""The rounds end when slots move by less than this, mm. Each round reduces the movement to a tenth."""
 
 
 def plate_pair(
@@ -52,9 +52,10 @@ def plate_pair(
 ) -> tuple[BasePlate, BasePlate]:
     """Return two plates, one below the other, whose slots hold inclined tabs at their angle.
 
-    A single slot with vertical walls lets an inclined tab rock. A second slot, offset by gap cot(phi), fixes the
-    angle of the tab. Slots are moved slightly against the load of their tabs, because loaded tabs take up their
-    play and bend between the plates. The solids of straight tabs therefore overlap the plates slightly.
+    In a single slot with vertical walls, an inclined tab can rock. A second slot, `gap` mm below and offset
+    by gap cot(phi), fixes the angle phi of the tab. Slots are moved slightly against the load of their tabs,
+    because loaded tabs move within their play and bend between the plates. The bodies of tabs are drawn
+    straight, so they overlap the plates slightly.
 
     Parameters
     ----------
@@ -76,8 +77,8 @@ def plate_pair(
     Raises
     ------
     InputError
-        A tab is too short for the lower plate (the message has the length that it needs); also the errors of
-        `base_plate`.
+        A tab is too short for the lower plate; the message states the length that it needs. Errors of
+        `base_plate` are passed on.
     """
     sheet = Sheet.of(sheet)
     require_positive(gap, "the gap between two plates")
@@ -97,7 +98,7 @@ def ring_pair(
 ) -> tuple[Ring, ...]:
     """Return two rings about the z axis, one behind the other, that hold one end of all strips at its angle.
 
-    If the tabs are flat on the ring, they are glued to it and a single ring is returned.
+    Tabs that are flat on the ring are glued to it, and a single ring is returned.
 
     Parameters
     ----------
@@ -115,8 +116,8 @@ def ring_pair(
     Raises
     ------
     InputError
-        A tab is too short for the second ring (the message has the length that it needs); also the errors of
-        `ring_plate`.
+        A tab is too short for the second ring; the message states the length that it needs. Errors of
+        `ring_plate` are passed on.
     """
     require_positive(gap, "the gap between two plates")
     ring_options = options_by_name(RingOptions, options, "a pair of rings", ("shape", "ends"))
@@ -129,12 +130,14 @@ def ring_pair(
 def _add_second(
     placed: Sequence[Placed], first: Plate, options: PlateOptions, gap: float
 ) -> tuple[Plate, Plate]:
-    """Return the plate and a second plate of the same type `gap` mm behind it, with slots moved for their loads.
+    """Return the plate and a second plate of the same type, `gap` mm behind it.
+
+    Slots are moved to compensate the loads.
 
     Raises
     ------
     InputError
-        A tab is too short; the message has the length that it needs.
+        A tab is too short; the message states the length that it needs.
     """
     sheet, ground = first.sheet, first.frame.shifted(z=-first.sheet.thickness - gap)
     tabs = [slot.tab for slot in first.slots if slot.tab is not None]
@@ -156,7 +159,7 @@ def _add_second(
 def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Plate, Plate]:
     """Return the plates with moved slots, so that every loaded tab is in its designed position.
 
-    The movement compensates play and the bending of tabs. The load is computed for the strip as made, with its
+    The movement compensates play and the bending of tabs. The load is computed for the strip as cut, with its
     slots and corrected widths.
     """
     for _ in range(LEAN_ROUNDS):
@@ -171,7 +174,10 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
 
 
 def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
-    """Return the shift and turn of the holder of each tab; equal ends are computed once."""
+    """Return the shift and rotation of the holder of each tab, by the position of the tab.
+
+    Equal ends are computed once.
+    """
     leans, known = dict[Key, Lean](), dict[Hashable, Lean]()
     for member in placed:
         cut = cut_key(member.strip)
@@ -188,9 +194,10 @@ def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, 
 
 
 def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
-    """Return the slots of a plate, moved within the plate by the shift and turn for each tab."""
+    """Return the slots of a plate, moved within the plate by the shift and rotation for each tab."""
     slots, walls = list(plate.slots), slot_walls(plate)
-    # the left of the curve is -z of the tab; its projection is the direction of movement in the plate
+    # the left side of the curve is in direction -z of the tab; slots move along the projection of this
+    # direction on the plate
     ways = np.array([(tab.frame.x_axis, -tab.frame.z_axis) for _, tab, _ in walls]).reshape(-1, 2, 3)
     for (k, tab, wall), (into, left) in zip(walls, (ways @ plate.frame.axes.T)[..., :2], strict=True):
         if (lean := leans.get(tab.key)) is not None:
@@ -199,11 +206,15 @@ def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
 
 
 def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatArray, lean: Lean) -> TabSlot:
-    """Return a slot with moved walls (2, n, 2); `into` and `left` are directions (2,) of the tab in the plate."""
+    """Return a slot with its two walls, (n, 2) each, moved.
+
+    `into` and `left` are the directions (2,) along the tab and to its left, projected on the plate.
+    """
     moves = []
     for wall in walls:
         place, slope = lean.touched(wall)
-        # the tab is bent at the plate, so a wall that moves in the plate moves both across and along the tab
+        # the tab is bent at the plate, so a wall that moves within the plate moves both across and along the
+        # tab
         across = left - slope * into
         moves.append((lean.shift + lean.turn * place) / float(across @ left) * left)
     first, second = moves
@@ -211,7 +222,9 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
 
 
 LEVEL_GAIN_MM = 0.5
-"""Least gain in level, mm, for which a plate is tilted against the mean direction of the tabs."""
+"""A plate is not perpendicular to the mean direction of the tabs if another plane is nearer to the tabs by at
+least this, mm.
+"""
 
 
 def end_plates(
@@ -232,17 +245,18 @@ def end_plates(
     together : bool
         Make one plate for all these ends instead of one plate for each end.
     gap : float, optional
-        Distance, mm, between two plates that replace each single plate and hold inclined tabs at their angle. The
-        names of the second plates are NAME-start-outer and NAME-end-outer.
+        If given, two plates at this distance, mm, replace each single plate and hold inclined tabs at their
+        angle. The second plates are named NAME-start-outer and NAME-end-outer.
     **options
-        Fields of `RingOptions`. The names are NAME-start and NAME-end, or NAME for a single plate. The shape "ring"
-        is round with a round opening if the slots are arranged around one; otherwise it is the hull of the slots.
+        Fields of `RingOptions`. The names are NAME-start and NAME-end, or NAME for a single plate. A plate of
+        the shape "ring" is round, with a round opening, if its slots are around such an opening; otherwise it
+        is the hull of the slots.
 
     Raises
     ------
     InputError
-        Tabs point in too many directions, end before the plate or are too flat, or slots meet; the message names
-        the parts. A plate cannot be cut, and `ignore_limits` is false.
+        Tabs point in too many directions, end before the plate or are too flat, or slots meet. The message
+        names the parts. Or a plate cannot be cut, and `ignore_limits` is False.
 
     Examples
     --------
@@ -273,7 +287,7 @@ def end_plates(
 
 
 def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions) -> tuple[BasePlate, ...]:
-    """Return two plates, lower plate first, for tabs that point in two opposite directions.
+    """Return two plates, the lower plate first, for tabs that point in two opposite directions.
 
     Raises
     ------
@@ -317,7 +331,10 @@ def through_slots(
 
 
 def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
-    """Return the best plane for the tabs, through the lowest of their origins, with z against their direction."""
+    """Return the best plane for the tabs.
+
+    It passes through the lowest origin of a tab; its z axis is opposite to the direction of the tabs.
+    """
     if not tabs:
         raise InputError(
             "{name}: these strips have no tab that can be held: give placed strips with tabs", name=name

@@ -35,16 +35,19 @@ from elastica_cad.strip.uncuttable_parts import (
 )
 
 FLATTEST_RAD = np.radians(15.0)
-"""Least angle of a tab to a plate, rad; flatter tabs need slots over four plate thicknesses wide."""
+"""Least angle between a tab and a plate, rad.
+
+At smaller angles, slots would be over four plate thicknesses wide.
+"""
 
 LEAST_OPENING_SHARE = 0.4
 """Least radius of the opening of a round plate, as a fraction of the plate's radius."""
 
 LABEL_MM = 4.0
-"""Height of engraved names, mm, if there is room."""
+"""Height of engraved names, mm, if the plate is large enough."""
 
 BELOW_MM = 1e-6
-"""Least depth of the end of a tab below the upper face of its plate, mm."""
+"""Least depth, mm, of the tip of a tab below the upper face of its plate."""
 
 Shape = Literal["hull", "rectangle", "ring"]
 
@@ -63,9 +66,9 @@ Name: TypeAlias = Annotated[str, Option("Name of the files.")]
 class PlateOptions:
     """Options of a plate that holds tabs.
 
-    `shape` is the outline around all slots; "ring" is round, with an opening if it would be large enough. `shop` is
-    the workshop's limits: bridges between slots, the largest sheet. With `ignore_limits`, a plate beyond these
-    limits is made with warnings.
+    `shape` is the outline around all slots; "ring" is round, with an opening if the opening is large enough.
+    `shop` contains the limits of the workshop, such as the width of bridges between slots and the largest
+    sheet. With `ignore_limits`, a plate beyond these limits is made with warnings.
     """
 
     play: Play = BASE_PLAY
@@ -99,7 +102,9 @@ Options = TypeVar("Options", bound=PlateOptions)
 def options_by_name(
     record: type[Options], options: Mapping[str, Any], what: str, without: Container[str] = ()
 ) -> Options:
-    """Return the record of options by name, and refuse unknown names; `what` names their object in the message.
+    """Make the record of options given by name.
+
+    Refuse unknown names; in the message, `what` is the name of the object.
 
     Examples
     --------
@@ -117,7 +122,7 @@ class TabSlot:
     Attributes
     ----------
     corners : (4, 2) array
-        In the plate's frame, anticlockwise, mm; the first side is across the tab.
+        Corners in the frame of the plate, anticlockwise, mm. The first side is across the tab.
     name : str
         Name of the tab.
     through : float
@@ -133,12 +138,12 @@ class TabSlot:
 
     @property
     def path(self) -> Path:
-        """Closed loop to cut."""
+        """Closed loop to be cut."""
         return Path.polygon(self.corners)
 
     @property
     def size(self) -> tuple[float, float]:
-        """Size across the tab and along its thickness, mm."""
+        """Size of the slot, mm: across the tab, and along the thickness of the tab."""
         a, b = np.hypot(*(self.corners[1:3] - self.corners[:2]).T)
         return float(a), float(b)
 
@@ -153,15 +158,13 @@ class BasePlate:
     frame : Frame
         Upper face of the plate, z up.
     outline : Path
-        Closed, in the frame.
-    slots : tuple of TabSlot
+        Closed outline, in the frame. slots : tuple of TabSlot
     name : str
     warnings : tuple of str
         Reasons not to cut the plate, if limits were ignored.
     opening : Path or None
-        Closed loop of the cut-out in the middle, or None.
-    glued : bool
-        True if the tabs are glued at their angle, with feet.
+        Closed loop of the opening in the middle, or None. glued : bool True if feet (gussets) are glued to
+        the tabs.
     """
 
     sheet: Sheet
@@ -184,8 +187,8 @@ class BasePlate:
         Raises
         ------
         InputError
-            Slots meet. Slots are far wider than their tabs, bridges are thin, or the plate is larger than the
-            sheet, and `ignore_limits` is false.
+            Slots meet. Or slots are far wider than their tabs, bridges are thin, or the plate is larger than
+            the sheet, and `ignore_limits` is False.
         """
         require_record(options, PlateOptions, "options", "a PlateOptions")
         _refuse_meetings(self.slots, self.name)
@@ -198,13 +201,13 @@ class BasePlate:
 
     @property
     def solid(self) -> FlatSolid:
-        """The plate in space, behind its frame."""
+        """Body of the plate in space, on the negative side of its frame."""
         thickness = self.sheet.thickness
         return FlatSolid(self.outline, self._inner, thickness, self.frame.shifted(z=-thickness))
 
     @cached_property
     def drawing(self) -> Drawing:
-        """Cut pattern seen from above, with the name of the tab at every slot."""
+        """Cutting pattern seen from above, with the name of its tab at every slot."""
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
         texts = (*(self._label(slot) for slot in self.slots), *self._name())
         return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
@@ -215,7 +218,10 @@ class BasePlate:
         return Piece(self.name, self.drawing, self.sheet)
 
     def _name(self) -> tuple[Text, ...]:
-        """Return the plate's name between opening and slots, which distinguishes the two rings of a pair."""
+        """Return the name of the plate as an engraved text.
+
+        It is between opening and slots, and distinguishes the rings of a pair.
+        """
         if self.opening is None:
             return ()
         center, inner = self.opening.bounds.mean(axis=0), float(np.ptp(self.opening.bounds[:, 0])) / 2
@@ -223,7 +229,7 @@ class BasePlate:
         return _rim_text(self.name, inner + CLEAR_MM, free, center)
 
     def _label(self, slot: TabSlot) -> Text:
-        """Return the tab's name above the slot, or below it if another slot is in the way."""
+        """Return the name of the tab as a text above its slot, or below the slot if another slot is above."""
         a, b, c, _ = slot.corners
         along, off = (b - a) / np.hypot(*(b - a)), (c - b) / np.hypot(*(c - b))
         if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
@@ -247,8 +253,9 @@ def base_plate(
 ) -> BasePlate:
     """Return one plate with a slot for every tab.
 
-    Tabs are straight in the plate, and cuts are vertical. The width of a slot is h / sin(phi) + H |cot(phi)| +
-    clearance, where phi is the tab's angle to the plate, h the thickness of the tab and H that of the plate.
+    Tabs are straight in the plate, and cuts are vertical. The width of a slot is h / sin(phi) + H |cot(phi)|
+    + clearance, where phi is the angle of the tab to the plate, h the thickness of the tab, and H the
+    thickness of the plate.
 
     Parameters
     ----------
@@ -306,7 +313,10 @@ def plate_with(
     options: PlateOptions,
     kind: "type[Plate]",
 ) -> "Plate":
-    """Return the plate around slots, or the ring about the axis of its frame; errors as in `BasePlate.checked`."""
+    """Return the plate around slots, or the ring about the z axis of `frame`.
+
+    Errors are those of `BasePlate.checked`.
+    """
     loops = [slot.corners for slot in slots]
     outline, opening = _outline(np.concatenate(loops), options.border, options.shape), None
     if kind is Ring:
@@ -318,21 +328,25 @@ def plate_with(
 
 
 def _round(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[Path, Path | None]:
-    """Return rim and opening around loops (4, 2) with a border, mm, or None for an opening that is too small."""
+    """Return a round rim and opening, `border` mm from all loops (4, 2); the opening is None if it would be
+    too small.
+    """
     inner, outer = around(loops, center, border)
     opening = Path.circle(center, inner) if inner > LEAST_OPENING_SHARE * outer else None
     return Path.circle(center, outer), opening
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
-    """Return the radii about a point (2,), inside and outside of loops (4, 2), at a distance of `border` mm."""
+    """Return the radii of the largest circle inside and the smallest circle outside of loops (4, 2), `border`
+    mm apart from them.
+    """
     points = np.concatenate([(loop + np.roll(loop, shift, axis=0)) / 2 for loop in loops for shift in (0, 1)])
     away = np.hypot(*(points - center).T)
     return float(away.min()) - border, float(away.max()) + border
 
 
 def _stands_in(tab: PlacedTab, ground: Frame) -> bool:
-    """Return True if the tab starts on or above a plate's upper face and ends below it."""
+    """Return True if the tab starts on or above the upper face of a plate and ends below it."""
     (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
     return bool(start > -tab.thickness and tip < -BELOW_MM)
 
@@ -396,14 +410,16 @@ def _gaps(first: FloatArray, others: FloatArray) -> FloatArray:
 
 
 def _across(rectangles: FloatArray) -> FloatArray:
-    """Return unit normals of the first two sides of rectangles (..., 4, 2), as columns (..., 2, 2)."""
+    """Return the unit normals of the first two sides of rectangles (..., 4, 2), as columns of (..., 2, 2)."""
     sides = rectangles[..., 1:3, :] - rectangles[..., :2, :]
     normals = np.stack([-sides[..., 1], sides[..., 0]], axis=-2)
     return np.asarray(normals / np.hypot(normals[..., 0, :], normals[..., 1, :])[..., None, :], dtype=float)
 
 
 def _apart(p: FloatArray, q: FloatArray) -> FloatArray:
-    """Return the larger (...,) of the gaps between places (..., 4, 2) along two directions."""
+    """Return the larger of the gaps along two directions between coordinates (..., 4, 2) of the corners of
+    rectangles.
+    """
     gaps = np.maximum(q.min(axis=-2) - p.max(axis=-2), p.min(axis=-2) - q.max(axis=-2))
     return np.asarray(gaps.max(axis=-1), dtype=float)
 
@@ -420,13 +436,13 @@ GAP_MM = 20.0
 """Default distance between two plates, mm."""
 
 LYING_RAD = np.radians(5.0)
-"""Largest angle to the ring, rad, of tabs that are glued flat on it; glue fills the wedge."""
+"""Largest angle, rad, to the ring at which a tab is glued flat on it; glue fills the wedge."""
 
 CLEAR_MM = 0.5
-"""Distance between a name and slots or rim, mm."""
+"""Distance, mm, of a name from slots and from the rim."""
 
 TAILS = 1 / 3
-"""Depth of letters like g below their line, in heights."""
+"""Depth of letters such as g below the base line, as a fraction of their height."""
 
 LEAST_LABEL_MM = 1.5
 """Least height of engraved names, mm; smaller names would not be legible and are omitted."""
@@ -436,7 +452,7 @@ LEAST_LABEL_MM = 1.5
 class Ring(BasePlate):
     """Flat ring about an axis, or a cap without an opening.
 
-    The frame is the face towards the strips, with its origin on the axis and z towards the strips.
+    The frame is on the face towards the strips. Its origin is on the axis, and z points towards the strips.
 
     Attributes
     ----------
@@ -465,7 +481,9 @@ class Ring(BasePlate):
 
     @cached_property
     def drawing(self) -> Drawing:
-        """Cut pattern seen from the strips, with its name near the rim if there is room."""
+        """Cutting pattern, seen from the strips, with the name of the ring near the rim if the ring is wide
+        enough.
+        """
         paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
         paths += [LayeredPath(ENGRAVE, seat) for seat in self.seats]
         paths.append(LayeredPath(CUT_OUTER, self.outline))
@@ -483,11 +501,14 @@ Plate = TypeVar("Plate", bound=BasePlate)
 def _rim_text(
     name: str, inner: float, outer: float, center: Sequence[float] = (0.0, 0.0)
 ) -> tuple[Text, ...]:
-    """Return the largest legible name above the centre between two radii, or an empty tuple if none fits."""
+    """Return the name as the largest text that fits between two radii above the centre.
+
+    The tuple is empty if no legible text fits.
+    """
     largest = min(LABEL_MM, 0.4 * (outer - inner))
     for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist() if largest > LEAST_LABEL_MM else ():
         half, below = text_width(name, height) / 2, height * TAILS
-        # the upper corners of the name are on the circle
+        # height at which the upper corners of the name are on the outer circle
         most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height
         if most >= inner + below:
             low = min(most, (inner + below + outer - height) / 2)
@@ -496,10 +517,11 @@ def _rim_text(
 
 
 def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> float:
-    """Return the least distance from the axis, mm, of the slot for a tab, `tab` mm thick, in a ring.
+    """Return the least distance, mm, of a slot in a ring from the axis of the ring.
 
-    The tab starts at a radius, at an angle (rad) to the outward radial direction. For a tab flat on the ring the
-    result is the radius.
+    The slot is for a tab, `tab` mm thick, that starts at `radius` and is at an angle (rad) to the outward
+    radial direction. For a tab flat on the ring, the result is the radius. `thickness` is that of the ring,
+    mm.
     """
     if abs(np.sin(angle)) < np.sin(FLATTEST_RAD):
         return radius
@@ -522,7 +544,8 @@ def ring_plate(
     sheet : Sheet or its name
         Sheet of the ring.
     middle : float
-        Height of the model's middle, mm; a ring with flat tabs is on the other side of the tabs.
+        Height of the middle of the model, mm. A ring with flat tabs is on the side of the tabs that is away
+        from it.
     **options
         Fields of `RingOptions` without shape and ends: border, play, clearance, slot_width, name, shop,
         ignore_limits.
@@ -530,8 +553,8 @@ def ring_plate(
     Raises
     ------
     InputError
-        Tabs have no length, overlap, or are at an angle between 5 and 15 degrees; slots meet or are far wider than
-        their tabs, or bridges are too thin to cut.
+        Tabs have no length, overlap, or are at an angle between 5 and 15 degrees. Or slots meet or are far
+        wider than their tabs, or bridges are too thin to cut.
     """
     sheet, ring_options = Sheet.of(sheet), options_by_name(RingOptions, options, "a ring", ("shape", "ends"))
     name, tabs = ring_options.name, several("tabs", tabs, PlacedTab, "PlacedTab")
@@ -573,19 +596,19 @@ def ring_plate(
 
 
 def _facing(height: float, *, up: bool) -> Frame:
-    """Return the plane perpendicular to the axis at a height, with z up or down."""
+    """Return the plane perpendicular to the z axis at a height, with its normal up or down."""
     return Frame((0.0, 0.0, height), (1.0, 0.0, 0.0), (0.0, 1.0 if up else -1.0, 0.0))
 
 
 def _seat(tab: PlacedTab, frame: Frame) -> FloatArray:
-    """Return the corners (4, 2) of a tab that is flat on the ring."""
+    """Return the corners (4, 2), in the frame of the ring, of a tab that is flat on the ring."""
     half = tab.width / 2
     corners = [(0.0, -half, 0.0), (tab.length, -half, 0.0), (tab.length, half, 0.0), (0.0, half, 0.0)]
     return frame.local(tab.frame.point(corners))[:, :2]
 
 
 def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) -> None:
-    """Raise InputError if a tab exceeds its sector of the full turn."""
+    """Raise InputError if a tab extends beyond its sector, which is the full turn divided by `count`."""
     seat = seats[0]
     out = seat.mean(axis=0)
     out = out / max(float(np.hypot(*out)), 1e-300)
@@ -600,7 +623,9 @@ def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) ->
 
 
 def needed_length(tab: PlacedTab, first: BasePlate, gap: float) -> float:
-    """Return the length, in whole mm, of a tab through a plate and a second plate `gap` mm behind it."""
+    """Return the length, in whole mm, that a tab needs to pass through a plate and a second plate `gap` mm
+    behind it.
+    """
     back = first.frame.shifted(z=-2 * first.sheet.thickness - gap)
     missing = float(back.local(tab.tip)[2] / -(back.z_axis @ tab.frame.x_axis))
     return float(np.ceil(tab.length + missing))

@@ -1,4 +1,4 @@
-"""Models of surfaces of revolution, and widths for neighbouring strips without gaps."""
+"""Models of surfaces of revolution, and widths with which neighbouring strips meet without gaps."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -35,16 +35,17 @@ WIDTH_MM = 1e-5
 """Largest error of a width, mm."""
 
 PARALLEL = 1e-12
-"""Largest difference of slopes that is a rounding error; two planes then count as equal, and bounds do not
-cross."""
+"""Bounds whose slopes differ by less than this rounding error belong to equal planes, and do not cross."""
 
 END_MM = 1e-9
-"""Largest distance, mm, of a kink that counts as being at an end."""
+"""A kink of the width nearer than this, mm, to an end counts as being at the end."""
 
 
 @dataclass(frozen=True, eq=False)
 class _Bound:
-    """Distance along the ruling to a plane, a + <b, gamma>, for a curve gamma in its own plane."""
+    """Function that returns the distance along the ruling from a point gamma of a plane curve to a plane: a +
+    <b, gamma>.
+    """
 
     a: float
     b: FloatArray
@@ -58,13 +59,14 @@ def touching_widths(
 ) -> tuple[Profile, ...]:
     """Return widths with which neighbouring strips meet at the planes that bisect the angles between them.
 
-    Half the width is the distance from the curve, along the ruling, to the nearer bisector plane. Before that, the
-    plane is moved towards the curve by the gap (the Flower Pot and the Shell of the paper, section 9).
+    Half the width is the distance from the curve, along the ruling, to the nearer bisector plane, after the
+    plane was moved towards the curve by the gap. The Flower Pot and the Shell of the paper (section 9) have
+    such widths.
 
     Parameters
     ----------
     strips : sequence of Placed, or of (PlaneCurve, Frame)
-        In order around the surface; the frame is the plane of the curve.
+        Strips in order around the surface. The frame is the plane of the curve.
     gap : float
         Distance of each strip from the bisector plane, mm.
     closed : bool
@@ -73,7 +75,7 @@ def touching_widths(
     Returns
     -------
     tuple of Profile
-        Full widths over arc length, mm.
+        Full widths, mm, as functions of arc length.
 
     Raises
     ------
@@ -114,16 +116,16 @@ def _bound(
     gap: float,
     names: tuple[str, str],
 ) -> _Bound:
-    """Return the plane that bounds the first strip, in its coordinates.
+    """Return the plane that bounds the first strip, in the coordinates of this strip.
 
-    It is the plane in the middle between both strips, moved towards the first strip by the gap.
+    The plane is midway between both strips, moved towards the first strip by the gap.
     """
     frame, opposite = placed_curve[1], other[1]
     middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (placed_curve, other)]
     z, r = frame.z_axis, opposite.z_axis
     z = z * np.sign((middles[1] - frame.origin) @ z)
     r = r * np.sign((middles[0] - opposite.origin) @ r)
-    # normal of the plane at equal distances from both strips, on the sides that face each other
+    # normal of the plane midway between the facing sides of both strips
     normal = z - r
     pace = float(normal @ z)
     if not (np.any(z) and np.any(r)) or pace < PARALLEL:
@@ -173,7 +175,7 @@ MOST_STRIPS = 1000
 """Largest number of strips; a sphere of 1 m would have strips 3 mm wide."""
 
 BEYOND_MM = 2.0
-"""Length of a tab beyond the second of two rings, mm."""
+"""Length, mm, by which a tab extends beyond the second of two rings."""
 
 TAB_GAP_MM = 0.5
 """Least gap between the tabs of neighbours, mm."""
@@ -182,7 +184,7 @@ TRIED_RINGS = 60
 """Number of ring sizes that are tried if the requested ring cannot be made."""
 
 BRIDGE_FACTOR = 1.02
-"""Factor on the least material between slots, which covers rounding errors."""
+"""Factor on the least width of material between slots, as an allowance for rounding errors."""
 
 
 def revolution(
@@ -196,7 +198,9 @@ def revolution(
     ring: float | None = None,
     **options: Any,
 ) -> Model:
-    """Return `revolve` of the meridian with x kappa = a + <b, gamma>; see `meridian` for its parameters.
+    """Return the model of `revolve` for the meridian with x kappa = a + <b, gamma>.
+
+    See `meridian` for its parameters.
 
     Examples
     --------
@@ -220,7 +224,7 @@ def revolve(
     shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
 ) -> Model:
-    """Return the surface of a meridian about z, tiled by equal plain strips.
+    """Return the model of a surface of revolution about z, tiled by equal plain strips along its meridians.
 
     Parameters
     ----------
@@ -234,10 +238,11 @@ def revolve(
         Tabs of each strip. By default they are 8 mm long, or as long as two rings need, and narrow enough to keep
         neighbouring tabs apart.
     rings : Sheet or str, optional
-        Sheet of a ring at each end, or of a cap near the pole; they are the model's `plates`. See `ring_plate`.
+        Sheet of the ring at each end, or of the cap near a pole. Rings and caps are the `plates` of the
+        model; see `ring_plate`.
     gap : float, optional
-        Distance, mm, between two rings that replace each single ring with slots and hold the tabs at their angle;
-        see `ring_pair`.
+        If given, two rings at this distance, mm, replace each single slotted ring and hold the tabs at their
+        angle; see `ring_pair`.
     name : str
     shop : FabricationLimits
         Limits of the workshop.
@@ -247,8 +252,8 @@ def revolve(
     Raises
     ------
     InputError
-        There are fewer than three strips, the sheet is unknown, or strips or a ring cannot be made. At a pole, the
-        message has the smallest possible ring.
+        There are fewer than three strips, the sheet is unknown, or strips or a ring cannot be made. At a
+        pole, the message states the smallest possible ring.
 
     Examples
     --------
@@ -281,7 +286,7 @@ def revolve(
 
 @dataclass(frozen=True)
 class _Request:
-    """Request for a surface, without its meridian."""
+    """Options of `revolve`, without the meridian."""
 
     strips: int
     sheet: Sheet
@@ -331,7 +336,8 @@ class _Request:
         near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
         gap = TAB_GAP_MM
         if self.rings is not None:
-            # the bridge between two slots is measured along their sides, at half the angle between the slots
+            # the width of the bridge between two slots is measured along the sides of the slots, at half the
+            # angle between them
             gap = (
                 2 * PLAY
                 + BRIDGE_FACTOR * self.shop.bridge_for(self.rings) / float(np.cos(np.pi / self.strips)) ** 2
@@ -350,7 +356,9 @@ class _Request:
 
 
 def _smallest_ring(meridian: Meridian, request: _Request) -> int | None:
-    """Return the smallest distance from the axis, in whole mm, at which strips and rings can be made, or None."""
+    """Return the smallest distance of a ring from the axis, in whole mm, at which strips and rings can be
+    made, or None.
+    """
 
     def works(ring: int) -> bool:
         try:
