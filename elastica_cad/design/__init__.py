@@ -1,4 +1,4 @@
-"""Design files, and reports as plain data."""
+"""Reading and writing of design files, and reports as plain data for JSON."""
 
 from elastica_cad._exports import exports
 

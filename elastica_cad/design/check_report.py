@@ -8,7 +8,10 @@ from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 
 
 def report_check(check: EquilibriumCheck) -> dict[str, Any]:
-    """Return the verdict of Theorem 1 as plain data; places in mm along the curve."""
+    """Return the result of the check (Theorem 1 of the paper) as plain data.
+
+    Positions are in mm along the curve.
+    """
     require_record(check, EquilibriumCheck, "what is reported", "what check_equilibrium answers")
     return {
         "realizable": check.realizable,

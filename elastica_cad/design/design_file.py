@@ -49,7 +49,7 @@ DESIGN_SCHEMA = 1
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """A design file after reading and checking; `model` makes the strips.
+    """Contents of a design file after reading and checking. `model` makes the strips.
 
     Attributes
     ----------
@@ -57,7 +57,7 @@ class Design:
     entries : tuple of StripEntry
         Strips in the order of the file.
     patterns : tuple of (name, options)
-        "mirror", "rotate", "repeat", applied in order.
+        Patterns ("mirror", "rotate" or "repeat") with their options, in the order of application.
     interlock : dict or None
         Options of `Model.interlock`, if requested.
     kit : KitSpec
@@ -65,7 +65,7 @@ class Design:
     reports : tuple of str
         Messages about sections of meshes and about meridians.
     revolution : RevolutionTable or None
-        Surface of revolution, made before the strips.
+        Surface of revolution. Its strips precede the other strips.
     """
 
     name: str
@@ -77,7 +77,9 @@ class Design:
     revolution: "RevolutionTable | None" = None
 
     def with_limits_ignored(self) -> "Design":
-        """Return the design with `ignore_limits`: parts that cannot be cut or handled are made, with a warning."""
+        """Return the design with `ignore_limits`, so that parts that cannot be cut or handled are made with a
+        warning.
+        """
         return replace(
             self,
             entries=tuple(
@@ -88,7 +90,7 @@ class Design:
         )
 
     def nearest(self) -> "Design":
-        """Return the design with strips that may leave their curves, as little as they must."""
+        """Return the design with strips that may deviate from their curves, as little as necessary."""
         freed = (
             entry
             if entry.spec.may_change
@@ -103,13 +105,14 @@ class Design:
         Parameters
         ----------
         done : callable, optional
-            Called with the label of each finished strip.
+            Function that is called with the label of each finished strip.
 
         Raises
         ------
         NotRealizable, NotConvergedError, InputError
-            As `StripSpec.make` and `Model.interlock`, in one error for all parts, with their names. Sections that
-            no strip can follow are left out and reported; if none is left, the first error is raised.
+            For the reasons of `StripSpec.make` and `Model.interlock`. A single error contains the messages of
+            all parts, with their names. Sections that no strip can follow are left out and reported. If no
+            strip remains, the first error is raised.
         """
         strips: dict[Any, Strip] = {}
         placed: list[Placed] = []
@@ -169,22 +172,22 @@ def read_design(
     Parameters
     ----------
     path : path-like
-        TOML with `schema = 1`; files in it are relative to its folder.
+        TOML file with `schema = 1`. Names of files in it are relative to its folder.
     read_curves : callable
-        Reads a curve file: `elastica_cad.read_curves`.
+        Function that reads a curve file, such as `elastica_cad.read_curves`.
     read_surface : callable
-        Reads a surface for sections: by default only meshes; with `elastica_cad.files.read_surface` also STEP
-        bodies.
+        Function that reads a surface for sections. The default reads only meshes;
+        `elastica_cad.files.read_surface` also reads STEP bodies.
     below : sequence of path-like
-        Folders with permitted files, besides the folder of the design and the working folder.
+        Folders from which files may be read, besides the folder of the design and the working folder.
     changes : mapping
         Values that replace those of keys in the file.
 
     Raises
     ------
     InputError
-        Invalid TOML, unknown keys, missing files, files in other folders, or invalid values; the message names the
-        place in the file.
+        The TOML is invalid, keys are unknown, files are missing or in other folders, or values are invalid.
+        The message names the position in the file.
     """
     path = require_file(path)
     below = several("folders to read from", below, str | PathLike, "path")
@@ -255,7 +258,7 @@ def parse_design(path: Path) -> dict[str, Any]:
         The file is not TOML or cannot be read.
     """
     try:
-        text = path.read_bytes().decode("utf-8-sig")  # with a byte order mark or without
+        text = path.read_bytes().decode("utf-8-sig")  # accept a byte order mark
         return parse_toml(text)
     except UnicodeDecodeError as error:
         raise InputError(
@@ -273,7 +276,10 @@ def parse_design(path: Path) -> dict[str, Any]:
 
 
 def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
-    """Return the surface of revolution of a design, if any; the design provides missing keys."""
+    """Return the surface of revolution of a design, or None.
+
+    Keys that its table lacks are taken from the design.
+    """
     if not top.has("revolution"):
         return None
     from elastica_cad.design.revolution_table import INHERITED, read_revolution
@@ -284,7 +290,7 @@ def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
 
 
 class _Sheets(dict[str, Sheet]):
-    """Sheets of a design by name, and sheets of files beside it by file name."""
+    """Sheets that a design may use: its own sheets by name, and sheets in files in its folder by file name."""
 
     folder = Path()
 
@@ -354,11 +360,11 @@ def _read_strips(
 
 
 COPIES_APART_MM = 20.0
-"""Distance, mm, between copies of a part if the file gives them the same position."""
+"""Distance, mm, between copies of a part for which the file defines the same position."""
 
 
 def _side_by_side(entries: Sequence[StripEntry]) -> list[StripEntry]:
-    """Return the entries of a table, with copies of a part at the same position moved apart."""
+    """Return the entries of a table. Copies of a part at the same position are moved apart."""
     alike = len({entry.label for entry in entries}) < len(entries)
     if not alike or np.ptp([entry.frame.origin for entry in entries], axis=0).any():
         return list(entries)
@@ -371,7 +377,7 @@ def _side_by_side(entries: Sequence[StripEntry]) -> list[StripEntry]:
 
 
 def _require_labels(taken: Container[str], entries: Sequence[StripEntry], where: str) -> None:
-    """Refuse a label shared by two strips, except for copies of a part in one table."""
+    """Refuse a label that two strips have, unless they are copies of a part from the same table."""
     known = dict[str, StripEntry]()
     for entry in entries:
         first = known.setdefault(entry.label, entry)
@@ -387,7 +393,10 @@ def _require_labels(taken: Container[str], entries: Sequence[StripEntry], where:
 
 
 def _only_sections(table: Table) -> Table:
-    """Return the table of sections; refuse keys for count and position, which sections determine."""
+    """Return the table of a strip that follows sections.
+
+    Refuse its keys for count and position, which sections determine.
+    """
     idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
     if idle:
         raise InputError(
@@ -410,11 +419,13 @@ def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
 
 
 SAME_DIGITS = 11
-"""Digits (unit: length of the curve) for comparing curves and gravity, because mirrored curves differ slightly."""
+"""Decimals, relative to the length of the curve, at which curves and gravity are compared, because mirrored
+curves differ by rounding.
+"""
 
 
 def _likeness(entry: StripEntry) -> Any:
-    """Return a key that is equal for strips with the same request and, up to rounding, the same curve."""
+    """Return a value that is equal for strips with the same request and, apart from rounding, the same curve."""
     spec, curve, gravity = entry.spec, entry.curve, entry.spec.gravity_in_plane
     numbers = [curve.knots - curve.knots[0], curve.control_points.ravel()]
     numbers += [] if curve.weights is None else [curve.weights]
@@ -426,19 +437,22 @@ def _likeness(entry: StripEntry) -> Any:
 
 
 def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
-    """Return one error with all messages, of the class of the first error."""
+    """Return a single error with all messages; its class is that of the first error."""
     first, slips = problems[0], Slips()
     if len(problems) == 1:
         return first
     for problem in problems:
         slips.add(str(problem))
-    # without the suggestions of the first error, which do not apply to the other errors
+    # remove the suggestions of the first error, which do not apply to the other errors
     first.refusal = Refusal(first.refusal.kind, slips.text)
     return first
 
 
 def _make(entry: StripEntry, *, slotted: bool) -> Strip:
-    """Make a strip without its slots; errors name the strip, and slotted strips are compensated later."""
+    """Make a strip without its slots.
+
+    Errors name the strip. The widths of slotted strips are compensated later.
+    """
     compensate = entry.spec.compensate
     spec = entry.spec.changed(slots=(), compensate=False if compensate and slotted else compensate)
     try:

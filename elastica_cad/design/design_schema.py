@@ -15,7 +15,7 @@ Keys: TypeAlias = dict[str, tuple[Fragment, str]]
 """JSON schema and description of each key."""
 
 _PLAIN: dict[str, Fragment] = {
-    "number": {"type": ["number", "string"]},  # a formula is a text
+    "number": {"type": ["number", "string"]},  # a formula is a string
     "count": {"type": ["integer", "string"]},
     "flag": {"type": "boolean"},
     "text": {"type": "string"},
@@ -24,7 +24,7 @@ _PLAIN: dict[str, Fragment] = {
 
 @cache
 def tables() -> dict[str, Keys]:
-    """Return the keys of every table by its name; the file itself is "design".
+    """Return the keys of every table, by the name of the table. The top level of the file is "design".
 
     Examples
     --------
@@ -56,7 +56,7 @@ def _entry(field: Field) -> tuple[Fragment, str]:
 
 
 def fragment(kind: Kind) -> Fragment:
-    """Return the JSON schema of a kind of value."""
+    """Return the JSON schema for a kind of value."""
     if kind.name in _PLAIN:
         return _PLAIN[kind.name]
     if kind.name == "choice":
@@ -74,7 +74,7 @@ def fragment(kind: Kind) -> Fragment:
 
 
 def _table(keys: Keys) -> Fragment:
-    """Return the JSON schema of a table with exactly these keys."""
+    """Return the JSON schema of a table that may have only these keys."""
     return {
         "type": "object",
         "additionalProperties": False,

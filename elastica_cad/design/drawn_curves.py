@@ -1,4 +1,4 @@
-"""Curves that a design file draws, and handles that reshape them."""
+"""Curves that are defined in a design file, and handles that reshape them."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -23,11 +23,13 @@ Handles: TypeAlias = tuple[Point, Point, Point, Point]
 _TO = "New place"
 
 CORNERS = ("bottom_left", "bottom_right", "top_right", "top_left")
-"""Handles of the box around the drawn curves, by name."""
+"""Names of the corners of the bounding box of the drawn curves, which are handles."""
 
 
 def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -> FloatArray:
-    """Return the projective map (3, 3) from corners of the box around curves to `places`, mm; other corners stay.
+    """Return the projective map (3, 3) that moves corners of the bounding box of curves to `places`, mm.
+
+    Corners that are not in `places` keep their positions.
 
     Raises
     ------
@@ -64,12 +66,13 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
 
 @dataclass(frozen=True)
 class Reshape:
-    """Deformation of a curve by handles: corners of its box by name, or `handles` and their targets `to`.
+    """Deformation of a curve by handles: named corners of its bounding box, or points `handles` and their
+    targets `to`.
 
     Raises
     ------
     InputError
-        Both kinds of handles, or only one of `handles` and `to`.
+        Both kinds of handles are given, or only one of `handles` and `to`.
     """
 
     bottom_left: Annotated[Point | None, Option(f"{_TO} of the lower left corner of its box.", "mm")] = None
@@ -94,7 +97,7 @@ class Reshape:
         return {name: place for name in CORNERS if (place := getattr(self, name)) is not None}
 
     def of(self, curve: PlaneCurve) -> PlaneCurve:
-        """Return the curve with the handles pulled to their new places.
+        """Return the curve after the handles are moved to their new positions.
 
         Raises
         ------
@@ -159,7 +162,7 @@ class CurveOfFormulae(_Curve):
     ] = ()
 
     def drawn(self, _: Reader, where: str, table: Table) -> PlaneCurve:
-        """Return a spline fitted to points that the formulae give."""
+        """Return a spline fitted to points that are computed from the formulae."""
         start, end = self.t
         if not start < end:
             raise InputError(
@@ -202,7 +205,8 @@ class EllipseArc:
                 "{place} and above exclude each other. Leave out one of them.", place=f"{where}: {idle[0]}"
             )
         rise = self.above - center[1]
-        # y - center = a sin(rotation) cos v + b cos(rotation) sin v = reach cos(v - top)
+        # height over the centre at the parameter v: a sin(rotation) cos v + b cos(rotation) sin v = reach
+        # cos(v - top)
         tall = axes[0] * np.sin(rotation), axes[1] * np.cos(rotation)
         reach, top = float(np.hypot(*tall)), float(np.arctan2(tall[1], tall[0]))
         if not -reach < rise < reach:
@@ -233,8 +237,8 @@ class CurveOfEllipse(_Curve):
 class CurveOfSpline(_Curve):
     """The table of a curve with the key `spline`: a B-spline given by its control points.
 
-    Its knots are evenly spaced and clamped at both ends unless they are given; with knots it may have weights,
-    which make it rational (NURBS).
+    By default its knots are uniform, and clamped at both ends. With given knots it may have weights, which
+    make it rational (NURBS).
     """
 
     spline: Annotated[tuple[Point, ...], Option("Control points.", "mm")]
@@ -257,16 +261,17 @@ class CurveOfSpline(_Curve):
 
 
 CURVES = {"file": CurveOfFile, "x": CurveOfFormulae, "ellipse": CurveOfEllipse, "spline": CurveOfSpline}
-"""Records of drawn curves, by the key that their table must contain."""
+"""Record class of each kind of drawn curve, by the key that its table must contain."""
 
 
 def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneCurve:
-    """Return the curve that a key describes, by the name of a file or by a table.
+    """Return the curve that the value of a key describes: the name of a file, or a table.
 
     Raises
     ------
     InputError
-        Unknown keys or values, missing files, or invalid curves; the message names the place.
+        Keys or values are unknown, files are missing, or curves are invalid. The message names the position
+        in the design.
     """
     value = table.raw(key)
     if value is None:

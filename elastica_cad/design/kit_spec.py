@@ -1,4 +1,4 @@
-"""Requests for a kit besides its strips: sheets, cutting files, base, frame, fixtures, further pieces."""
+"""Request for the parts of a kit that are not strips: sheets, cutting files, holders, further pieces."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -27,8 +27,10 @@ if TYPE_CHECKING:
 
 
 def cutting_keys() -> dict[str, Field]:
-    """Return the fields of `Cutting` by their keys. Only the key `for`, a reserved word of Python, has another
-    field name."""
+    """Return the fields of `Cutting` by their keys.
+
+    Key and field have the same name, except for the key `for`, which is a reserved word of Python.
+    """
     return {"for" if option.name == "recipient" else option.name: option for option in declared(Cutting)}
 
 
@@ -36,8 +38,8 @@ def cutting_keys() -> dict[str, Field]:
 class Cutting:
     """Options of cutting files.
 
-    `kerf` is in mm, or None for the kerf of each sheet. `curves` None means splines, or arcs for a service. Without
-    `holding` the parts have no holding tabs.
+    `kerf` is in mm; None is the kerf of each sheet. If `curves` is None, curves are written as arcs for a
+    cutting service, else as splines. If `holding` is None, parts have no bridges to the sheet.
     """
 
     FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(cutting_keys)
@@ -103,7 +105,9 @@ class Cutting:
         return self.recipient == "service"
 
     def file_name(self, stem: str, suffix: str) -> str:
-        """Return the name of a file, with the unit if the file format has no unit or a service gets the file.
+        """Return the name of a file.
+
+        It includes the unit if the format does not store it, or if a service gets the file.
 
         Examples
         --------
@@ -116,7 +120,7 @@ class Cutting:
         return f"{stem}{'-mm' if drawn or (self.version, suffix) == ('R12', 'dxf') else ''}.{suffix}"
 
     def drawings(self, drawing: Drawing) -> tuple[Drawing, ...]:
-        """Return the drawing of each file; files for a service have one part each."""
+        """Return a drawing for each file. Every part has a file of its own if the files are for a service."""
         return separate_parts(drawing) if self.service else (drawing,)
 
     def options(self, sheet: Sheet) -> dict[str, Any]:
@@ -125,7 +129,7 @@ class Cutting:
         Raises
         ------
         InputError
-            The kerf of the sheet is requested, but unknown.
+            The kerf of the sheet is requested, but it is unknown.
         """
         if self.kerf is None and sheet.kerf == 0:
             raise InputError(
@@ -151,12 +155,13 @@ HolderKind = Literal["base", "rings", "frame", "fixtures", "stand"]
 
 @dataclass(frozen=True, eq=False)
 class HolderSpec:
-    """Request for a kind of holder, for selected strips.
+    """Request for holders of a kind for selected strips.
 
     Attributes
     ----------
     kind : "base", "rings", "frame", "fixtures" or "stand"
-        One plate, a plate for each end, two rails with ribs, printed blocks, or the simplest of these.
+        Kind of holder, in this order: one plate, a plate for each end, two rails with ribs, printed blocks,
+        or the simplest of them.
     sheet : Sheet or None
         Sheet of plates, or None for blocks.
     options : mapping
@@ -164,9 +169,8 @@ class HolderSpec:
     nesting : Nesting
         Stock sheets of the plates.
     strips : tuple of str
-        Labels of the strips, with wildcards * and ?.
-    where : str
-        Name in messages.
+        Labels of the strips; they may contain the wildcards * and ?. where : str Name of the request in
+        messages.
     """
 
     kind: HolderKind
@@ -184,12 +188,12 @@ class HolderSpec:
     def made(
         self, model: "Model", shop: FabricationLimits = DEFAULT_LIMITS, *, ignore_limits: bool = False
     ) -> "tuple[tuple[BasePlate | Rib | EndFixture, ...], str]":
-        """Make the plates, ribs and blocks, with a sentence (or an empty string) about the choice.
+        """Make the plates, ribs and blocks. Also return a sentence on the choice, which may be empty.
 
         Raises
         ------
         InputError
-            There are no such strips, or the holder does not fit them.
+            No strip is selected, or the holder does not fit the strips.
         """
         from elastica_cad.model.fixtures import end_fixtures
         from elastica_cad.model.frames import add_feet, slotted_frame
@@ -263,7 +267,8 @@ class KitSpec:
     def extras(self, model: "Model") -> "tuple[Piece, ...]":
         """Return the requested coupons of the sheets of the model, and the requested reference bar.
 
-        There is no bar for a cutting service, because the user does not calibrate its machine.
+        For a cutting service there is no bar, because the user does not calibrate the machine of the
+        service.
         """
         from elastica_cad.strip.coupon import coupon_drawing, reference_bar
         from elastica_cad.strip.pieces import Piece

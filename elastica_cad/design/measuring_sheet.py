@@ -1,4 +1,4 @@
-"""Page for measuring a bent strip, and input of the readings."""
+"""Page of measurements to be taken of a bent strip, and reading of the measured values."""
 
 import json
 from collections.abc import Mapping
@@ -17,7 +17,7 @@ from elastica_cad.strip.lettering import Text
 from elastica_cad.strip.measuring import ANGLES, LENGTHS, MARKS, MEANINGS, UNITS, Measuring, row_label
 
 WIDE_MM, LETTER_MM, LINE_MM, TEXT_MM = 180.0, 3.0, 6.0, 40.0
-"""Width, letter height, line spacing, and place of the second column of the page."""
+"""Width, letter height, line spacing, and position of the second column of the page, mm."""
 
 LARGEST = 1e6
 """Largest length (mm) or angle (degrees) in a report or a reading."""
@@ -33,7 +33,7 @@ WORDS = {
 
 
 def measuring_record(measuring: Measuring) -> dict[str, Any]:
-    """Return the quantities to measure as plain data for a report, which `read_measuring` reads."""
+    """Return the quantities to measure as plain data for a report; `read_measuring` reads them."""
     return {
         "marks": list(measuring.marks),
         "expected": dict(measuring.expected),
@@ -93,7 +93,7 @@ def _number(value: Any) -> float:
 
 
 def read_readings(path: FilePath) -> dict[str, float]:
-    """Return the readings of a TOML file by name.
+    """Return the measured values in a TOML file, by name.
 
     Raises
     ------
@@ -116,7 +116,7 @@ def read_readings(path: FilePath) -> dict[str, float]:
 
 
 def blank_readings(measuring: Measuring) -> str:
-    """Return the text of a TOML file for filling in the readings."""
+    """Return the text of a TOML file into which the user writes the measured values."""
     lines = [
         "# Replace the expected values by your readings, and delete the # at the start of these lines.",
         "# Lengths in mm, angles in degrees.",
@@ -126,7 +126,9 @@ def blank_readings(measuring: Measuring) -> str:
 
 
 def measuring_page(name: str, measuring: Measuring) -> Drawing:
-    """Return a page with the bent strip, places to measure, expected values, and meanings of differences."""
+    """Return a page with the bent strip, the positions to measure, expected values, and explanations of
+    differences.
+    """
     position = np.array(measuring.shape)
     low, high = position.min(axis=0), position.max(axis=0)
     scale = min(1.0, WIDE_MM / float((high - low).max()))

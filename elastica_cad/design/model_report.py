@@ -1,4 +1,4 @@
-"""Report of a model: its numbers as a record, and an HTML page that lists its files."""
+"""Report of a model: its results as plain data, and an HTML page that lists its files."""
 
 from collections.abc import Mapping, Sequence
 from pathlib import PurePosixPath
@@ -39,9 +39,9 @@ def report_model(
     files : mapping
         Description of each file, by file name.
     held : mapping
-        Shapes of strips after making and holding, by name.
+        Shapes of the strips as cut and held, by name.
     entries : sequence of StripEntry
-        Designs of the strips; the report contains the deviations from them.
+        Entries of the strips in the design; the report contains the deviations from their curves.
     """
     require_record(model, Model, "the model", "a Model")
     require_record(cut_list, CutList, "the cut list", "a CutList, as model.cut_list() makes one")
@@ -99,7 +99,7 @@ def report_model(
 
 
 def _departure(strip: Strip, entry: StripEntry) -> dict[str, Any]:
-    """Return the distance from the strip to its drawn curve, and from the curve to its section, mm."""
+    """Return the distances, mm, between the strip and its drawn curve, and between the curve and its section."""
     curve = strip.rod.curve
     departure: dict[str, Any] = {"deviation": round_numbers(largest_deviation(entry.curve, curve))}
     if entry.section:
@@ -143,7 +143,7 @@ def compose_start_page(
     notes : sequence of str
         Messages to read before cutting.
     files : mapping
-        Description of each file, by its name with / between folders; pictures are shown.
+        Description of each file, by its name with / between folders. Pictures are displayed.
 
     Examples
     --------

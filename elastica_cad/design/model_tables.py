@@ -1,4 +1,4 @@
-"""Tables for the parts of a model that are not strips, and for a part with two rest shapes."""
+"""Tables of a design file for all parts of a model that are not strips, and for a two-state part."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -108,7 +108,7 @@ class Fixtures(_Holder):
 HOLDERS: dict[HolderKind, Record] = {
     "base": Base, "rings": Rings, "frame": FrameOfPlates, "fixtures": Fixtures, "stand": NamedStand,
 }  # fmt: skip
-"""Records of holders, in the order of kits."""
+"""Record class of each kind of holder, in the order in which kits contain them."""
 
 
 @dataclass(frozen=True)
@@ -133,7 +133,7 @@ class RepeatPattern:
 
 
 PATTERNS: dict[str, Record] = {"mirror": mirror, "rotate": rotate, "repeat": repeat}
-"""Functions whose options the tables of patterns contain."""
+"""Function of each pattern; the keys of a pattern's table are the options of its function."""
 
 
 @dataclass(frozen=True)
@@ -196,7 +196,7 @@ class DesignKeys(SharedKeys):
 
 
 def read_kit(top: Table, reader: Reader) -> KitSpec:
-    """Read the request for everything besides the strips from a design: holders, nesting, cutting, coupons."""
+    """Read the request for holders, nesting, cutting files and coupons from a design."""
     known = {entry.name: entry for entry in fields_of(DesignKeys)}
 
     def options_of(key: str) -> dict[str, Any]:
@@ -228,9 +228,9 @@ def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[Hold
 
 
 def _read_holder(kind: HolderKind, table: Table, number: int, reader: Reader, nesting: Nesting) -> HolderSpec:
-    """Return a holder; in a list, its default name has a number."""
+    """Return the request for a holder. In a list of holders, the default name has a number."""
     options = reader.given(HOLDERS[kind], table)
-    options.pop("thickness", None)  # the thickness is part of the sheet
+    options.pop("thickness", None)  # the sheet already has this thickness
     strips, sheet = options.pop("strips", "*"), options.pop("sheet", None)
     laid = {key: options.pop(key) for key in ("sheet_size", "margin") if key in options}
     if number and kind in ("base", "rings"):

@@ -18,14 +18,14 @@ from elastica_cad.pairs.flexure_spec import FlexureSpec
 def read_pair(
     path: Path, read_curves: CurveReader, changes: Mapping[str, Any] = MappingProxyType({})
 ) -> FlexureSpec:
-    """Read the part that the table [pair] of a design file requests, with `changes` of its keys.
+    """Read the request for a two-state part from the table [pair] of a design file; `changes` replace values
+    of keys.
 
     Raises
     ------
     InputError
-        The table is missing, a key is unknown, a value has the wrong kind, or a curve is unreadable. The message
-        names
-        the place.
+        The table is missing, a key is unknown, a value has the wrong kind, or a curve is unreadable. The
+        message names the position in the file.
     """
     path = require_file(path)
     table = parse_design(path)
@@ -34,13 +34,13 @@ def read_pair(
 
 
 def read_cutting(path: Path, changes: Mapping[str, Any]) -> Cutting:
-    """Read the options of cutting files from a design file, with `changes` of their keys."""
+    """Read the options of cutting files from a design file; `changes` replace values of keys."""
     table = parse_design(require_file(path))
     return cutting_of(merged(table, {"cut": changes}), str(path))
 
 
 def cutting_of(data: Mapping[str, Any], where: str = "") -> Cutting:
-    """Make the record of the table [cut] from parsed tables."""
+    """Make the options of cutting files from the table [cut] of parsed tables."""
     cutting: Cutting = Reader().record(Cutting, Table(data, where, {}).table("cut"))
     return cutting
 

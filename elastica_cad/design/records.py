@@ -1,4 +1,4 @@
-"""Records from tables of design files, and keys by their path."""
+"""Conversion of tables of design files to records, and access to keys by their path."""
 
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -35,7 +35,7 @@ from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.styles import Plain, Style
 
 CurveReader = Callable[..., list[PlaneCurve]]
-"""`read_curves(path, unit=...)`."""
+"""Type of functions `read_curves(path, unit=...)`."""
 
 Range = tuple[float, float]
 
@@ -111,7 +111,7 @@ BY_KIND: dict[Record, dict[str, Record]] = {
     Element: {"rail": Rail, "pin": Pin, "tie": Tie},
     BoundedLaw: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
 }
-"""Records by the value of the key `kind`; the first is the default."""
+"""For a family of records: the record for each value of the key `kind`. The first is the default."""
 
 MADE_BY: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting}
 """Functions that make certain records from their tables."""
@@ -122,11 +122,11 @@ WRITTEN: dict[Record, Kind] = {
     Supports: kind_of(tuple[EndName, EndName]),
     RestCurvature: Kind("either", (kind_of(_blank), kind_of(_drawn_blank))),
 }
-"""File format of records that are not tables of their fields; see `reads`."""
+"""Form in a file of records that are not written as a table of their fields; see `reads`."""
 
 
 def written(kind: Kind) -> Kind:
-    """Return the kind of a value in a file, with all forms in which a record may be written."""
+    """Return the kind of a value in a file: for a record, all forms in which it may be written."""
     if kind.name == "either":
         alternatives = [alternative for inner in kind.of for alternative in written(inner).alternatives]
         return Kind("either", tuple(dict.fromkeys(alternatives)))
@@ -140,8 +140,8 @@ def written(kind: Kind) -> Kind:
 def fields_of(record: Record) -> tuple[Field, ...]:
     """Return the fields of a table: its declared fields, and the fields of a record that it also accepts.
 
-    A class of keys names this record as `BESIDE`, and the excluded fields as `WITHOUT`. If keys and fields have
-    different names, its function `FIELDS` returns the fields by key.
+    A class of keys sets this other record as `BESIDE`, and the excluded fields as `WITHOUT`. If keys and
+    fields have different names, its function `FIELDS` returns the fields by key.
     """
     if (renamed := getattr(record, "FIELDS", None)) is not None:
         return tuple(replace(entry, name=key) for key, entry in renamed().items())
@@ -172,13 +172,9 @@ class Reader:
     Attributes
     ----------
     sheets : mapping
-        Sheets by name that a file may use in addition to the known sheets.
-    folder : Path
-        Folder to which names of files are relative.
-    read_curves : callable or None
-        Reads a curve file.
-    sheet : Sheet or None
-        Sheet of the strip that is read.
+        Sheets, by name, that a file may use in addition to the known sheets. folder : Path Folder to which
+        names of files are relative. read_curves : callable or None Function that reads a curve file. sheet :
+        Sheet or None Sheet of the strip whose table is read.
     """
 
     sheets: Mapping[str, Sheet] = field(default_factory=dict)
@@ -187,14 +183,13 @@ class Reader:
     sheet: Sheet | None = None
 
     def record(self, record: Record, table: Table) -> Any:
-        """Make the record that a table describes; for records in `BY_KIND` the key `kind` selects the record.
+        """Make the record that a table describes. For families in `BY_KIND`, the key `kind` selects the record.
 
         Raises
         ------
         InputError
-            Keys are unknown or missing, or values have the wrong kind or are refused by the record. The message
-            names
-            the place.
+            Keys are unknown or missing, or values have the wrong kind or are refused by the record. The
+            message names the position.
         """
         if record in BY_KIND:
             kinds = BY_KIND[record]
@@ -208,7 +203,7 @@ class Reader:
             return make(**values)
 
     def given(self, record: Record, table: Table) -> dict[str, Any]:
-        """Return the values of the fields that a table gives, by name; unknown and missing keys are refused."""
+        """Return the values in a table by the names of their fields. Unknown and missing keys are refused."""
         table.only(*names_of(record))
         values = {}
         for entry in fields_of(record):
@@ -270,7 +265,7 @@ class Reader:
 
 
 def _chosen(kinds: tuple[Kind, ...], value: object) -> Kind:
-    """Return the kind that fits a value best; if none fits, return a kind that refuses the value."""
+    """Return the kind that fits a value best. If no kind fits, return a kind that refuses the value."""
     fitting = [kind for kind in kinds if _fits(kind, value)]
     if isinstance(value, Mapping):
         return max(fitting, key=lambda kind: _keys_met(kind, value), default=kinds[-1])
@@ -297,7 +292,7 @@ def _fits(kind: Kind, value: object) -> bool:
 
 
 def _keys_met(kind: Kind, table: Mapping[str, Any]) -> int:
-    """Return the number of keys that the kind knows, minus the number of unknown keys."""
+    """Return the number of keys of a table that the kind has, minus the number of its unknown keys."""
     known = {
         name
         for alternative in written(kind).alternatives
@@ -308,7 +303,10 @@ def _keys_met(kind: Kind, table: Mapping[str, Any]) -> int:
 
 
 def _read_sheet(reader: Reader, table: Table, key: str) -> Sheet:
-    """Return a sheet of the file or a built-in sheet; a strip's sheet with the thickness of its table."""
+    """Return the sheet that a key names: a sheet of the file or a known sheet.
+
+    The key `thickness` of the table sets its thickness.
+    """
     name = table.text(key)
     with table.naming(key):
         sheet = reader.sheets[name] if name in reader.sheets else Sheet.named(name)
@@ -336,11 +334,11 @@ _SPECIAL: dict[Record, Callable[[Reader, Table, str], Any]] = {
     RestCurvature: _read_blank,
     Formula: _read_formula,
 }
-"""Readers of records that are not tables of their fields."""
+"""Functions that read records that are not written as a table of their fields."""
 
 
 def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any]) -> None:
-    """Register that values of a class are written as `kind` in a file, and read by the function `read`."""
+    """Register that records of a class are written as `kind` in a file, and are read by the function `read`."""
     WRITTEN[record], _SPECIAL[record] = kind, read
 
 
@@ -367,8 +365,9 @@ def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
 
 
 def title(record: Record) -> str:
-    """Return the name of a record's table in the manual and in the schema, behind its family where `kind` selects
-    it.
+    """Return the name of a record's table in the manual and schema.
+
+    If `kind` selects the record, the name begins with its family.
 
     Examples
     --------
@@ -383,9 +382,9 @@ def title(record: Record) -> str:
 def described(record: Record) -> list[dict[str, Any]]:
     """Return the fields of a table as plain JSON, for forms and editors.
 
-    Each field has name, help, unit, least, most, group, common, required, its default if that is plain, and its
-    type: `kind` with `choices`, `size`, `of` (elements or alternatives) or `fields` of a table. The value of the
-    table's key `kind` is its `word`.
+    Each field has name, help, unit, least, most, group, common, required, and its default if it is plain. Its
+    type is `kind`, with `choices`, `size`, `of` (elements or alternatives) or the `fields` of a table. `word`
+    is the value of the key `kind` that selects a table.
 
     Examples
     --------
@@ -425,7 +424,7 @@ def _plain_kind(kind: Kind) -> dict[str, Any]:
 
 
 def _plain_default(value: Any) -> Any:
-    """Return a default as plain JSON, or None for a record, whose fields have their own defaults."""
+    """Return a default value as plain JSON, or None for a record, because its fields have their own defaults."""
     if isinstance(value, tuple):
         plain = [_plain_default(item) for item in value]
         return None if None in plain else plain
@@ -434,7 +433,7 @@ def _plain_default(value: Any) -> Any:
 
 @cache
 def paths_of(record: Record) -> Mapping[str, Field]:
-    """Return all keys of a record by dotted path; a list of tables counts as a table in the path.
+    """Return all keys of a record by their dotted paths. In a path, a list of tables is written as a table.
 
     Examples
     --------
@@ -471,7 +470,7 @@ def tables_in(kind: Kind) -> list[Record]:
 
 
 def _words(kind: Kind) -> tuple[str, ...]:
-    """Return the words that select the kinds of a table."""
+    """Return the values of the key `kind` for a table."""
     return tuple(
         word
         for alternative in written(kind).alternatives
@@ -480,7 +479,7 @@ def _words(kind: Kind) -> tuple[str, ...]:
 
 
 def put(table: dict[str, Any], path: str, value: Any) -> None:
-    """Set the value at a dotted path of nested tables; create missing tables.
+    """Set the value at a dotted path in nested tables. Missing tables are created.
 
     Raises
     ------
@@ -518,7 +517,9 @@ def require_path_of(path: str, record: Record) -> Field:
 
 
 def near_path(path: str, known: Iterable[str]) -> str:
-    """Return the most likely known path: with the same last name, else the nearest, else ""."""
+    """Return the known path that was probably meant: with the same last name, else with the most similar
+    spelling, else "".
+    """
     ends = {known_path.rpartition(".")[2]: known_path for known_path in reversed(list(known))}
     last = path.rpartition(".")[2]
     near = near_names(path, known) or near_names(last, ends)
@@ -526,5 +527,5 @@ def near_path(path: str, known: Iterable[str]) -> str:
 
 
 def help_with_unit(help: str, unit: str) -> str:
-    """Return the help of a field followed by its unit."""
+    """Return the help of a field, followed by its unit."""
     return f"{help.rstrip('.')} ({unit})." if unit else help

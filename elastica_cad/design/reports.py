@@ -30,12 +30,15 @@ from elastica_cad.strip.measuring import Measuring
 from elastica_cad.strip.strip import Strip
 
 STATIONS = 201
-"""Number of places, uniform in arc length, for the curvature of a pre-bent strip; a constant curvature has two
-places."""
+"""Number of stations, uniform in arc length, at which a varying natural curvature is reported.
+
+A constant curvature has two.
+"""
 
 
 def report_blank(strip: Strip) -> dict[str, Any] | None:
-    """Return the natural curvature (1/mm, positive to the left) along the free part (mm), or None if zero.
+    """Return the natural curvature (1/mm, positive to the left) at stations (mm) of the free part, or None if
+    it is zero.
 
     Examples
     --------
@@ -53,10 +56,10 @@ def report_blank(strip: Strip) -> dict[str, Any] | None:
 
 
 def pre_bend_message(strip: Strip) -> str:
-    """Return an instruction for pre-bending the strip, without a full stop; empty if it is flat.
+    """Return an instruction for pre-bending the strip, without a full stop. It is empty for a flat strip.
 
-    The direction refers to the final bend of the strip. Its faces do not define left and right, because equal
-    pieces may be turned over to save a part.
+    The instruction states the direction relative to the final bend. Left and right are not defined by the
+    faces, because equal pieces may be turned over to save a part.
     """
     rod = strip.rod
     rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
@@ -125,16 +128,15 @@ def report_strip(
     near : NearestRod, optional
         Nearest rod, for its deviation from the drawn curve and the binding limits.
     stability : Stability, optional
-        Stability of its rest shape.
-    smoothing : Smoothing, optional
-        Smoothing of the drawn curve.
+        Stability of the rest shape. smoothing : Smoothing, optional Smoothing that was applied to the drawn
+        curve.
     stations : int
         Number of stations for stiffness and width, uniform in arc length.
 
     Raises
     ------
     InputError
-        A record of the wrong class, fewer than two stations, or more than `MOST_STATIONS`.
+        A record has the wrong class, or the number of stations is below 2 or above `MOST_STATIONS`.
     """
     require_record(strip, Strip, "what is reported", "a Strip, as make_strip makes one")
     for value, record, what in ((near, NearestRod, "near"), (stability, Stability, "stability")):
@@ -210,8 +212,8 @@ def _sideways_report(verdict: SidewaysStability) -> dict[str, Any]:
 def _between(strip: Strip) -> list[dict[str, Any]]:
     """Return rails, pins, ties and point forces with their stations (mm) and forces on the strip (N).
 
-    A tie has its length (mm) and its pull (N). `moved_per_mm` is the largest displacement of the strip per mm of
-    error in mounting the element, mm.
+    A tie has its length (mm) and its pull (N). `moved_per_mm` is the largest displacement of the strip, mm,
+    if the element is mounted 1 mm away from its position.
     """
     rows = []
     moves = displacements_per_mm(strip.rod)
@@ -231,7 +233,7 @@ def _between(strip: Strip) -> list[dict[str, Any]]:
 
 
 def _stations_report(strip: Strip, count: int) -> dict[str, Any]:
-    """Return stiffness and widths at `stations` places, uniform in arc length."""
+    """Return stiffness and widths at `count` stations, uniform in arc length."""
     rod, layout = strip.rod, strip.layout
     s = np.linspace(0.0, rod.length, count)
     return {
@@ -256,7 +258,7 @@ def _sheet_report(sheet: Sheet) -> dict[str, Any]:
 
 
 def _reactions_report(reactions: Reactions) -> dict[str, Any]:
-    """Return forces (N) and moments (N mm) of the ends."""
+    """Return the forces (N) and moments (N mm) at the ends."""
     return {
         "start_force": round_numbers(reactions.start_force),
         "start_moment": round_numbers(reactions.start_moment),
@@ -266,7 +268,7 @@ def _reactions_report(reactions: Reactions) -> dict[str, Any]:
 
 
 def _layers(strip: Strip) -> list[dict[str, Any]]:
-    """Return the layers, the base first; the thickness of a planed or turned strip is its largest."""
+    """Return the layers, the base first. For a planed or turned strip, the thickness is its largest thickness."""
     worked = strip.layout.worked_size
     return [
         {
@@ -279,7 +281,7 @@ def _layers(strip: Strip) -> list[dict[str, Any]]:
 
 
 def _creep(strip: Strip) -> dict[str, Any] | None:
-    """Return the strip after creep, or None if creep was not requested."""
+    """Return the shape of the strip after creep, or None if creep was not requested."""
     if not strip.creep:
         return None
     try:
@@ -325,7 +327,10 @@ def _nearest_report(near: NearestRod) -> dict[str, Any]:
 
 
 def report_held(shape: HeldShape) -> dict[str, Any]:
-    """Return the deviation of a held strip and its causes as plain data; expected values have two digits."""
+    """Return the deviation of a held strip and its causes as plain data.
+
+    Expected values are rounded to two digits.
+    """
     return {
         "expected": float(f"{shape.expected:.2g}"),
         "deviation": round_numbers(shape.deviation),
@@ -343,7 +348,7 @@ def report_held(shape: HeldShape) -> dict[str, Any]:
 
 
 def _ends(strip: Strip) -> dict[str, Any] | None:
-    """Return positions and angles of the held ends, mm and degrees, or None for a closed strip."""
+    """Return the positions (mm) and angles (degrees) of the held ends, or None for a closed strip."""
     if strip.is_closed:
         return None
     ends = held_ends(strip)
@@ -368,7 +373,10 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
 
 
 def _held(strip: Strip) -> dict[str, Any] | None:
-    """Return the strip held at its designed ends, or None with elements or without a shape near the design."""
+    """Return the shape of the cut strip, held at its designed ends.
+
+    Return None for a strip with rails, pins or ties, and if there is no shape near the design.
+    """
     if strip.rod.acting:
         return None
     try:
@@ -378,7 +386,9 @@ def _held(strip: Strip) -> dict[str, Any] | None:
 
 
 def _measuring(strip: Strip) -> dict[str, Any] | None:
-    """Return measurable quantities for `elastica compare`, or None if closed or without a rest shape."""
+    """Return measurable quantities for `elastica compare`, or None for a closed strip or a strip without a
+    rest shape.
+    """
     if strip.is_closed or strip.rod.acting:
         return None
     try:
@@ -388,7 +398,7 @@ def _measuring(strip: Strip) -> dict[str, Any] | None:
 
 
 def _joint(strip: Strip) -> dict[str, Any] | None:
-    """Return place, lap and loads of the joint of a closed strip, or None for an open strip."""
+    """Return the position, lap and loads of the joint of a closed strip, or None for an open strip."""
     if not strip.is_closed:
         return None
     held = strip.reactions()

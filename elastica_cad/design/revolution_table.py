@@ -20,7 +20,7 @@ from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimit
 Pair: TypeAlias = tuple[float, float]
 
 NEAR_MM = 1e-3
-"""Distance below which a meridian passes through its points, mm; no cut is as exact."""
+"""A meridian nearer than this, mm, to its points passes through them, because no cut is as exact."""
 
 
 @dataclass(frozen=True)
@@ -102,7 +102,7 @@ class RevolutionTable:
 
     @property
     def reports(self) -> tuple[str, ...]:
-        """Note on the distance of the meridian from its points, if there is a distance."""
+        """Message on the distance of the meridian from its points; empty if the meridian passes through them."""
         off = self.meridian.deviation
         if off <= NEAR_MM:
             return ()
@@ -115,10 +115,10 @@ class RevolutionTable:
 
 
 OWN_KEYS = ("a", "b", "start", "angle", "length")
-"""Keys of a meridian that is given by its equation."""
+"""Keys of a meridian that is defined by its equation."""
 
 INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")
-"""Keys with defaults from the design."""
+"""Keys whose default values are those at the top of the design file."""
 
 
 def read_revolution(table: Table, reader: Reader) -> RevolutionTable:
@@ -127,8 +127,8 @@ def read_revolution(table: Table, reader: Reader) -> RevolutionTable:
     Raises
     ------
     InputError
-        Unknown keys, a meridian with no or several definitions, or an impossible meridian; the message names the
-        place.
+        Keys are unknown, or the meridian has no or several definitions or is impossible. The message names
+        the position in the file.
     """
     revolution: RevolutionTable = reader.record(RevolutionTable, table)
     try:

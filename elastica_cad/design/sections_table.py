@@ -1,4 +1,6 @@
-"""The table of a design file for sections of a surface: the file, its planes, its divisions."""
+"""The table of a design file for sections of a surface: the file of the surface, the planes, and the division
+of curves.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -67,13 +69,13 @@ class SectionsTable:
 
 
 IN_PLACE = {"radial": "angles", "parallel": "offsets"}
-"""Keys for the positions of planes, instead of their count."""
+"""Keys that set the positions of the planes instead of their number."""
 
 
 def read_sections(
     table: Table, reader: Reader, read_surface: SurfaceReader | None
 ) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
-    """Return the curves of the sections that a table requests, each with its plane, and notes.
+    """Return the curves of the sections that a table requests, each with its plane, and messages.
 
     Raises
     ------
@@ -115,7 +117,7 @@ def compose_section_design(
     name : str
         Name of the model.
     mesh : mapping
-        File as `mesh`, with unit and scale if given.
+        Keys of the surface: the file as `mesh`, and unit and scale if they are given.
     sections : SectionSpec
     strips : mapping
         Keys of all strips: sheet, max_width, limits, etc.
@@ -142,7 +144,7 @@ def compose_section_design(
 
 
 def _section_keys(spec: SectionSpec) -> dict[str, Any]:
-    """Return the keys of the table `sections`, without default values except for tolerance and planes."""
+    """Return the keys of the table `sections`. Default values are omitted, except for tolerance and planes."""
     keys: dict[str, Any] = {"tolerance": spec.tolerance}
     keys |= {"wavelength": spec.wavelength} if spec.wavelength else {}
     keys |= {} if spec.half is None else {"half": spec.half}
@@ -182,6 +184,6 @@ def _split_keys(split: Split) -> dict[str, Any]:
 
 
 def _degrees(angle: float) -> str:
-    """Return an angle (rad) as a formula in degrees, without the rounding of pi."""
-    # removes rounding errors of the conversion
+    """Return an angle in rad as a formula in degrees, so that the rounding of pi does not appear in the file."""
+    # remove rounding errors of the conversion
     return f"{float(np.round(np.degrees(angle), 10))!r} * degrees"

@@ -1,4 +1,4 @@
-"""JSON record of a finished strip in its report, for making the same strip again."""
+"""JSON record in the report of a finished strip, from which the same strip can be made again."""
 
 import json
 from collections.abc import Mapping
@@ -45,18 +45,18 @@ RECORDS = {
         ThicknessLaw, Tie, TSlot, Weight, WidthLaw,
     )
 }  # fmt: skip
-"""Records of a request by the names that a report has for them."""
+"""Record classes in a request, by their names in a report."""
 
 SOLVED = ("curve", "frame", "limits", "keep", "smooth", "straight_ends", "seam_position", "ignore_limits")
-"""Fields of `StripSpec` without effect on a finished strip."""
+"""Fields of `StripSpec` that have no effect on a finished strip."""
 
 SAME_SHARE = 1e-6
-"""Largest relative difference of equal stiffnesses."""
+"""Stiffnesses count as equal if their relative difference is smaller than this."""
 
 
 @dataclass(frozen=True, eq=False)
 class FinishedStrip:
-    """A finished strip: its stiffness, and the request for it on its rest shape.
+    """A finished strip: its stiffness, and the request from which it was made, with its rest shape as the curve.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class FinishedStrip:
     bending_stiffness : float
         Least bending stiffness, N mm2.
     designed : StripSpec, optional
-        Request in the report, if `spec` is changed.
+        Request in the report, if `spec` was changed.
     """
 
     spec: StripSpec
@@ -95,10 +95,10 @@ class FinishedStrip:
             ) from problem
 
     def changed(self, **fields: Any) -> "FinishedStrip":
-        """Return the strip with other values of some fields of its request, and of the same stiffness.
+        """Return the strip with other values of some fields of its request. Its stiffness is unchanged.
 
-        One width replaces both widths, a law replaces widths and style and is replaced by them, and a strip
-        without gravity has no loads.
+        A new width replaces both widths. A new law replaces widths and style, which in turn replace a law. A
+        strip without gravity has no loads.
         """
         sheet, law = fields.get("sheet"), self.spec.law
         sized = {"max_width", "min_width", "style"} & set(fields)
@@ -123,15 +123,15 @@ class FinishedStrip:
         return replace(self, spec=self.spec.changed(**fields), designed=self.designed or self.spec)
 
     def make(self) -> Strip:
-        """Make the strip with the stiffness in the report."""
+        """Make the strip again, with the stiffness in the report."""
         spec, designed = self.spec, self.designed or self.spec
         rod_spec = spec.rod_spec
-        # the stiffness of plies is piecewise constant, unlike that of a solved rod
+        # plies have a piecewise constant stiffness, which the solver of other rods does not return
         laid = isinstance(rod_spec.section, LaidLeaves)
         # a law and the layers of a heavy laminate determine weight and size
         solved = spec if spec.law is not None or rod_spec.layers is not None else designed
         rod = solve_rod(replace(solved.rod_spec, section=None if laid else solved.rod_spec.section))
-        assert isinstance(rod, Rod)  # because the request has no limits
+        assert isinstance(rod, Rod)  # it is not a NearestRod, because the request has no limits
         if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=SAME_SHARE):
             rod = rod.with_stiffness(self.stiffness)
         scale = self.bending_stiffness
@@ -156,7 +156,7 @@ class FinishedStrip:
 
 
 def _size(spec: StripSpec, rod: Rod) -> float:
-    """Return the least bending stiffness, N mm2, of the requested strip without loads."""
+    """Return the least bending stiffness, N mm2, of the requested strip, ignoring its loads."""
     unloaded = replace(rod, gravity=None, weight=None, section=None, bending_stiffness=None)
     return spec.changed(gravity=False, loads=(), compensate=False).make(unloaded).bending_stiffness
 
@@ -167,13 +167,13 @@ def read_request(path: Path) -> Any:
         return None
     try:
         data = json.loads(path.read_bytes())
-    except (OSError, ValueError, RecursionError):  # the reader of curves refuses this file
+    except (OSError, ValueError, RecursionError):  # refused later, by the reader of curves
         return None
     return data.get("request") if isinstance(data, dict) else None
 
 
 def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
-    """Return the request for a finished strip, on its rest shape, as plain data for JSON."""
+    """Return the request for a finished strip as plain data for JSON, with its rest shape as the curve."""
     plane = spec.in_plane
     values = {field.name: getattr(plane, field.name) for field in fields(plane) if field.name not in SOLVED}
     rod = strip.rod
@@ -188,7 +188,7 @@ def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
 
 
 def _placed_loads(spec: StripSpec, rod: Rod) -> Loads:
-    """Return the loads in the plane of the curve, with point forces at their places along the rest shape."""
+    """Return the loads in the plane of the curve, with the point forces at their stations on the rest shape."""
     loads, forces = spec.in_plane.loads, iter(rod.point_forces)
     if isinstance(loads, Weight):
         return loads
@@ -196,7 +196,7 @@ def _placed_loads(spec: StripSpec, rod: Rod) -> Loads:
 
 
 def _encoded(value: Any) -> Any:
-    """Return a value as plain JSON, with infinite numbers as text."""
+    """Return a value as plain JSON, with infinite numbers as strings."""
     if is_dataclass(value):
         kind = next(name for name, record in RECORDS.items() if isinstance(value, record))
         return {"record": kind} | {

@@ -81,11 +81,9 @@ class StripEntry:
     Attributes
     ----------
     spec : StripSpec
-        Request for the strip.
-    section : str
-        Name and start of the section that it follows, or an empty string.
-    off_section : float
-        Largest distance of the section's points from the curve, mm.
+        Request for the strip. section : str Name of the section that the strip follows, with the start of its
+        curve, or "". off_section : float Largest distance, mm, between the points of the section and the
+        curve.
     """
 
     spec: StripSpec
@@ -94,7 +92,7 @@ class StripEntry:
 
     @property
     def label(self) -> str:
-        """Label that is engraved on the strip and names it in messages."""
+        """Label of the strip, which is engraved and used in messages."""
         return self.spec.label
 
     @property
@@ -119,12 +117,15 @@ class StripEntry:
 
 
 def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve | None" = None) -> StripEntry:
-    """Read the strip that a table in [[strips]] requests; a `section` provides curve and plane.
+    """Read the strip that a table in [[strips]] requests.
+
+    If `section` is given, it provides the curve and the plane.
 
     Raises
     ------
     InputError
-        Unknown keys or values, missing files, or invalid curves; the message names the place.
+        Keys or values are unknown, files are missing, or curves are invalid. The message names the position
+        in the file.
     """
     frame = _plane(reader, table) if section is None else section.frame
     values = read_fields(table, reader) | {"label": label}
@@ -157,9 +158,11 @@ def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
 
 
 def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame | None = None) -> StripSpec:
-    """Make the request for a strip from a table and a curve; the plane is read from the table unless it is given.
+    """Make the request for a strip from a table and a curve.
 
-    Without a plane in space, weight falls along -y of the drawing.
+    The plane is read from the table unless `frame` is given.
+
+    If there is no plane in space, gravity acts along -y of the drawing.
 
     Raises
     ------

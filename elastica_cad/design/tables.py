@@ -1,4 +1,4 @@
-"""Tables of a design file: values by key, formulae, unknown keys refused."""
+"""Tables of a design file: access to values by key, evaluation of formulae, and refusal of unknown keys."""
 
 import ast
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -22,13 +22,13 @@ MOST_LETTERS = 2000
 """Largest number of characters in a formula; longer formulae can be split with `let`."""
 
 LARGEST_RESULT = 1e300
-"""Largest result of a formula, below the largest float so that sums of a few results are finite."""
+"""Largest result of a formula. It is below the largest float, so that the sum of a few results is finite."""
 
 MOST_NESTED = 60
 """Largest depth of nested brackets, signs and operators, below the limit of Python's parser."""
 
 CONSTANTS = {"pi": float(np.pi), "e": float(np.e), "degrees": float(np.pi / 180), "inch": MM_PER_INCH}
-"""`degrees` turns 30*degrees into radians, `inch` 1.5*inch into mm."""
+"""Constants in formulae: 30*degrees is an angle in radians, and 1.5*inch a length in mm."""
 
 FUNCTIONS: dict[str, tuple[Callable[..., Value], int]] = {
     "abs": (np.abs, 1), "sqrt": (np.sqrt, 1), "exp": (np.exp, 1), "log": (np.log, 1),
@@ -38,7 +38,9 @@ FUNCTIONS: dict[str, tuple[Callable[..., Value], int]] = {
     "floor": (np.floor, 1), "sign": (np.sign, 1), "min": (np.minimum, 2), "max": (np.maximum, 2),
     "where": (np.where, 3),
 }  # fmt: skip
-"""Functions and the number of their arguments; where(condition, a, b) is a if the condition holds, else b."""
+"""Functions in formulae with the number of their arguments. where(condition, a, b) is a if the condition is
+true, else b.
+"""
 
 _OPERATORS: dict[type[ast.operator], Callable[[Value, Value], Value]] = {
     ast.Add: np.add, ast.Sub: np.subtract, ast.Mult: np.multiply, ast.Div: np.divide, ast.Pow: np.power,
@@ -59,12 +61,12 @@ class Formula:
     text : str
         Numbers, names, + - * / % **, comparisons, and calls of `FUNCTIONS`.
     where : str
-        Name in messages, such as the place in a design file.
+        Name of the formula in messages, such as its position in a design file.
 
     Raises
     ------
     InputError
-        Anything other than arithmetic; the message names it and its position.
+        The text contains something that is not arithmetic; the message states it and its position.
 
     Examples
     --------
@@ -80,7 +82,7 @@ class Formula:
 
     @property
     def names(self) -> frozenset[str]:
-        """Names that must be given."""
+        """Names in the formula that need a value."""
         calls = {node.func for node in ast.walk(self._tree) if isinstance(node, ast.Call)}
         variables = {n.id for n in self._parsed[1] if n not in calls}
         return frozenset(variables - set(CONSTANTS))
@@ -115,7 +117,9 @@ class Formula:
             ) from error
 
     def __call__(self, values: Mapping[str, Value] | None = None, **more: Value) -> Value:
-        """Return the value for names given as a mapping or as keywords; arrays are computed elementwise.
+        """Return the value of the formula for values of its names, in a mapping or as keywords.
+
+        Arrays are computed elementwise.
 
         Raises
         ------
@@ -159,7 +163,10 @@ _Parsed: TypeAlias = tuple[ast.expr, tuple[ast.Name, ...]]
 
 @lru_cache(maxsize=256)
 def _parsed(text: str) -> _Parsed:
-    """Return the syntax tree of a formula and all names in it, cached because strips share formulae."""
+    """Return the syntax tree of a formula and all names in it.
+
+    The result is cached because many strips have equal formulae.
+    """
     tree = ast.parse(text.strip(), mode="eval").body
     return tree, tuple(node for node in ast.walk(tree) if isinstance(node, ast.Name))
 
@@ -213,7 +220,7 @@ def _refusal(node: ast.expr, formula: Formula, fault: str) -> InputError:
 
 
 def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
-    """Return the value of a checked tree."""
+    """Return the value of a checked syntax tree."""
     match node:
         case ast.Constant(value=int() | float() as number):
             return float(number)
@@ -236,18 +243,21 @@ MOST = 10_000
 """Largest count in a file: of strips, sections or repeats."""
 
 MOST_LISTED = 5
-"""Number of reported errors of a file; the rest is counted, because a single mistake often causes many errors."""
+"""Largest number of errors of a file that are listed.
+
+Further errors are counted, because a single mistake often causes many.
+"""
 
 LONGEST_LIST = 800
-"""Number of characters after which no further error is reported."""
+"""Length of the list of errors, in characters, after which no further error is listed."""
 
 LONGEST_KEY = 60
-"""Number of reported characters of an unknown key."""
+"""Number of characters of an unknown key that a message shows."""
 
 OTHER_WORDS = {
     "file": "curve", "path": "curve", "material": "sheet", "pages": "extras.pages", "paper": "extras.pages",
 }  # fmt: skip
-"""Synonyms of keys that are not similar in spelling."""
+"""Words that users may write instead of a key, although their spelling differs, with the correct key."""
 
 _AXES = {2: "[x, y]", 3: "[x, y, z]"}
 _COUNTS = {None: "", 2: "two ", 4: "four "}
@@ -290,18 +300,18 @@ def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any
 
 
 class Slips:
-    """Errors of a file, collected from its parts so that all of them are reported at once."""
+    """Errors in a file, collected from its parts so that they are reported together."""
 
     def __init__(self) -> None:
         self._texts: dict[str, str] = {}
 
     def add(self, sentence: str, where: str = "") -> None:
-        """Add an error, unless another place has the same error."""
+        """Add an error, unless the same error occurred at another position."""
         self._texts.setdefault(sentence.removeprefix(where), sentence)
 
     @contextmanager
     def gathering(self) -> Iterator[None]:
-        """Collect the errors of the block instead of raising them, so that reading continues."""
+        """Collect the errors that a `with` block raises, so that reading continues after the block."""
         try:
             yield
         except InputError as problem:
@@ -336,11 +346,8 @@ class Table:
     data : mapping
         Values as parsed, by key.
     where : str
-        File and place, for messages.
-    scope : mapping
-        Names with their values.
-    defaults : Table, optional
-        Provides keys that are missing here.
+        Name of the file and of the table, for messages. scope : mapping Values of the names that formulae may
+        use. defaults : Table, optional Table that provides keys that are missing in `data`.
     """
 
     def __init__(
@@ -356,7 +363,7 @@ class Table:
         self.defaults = defaults
 
     def only(self, *keys: str) -> "Table":
-        """Return this table, and refuse it if it has any other key."""
+        """Return this table, and refuse it if it has a key that is not in `keys`."""
         slips = Slips()
         for key in self.data:
             if key not in keys:
@@ -375,12 +382,12 @@ class Table:
         return self
 
     def place(self, key: str) -> str:
-        """Return the name of the place of a key in messages."""
+        """Return the name of a key in messages, with its file and table."""
         return f"{self.where}: {key}" if self.where else key
 
     @contextmanager
     def naming(self, key: str | None = None) -> Iterator[None]:
-        """Add this table, or the place of `key`, to errors of the block that do not name a place."""
+        """Add the name of this table or of `key` to errors of the `with` block that do not have a position."""
         try:
             yield
         except InputError as error:
@@ -393,22 +400,22 @@ class Table:
             raise InputError(why, kind=why.kind) from error
 
     def raw(self, key: str, default: Any = None) -> Any:
-        """Return the value of a key as parsed, here or in the defaults."""
+        """Return the parsed value of a key, in this table or else in `defaults`."""
         if key in self.data:
             return self.data[key]
         return default if self.defaults is None else self.defaults.raw(key, default)
 
     def has(self, key: str) -> bool:
-        """Return True if a key is given, here or in the defaults."""
+        """Return True if a key is in this table or in `defaults`."""
         return self.raw(key) is not None
 
     def number(self, key: str, default: float | None = None) -> float:
-        """Return a number, which a formula may give.
+        """Return the value of a key as a number; a formula is computed.
 
         Raises
         ------
         InputError
-            The value is missing without a default, or is not a number.
+            The value is missing and has no default, or is not a number.
         """
         value = self.raw(key, default)
         if value is None:
@@ -416,7 +423,7 @@ class Table:
         return _compute_number(value, self.place(key), self.scope)
 
     def maybe(self, key: str) -> float | None:
-        """Return a number, or None if it is not given."""
+        """Return the value of a key as a number, or None if the key is missing."""
         return self.number(key) if self.has(key) else None
 
     def count(self, key: str, default: int, most: float = MOST) -> int:
@@ -436,7 +443,7 @@ class Table:
         return int(value)
 
     def vector(self, key: str, size: int, default: Sequence[float] | None = None) -> tuple[float, ...]:
-        """Return `size` numbers, each given as a number or a formula."""
+        """Return a list of `size` values, each written as a number or a formula."""
         value = self.raw(key, default)
         if not isinstance(value, list | tuple) or len(value) != size:
             raise InputError(
@@ -451,7 +458,7 @@ class Table:
         )
 
     def row(self, key: str) -> tuple[float, ...]:
-        """Return a list of numbers of any length, empty if it is not given."""
+        """Return a list of numbers of any length, or an empty tuple if the key is missing."""
         values = self.raw(key, ())
         if not isinstance(values, Sequence) or isinstance(values, str):
             raise InputError(
@@ -460,7 +467,10 @@ class Table:
         return self.vector(key, len(values), ())
 
     def points(self, key: str, size: int, count: int | None = None) -> list[tuple[float, ...]]:
-        """Return points of `size` numbers each: `count` of them, or any number."""
+        """Return a list of points of `size` coordinates each.
+
+        If `count` is given, there must be `count` points.
+        """
         rows = self.raw(key)
         if not isinstance(rows, list) or not rows or count not in (None, len(rows)):
             raise InputError(
@@ -473,7 +483,7 @@ class Table:
         return [numbered.vector(name, size) for name in numbered.data]
 
     def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
-        """Return a text, and refuse it if `choices` are given and do not contain it."""
+        """Return a string, and refuse it if `choices` are given and do not contain it."""
         value = self.raw(key, default)
         if not isinstance(value, str):
             raise InputError(
@@ -498,7 +508,7 @@ class Table:
         return value
 
     def table(self, key: str) -> "Table":
-        """Return a nested table, empty if it is missing."""
+        """Return a nested table, or an empty table if it is missing."""
         return Table(self.raw(key, {}), self.place(key), self.scope)
 
     def tables(self, key: str) -> "list[Table]":
@@ -511,7 +521,7 @@ class Table:
         return [Table(row, f"{self.place(key)}[{i}]", self.scope) for i, row in enumerate(value, start=1)]
 
     def within(self, let: object) -> dict[str, Value]:
-        """Return the scope with further names; each value may use the names before it."""
+        """Return the scope extended by further names. The formula of a name may use earlier names."""
         scope = dict(self.scope)
         for name, value in Table(let, self.place("let"), scope).data.items():
             if not name.isidentifier():

@@ -1,4 +1,4 @@
-"""Tables as the text of a design file."""
+"""Conversion of tables to the text of a design file."""
 
 import json
 import os
@@ -9,7 +9,9 @@ from typing import Any
 
 
 def toml_text(table: Mapping[str, Any]) -> str:
-    """Write a table as TOML: lists of tables as [[NAME]], tables in them as [NAME.KEY], the rest inline.
+    """Return a table as TOML.
+
+    A list of tables is written as [[NAME]], a table in them as [NAME.KEY], other values inline.
 
     Examples
     --------
@@ -48,7 +50,7 @@ def _key(key: str) -> str:
 
 
 def _value(value: Any) -> str:
-    """Return a value as TOML, which agrees with JSON except for tables."""
+    """Return a value as TOML, whose syntax is that of JSON except for tables."""
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{_key(key)} = {_value(item)}" for key, item in value.items()) + " }"
     if isinstance(value, list | tuple):

@@ -1,4 +1,4 @@
-"""Pictures of rods, strips, drawings, models and bodies (needs matplotlib)."""
+"""Pictures of rods, strips, drawings, models and bodies. They require matplotlib."""
 
 from elastica_cad._exports import exports
 

@@ -1,4 +1,4 @@
-"""Assembly sheet as PDF: an exploded picture with numbered ends, and the steps of the assembly in order."""
+"""Assembly sheet as PDF: an exploded view with numbered ends, and the steps of the assembly."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
@@ -28,12 +28,15 @@ from elastica_cad.strip.holding_template import held_elements
 
 PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
 ELEVATION_DEG, AZIMUTH_DEG = 24.0, -60.0  # direction of the viewer
-APART = 0.3  # distance of plates and blocks from the strips, as a fraction of the extent of the model
+# distance by which plates and blocks are moved away from the strips, as a fraction of the extent of the model
+APART = 0.3
 SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from the middle
 ROWS = 34  # number of rows of a table on a page
-EDGE_MM = 0.5  # largest distance, mm, of polylines from outlines
+EDGE_MM = 0.5  # largest distance, mm, between outlines and the polylines that are drawn
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
-PAINT_DPI = 300  # resolution of painted strips; viewers take minutes to open thousands of vector patches
+# strips are drawn as a pixel image of this resolution, because viewers take minutes to open thousands of
+# vector patches
+PAINT_DPI = 300
 MOST_NUMBERS = 120  # largest number of labels; more would cover the picture
 
 
@@ -50,19 +53,19 @@ def save_assembly_sheet(
     Parameters
     ----------
     model : Model
-        Its strips in the order of assembly.
+        Model with its strips in the order of assembly.
     path : path-like
     holders : sequence of BasePlate, Ring, Rib, SlottedFrame or EndFixture
         Holders in addition to the plates of the model.
     cut_list : CutList, optional
-        Printed on the last pages.
+        Cut list that is printed on the last pages.
     force : bool
         Overwrite a file of that name.
 
     Returns
     -------
     tuple of AssemblyStep
-        Printed steps in order.
+        The printed steps in order.
 
     Raises
     ------
@@ -97,7 +100,10 @@ def _pages(
 
 
 def _rows(steps: Sequence[AssemblyStep]) -> Iterator[tuple[str, ...]]:
-    """Return a row for each step; consecutive steps with equal text, as for equal strips, share a row."""
+    """Return a row of the table for each step.
+
+    Consecutive steps with equal text, as for equal strips, are combined in a row.
+    """
     for (part, ends, locks), run in groupby(steps, lambda step: (step.part, step.ends, step.locks_into)):
         first, *others = run
         number, strip = str(first.number), first.strip
@@ -108,7 +114,10 @@ def _rows(steps: Sequence[AssemblyStep]) -> Iterator[tuple[str, ...]]:
 
 
 def _held_rows(model: Model) -> Iterator[tuple[str, ...]]:
-    """Yield a row for each rail, pin and tie; angles are those of the strip from the line between its ends."""
+    """Yield a row of the table for each rail, pin and tie.
+
+    Angles are between the strip and the line between its ends.
+    """
     for i, member in enumerate(model.placed):
         for held in held_elements(member.strip):
             points = member.frame.point(held.position)
@@ -144,7 +153,9 @@ def _tables(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> I
 
 
 def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
-    """Draw the exploded view: strips and holders moved apart, with a line from every tab to its place."""
+    """Draw the exploded view: strips and holders are moved apart, and a line leads from every tab to its
+    position in a holder.
+    """
     bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
     middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
     toward = look_from(ELEVATION_DEG, AZIMUTH_DEG)
@@ -162,7 +173,8 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     patches, colors = (np.concatenate(part) for part in zip(*shown, strict=True))
     outlines = list(_outlines([*model.plates, *holders], far))
     depths = [*(patches.mean(axis=1) @ toward), *(float(place @ toward) for _, place, _ in outlines)]
-    # paint from far to near; sequences of patches of equal size are drawn much faster than single polygons
+    # paint from far to near; consecutive patches with equal numbers of corners are drawn together, which is
+    # much faster
     order = np.argsort(depths, kind="stable")
     whole = order >= len(patches)
     for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):
@@ -197,7 +209,9 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
 
 
 def _outlines(holders: Sequence[Holder], far: float) -> Iterator[tuple[FloatArray, FloatArray, str]]:
-    """Yield loops (n, 3) of plates and blocks, shifted by `far` mm, with the place for depth sorting and colour."""
+    """Yield loops (n, 3) of plates and blocks, shifted by `far` mm, each with a point for depth sorting and a
+    colour.
+    """
     for holder in single_holders(holders):
         shift = _shift(holder, far)
         if isinstance(holder, EndFixture):
@@ -214,7 +228,10 @@ def _outlines(holders: Sequence[Holder], far: float) -> Iterator[tuple[FloatArra
 
 
 def _shift(holder: SingleHolder, far: float) -> FloatArray:
-    """Return the shift of a holder away from the strips; a rib is shifted farther than its rails."""
+    """Return the vector by which a holder is moved away from the strips.
+
+    Ribs are moved farther than their rails.
+    """
     if isinstance(holder, EndFixture):
         return 0.5 * far * holder.tab.frame.x_axis
     if isinstance(holder, Rib):
@@ -230,7 +247,10 @@ def _block(tab: PlacedTab) -> FloatArray:
 
 
 def _targets(holders: Sequence[Holder], far: float) -> Iterator[tuple[object, FloatArray]]:
-    """Yield the drawn place of each tab by the tab's key, because equal strips share a name, or by its name."""
+    """Yield the drawn position of each tab in a holder.
+
+    Tabs are identified by `PlacedTab.key`, because equal strips have equal names, or else by their name.
+    """
     for holder in single_holders(holders):
         shift = _shift(holder, far)
         if isinstance(holder, EndFixture):

@@ -1,4 +1,4 @@
-"""Picture of a bow: the drawn curve, the bow with its cord, and its shapes with shorter cords."""
+"""Picture of a bow with its cord, of its drawn curve, and of its shapes with shorter cords."""
 
 import numpy as np
 

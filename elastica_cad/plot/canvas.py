@@ -1,4 +1,4 @@
-"""Figures without a display, and files of them."""
+"""Creation of figures without a display, and writing of figures to files."""
 
 from collections.abc import Callable, Iterable, Sequence
 from io import BytesIO
@@ -19,34 +19,35 @@ Figure: TypeAlias = Any
 Axes: TypeAlias = Any
 
 WIDTH_INCHES = 9.0
-"""Width of all figures, that of a page in landscape."""
+"""Width of all figures, inches: the printable width of a page in landscape."""
 
 NOTEBOOK_DPI = 90.0
-"""Resolution at which a page is as wide as a notebook's column."""
+"""Resolution, dots per inch, at which a figure is as wide as the column of a notebook."""
 
 RESOLUTION = 150.0
 """Default resolution of PNG files, dots per inch."""
 
 MOST_RESOLUTION = 2400.0
-"""Largest resolution, dots per inch; a higher one would need too much memory."""
+"""Largest resolution, dots per inch; a higher resolution would need too much memory."""
 
 PICTURES = ("png", "svg", "pdf")
 
 INK = "#1f2430"
 
 SEAM_POINTS = 0.3
-"""Width of the outlines that close the seams between patches drawn as polygons."""
+"""Width, points, of outlines of patches, which hide the seams between neighbouring patches."""
 
 TITLE_POINTS = 11
 
 TITLE_INCHES, TITLE_LINE_INCHES = 0.1, 0.19
-"""Space above and below a page's title, and height of each of its lines."""
+"""Space above and below the title of a page, and height of each of its lines, inches."""
 
 
 class Panel(NamedTuple):
     """Height of a drawing on a page and the space around it, inches.
 
-    `above` is for a title and a legend; `below`, `left` and `right` are for the numbers and the name of an axis.
+    `above` contains a title and a legend; `below`, `left` and `right` contain the numbers and names of
+    axes.
     """
 
     height: float
@@ -59,7 +60,7 @@ class Panel(NamedTuple):
 def save_figure(
     figure: Figure, path: str | PathLike[str], *, force: bool = False, resolution: float = RESOLUTION
 ) -> None:
-    """Write a figure as PNG, SVG or PDF, by the suffix of the file name, completely or not at all.
+    """Write a figure as PNG, SVG or PDF, selected by the suffix of the file name. After an error, no file remains.
 
     Parameters
     ----------
@@ -103,14 +104,14 @@ def write_pages(
     force: bool = False,
     resolution: float = RESOLUTION,
 ) -> None:
-    """Write figures as the pages of a PDF without time stamps; the file is complete or not written at all.
+    """Write figures as the pages of a PDF without time stamps. After an error, no file remains.
 
     Parameters
     ----------
     figures : iterable of Figure
-        The figures are consumed one at a time, so only one page is in memory.
+        Figures are requested one at a time, so that only one page is in memory.
     title : str
-        Title in the file's properties.
+        Title in the properties of the file.
     what : str
         Kind of files that need matplotlib, for the message if it is missing.
     resolution : float
@@ -135,30 +136,33 @@ def write_pages(
 
 
 def _properties() -> dict[str, str | None]:
-    """Metadata of a PDF: the running command, without a time, so that equal pictures give equal files."""
+    """Return the metadata of a PDF: the running command, without a time, so that equal pictures result in
+    equal files.
+    """
     return {"CreationDate": None} | ({"Subject": command} if (command := MADE_BY.get()) else {})
 
 
 def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:
-    """Paint polygons (n, k, 2), or (k, 2) each, later polygons on top.
+    """Paint polygons, later polygons on top. They are an array (n, k, 2), or a sequence of arrays (k, 2).
 
-    Their bounding box is set here, because matplotlib would compute it polygon by polygon, which is slow.
+    Their bounding box is set here, because matplotlib would compute it separately for every polygon, which is
+    slow.
     """
     from matplotlib.collections import PolyCollection
 
-    painted: Any = polygons  # an array (n, k, 2) is a sequence, too
+    painted: Any = polygons  # matplotlib also accepts an array (n, k, 2)
     axes.add_collection(PolyCollection(painted, **style), autolim=False)
     corners = polygons.reshape(-1, 2) if isinstance(polygons, np.ndarray) else np.concatenate(polygons)
     axes.update_datalim(box_about(corners))
 
 
 def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray, **style: Any) -> None:
-    """Paint polygons (n, k, 2) with colours (n, 3), later polygons on top, without seams."""
+    """Paint polygons (n, k, 2) with colours (n, 3), later polygons on top, without visible seams."""
     paint_polygons(axes, patches, facecolors=colors, edgecolors="face", linewidths=SEAM_POINTS, **style)
 
 
 def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axes]]:
-    """Make a figure `WIDTH_INCHES` wide with axes one above another.
+    """Make a figure, `WIDTH_INCHES` wide, with axes for the panels one above another.
 
     The space for text is estimated, because matplotlib's layouts measure every text first, which is slow.
     """
@@ -168,7 +172,7 @@ def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axe
         raise missing_library("pictures need matplotlib", "matplotlib") from error
 
     class Page(MatplotlibFigure):
-        """Figure that a notebook shows once if it is the last value of a cell."""
+        """Figure that a notebook displays only once, if it is the last value of a cell."""
 
         def _repr_png_(self) -> bytes:
             stream = BytesIO()

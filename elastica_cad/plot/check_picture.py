@@ -1,4 +1,4 @@
-"""Picture of a verdict: the drawn curve, its inflections, their line, and the places of faults."""
+"""Picture of a check: the drawn curve, its inflections, the line through them, and the positions of faults."""
 
 from collections.abc import Iterator
 from textwrap import fill
@@ -21,21 +21,21 @@ from elastica_cad.plot.strip_pictures import (
 )
 
 POINTS = 601
-"""Along the curve."""
+"""Number of drawn points along the curve."""
 
 GOOD, STRAY = "#2e7d4f", "#c62828"
 ON_THE_LINE = 1e-6
-"""Largest distance of an inflection from its line, as a fraction of the length, that is not visible."""
+"""An inflection nearer to the inflection line than this fraction of the length appears to be on the line."""
 
 LETTERS = 96
-"""Largest number of characters in a line of the sentence above the picture."""
+"""Largest number of characters in a line of the text above the picture."""
 
 
 def check(check: EquilibriumCheck) -> Figure:
-    """Draw the curve of a check: curvature comb, inflections with their places, inflection line and faults.
+    """Draw the curve of a check with its curvature comb, inflections, inflection line and faults.
 
-    Noisy measured points are dots, and an outlier has a ring. Places are mm along the curve from its start, as in
-    the reasons.
+    Noisy measured points are drawn as dots, and outliers have a ring. Positions are stated in mm along the
+    curve, as in the reasons.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ def check(check: EquilibriumCheck) -> Figure:
 
 
 def _marks(check: EquilibriumCheck) -> Iterator[tuple[str, str, str, list[float]]]:
-    """Return label, colour, marker and places (mm) of each kind of place on the curve."""
+    """Yield label, colour, marker and positions (mm) for each kind of mark on the curve."""
     kinds: tuple[tuple[str, str, str, FloatArray | list[float]], ...] = (
         ("inflections", LINE, "o", list(check.inflections)),
         ("off the line", LINE, "D", [s for s, far in check.off_line if far > ON_THE_LINE * check.length]),

@@ -1,6 +1,6 @@
 """Drawing of pictures in a second process, which imports matplotlib while the command computes.
 
-Importing matplotlib takes as long as computing a strip. Without a second process, or if it ends early, the
+Importing matplotlib takes as long as computing a strip. If there is no second process, or it ends early,
 pictures are drawn in this process.
 """
 
@@ -41,7 +41,7 @@ class DrawingProcess:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
-            # Ctrl-C reaches only this process, which ends the second process
+            # Ctrl-C is sent only to this process, which then ends the second process
             start_new_session=True,
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
         )
@@ -51,49 +51,49 @@ class DrawingProcess:
 
     @property
     def pid(self) -> int:
-        """Number of the process in the system."""
+        """Process number of the second process."""
         return self._process.pid
 
     @contextmanager
     def drawing(self, files: "Sequence[File]") -> "Iterator[Sequence[File]]":
-        """Draw the pictures among the files of a kit, which are to be written in the block.
+        """Let the second process draw the pictures of a kit whose files the `with` block writes.
 
-        Yields the files in an order that lets the process draw while other files are written. The writers of
-        pictures wait for the process, and draw in this process if it has ended. Archives are last, because they
-        contain the other files.
+        Yields the files in an order in which pictures are drawn while other files are written. The function
+        that writes a picture waits for the second process; if that has ended, it draws in this process.
+        Archives are last, because they contain the other files.
         """
         pictures = [file for file in files if file.name.endswith((".png", ".pdf"))]
         archives = [file for file in files if file.name.endswith(".zip")]
         drawn = [(Path(self._folder.name, Path(file.name).name), file.write) for file in pictures]
         request = pickle.dumps((MADE_BY.get(), drawn))
-        # a thread, because the process reads the request after it has imported matplotlib
+        # send in a thread, because the process reads the request only after it has imported matplotlib
         Thread(target=self._send, args=(request,), daemon=True).start()
         others = [file for file in files if file not in pictures and file not in archives]
         received = [replace(file, write=partial(self._receive, file)) for file in pictures]
         try:
             yield [*others, *received, *archives]
         except BaseException:
-            self.end()  # the other pictures of the request are not needed
+            self.end()  # the remaining pictures of the request are not needed
             raise
 
     def end(self) -> None:
-        """End the process at once."""
+        """Kill the second process."""
         self._process.kill()
         self._process.wait()
         for pipe in (self._input, self._output):
-            with suppress(OSError):  # closing fails if a request was not read
+            with suppress(OSError):  # closing fails if the process has not read a request
                 pipe.close()
         self._folder.cleanup()
 
     def _send(self, request: bytes) -> None:
-        with suppress(OSError, ValueError):  # the process has ended
+        with suppress(OSError, ValueError):  # raised if the process has ended
             self._input.write(request)
             self._input.flush()
 
     def _receive(self, file: "File", path: Path) -> None:
         try:
             content = pickle.load(self._output)
-        except (EOFError, OSError, ValueError, pickle.UnpicklingError):  # the process has ended
+        except (EOFError, OSError, ValueError, pickle.UnpicklingError):  # raised if the process has ended
             file.write(path)
         else:
             path.write_bytes(content)
@@ -101,10 +101,10 @@ class DrawingProcess:
 
 @contextmanager
 def drawing_process(words: Sequence[str]) -> Iterator[DrawingProcess | None]:
-    """Start the process for a command that will draw pictures, and end it after the block.
+    """Start the second process for a command that draws pictures, and end it after the `with` block.
 
-    Yields None for other commands, without matplotlib, on a single processor, and where the system does not start a
-    process.
+    Yields None for other commands, without matplotlib, on a single processor, and if the system cannot start
+    a process.
     """
     wanted = {"strip", "pair", "model"} & {*words} and not {"--no-pictures", "--help", "-h"} & {*words}
     processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
@@ -120,7 +120,9 @@ def drawing_process(words: Sequence[str]) -> Iterator[DrawingProcess | None]:
 
 
 def serve() -> None:
-    """Import the drawing functions, then draw the pictures of each request from standard input."""
+    """Run the second process: import the drawing functions, then draw the pictures requested through standard
+    input.
+    """
     warnings.simplefilter("ignore")
     import matplotlib.backends.backend_agg
     import matplotlib.figure  # noqa: F401
@@ -129,7 +131,7 @@ def serve() -> None:
     import elastica_cad.plot.strip_pictures  # noqa: F401
 
     Image.preinit()
-    with suppress(EOFError):  # the command has ended
+    with suppress(EOFError):  # raised when the command has ended
         while True:
             command, pictures = pickle.load(sys.stdin.buffer)
             MADE_BY.set(command)

@@ -1,4 +1,4 @@
-"""Pictures of models and bodies in space: patches of bent patterns and of holders, painted from far to near."""
+"""Pictures of models and bodies in space. Patches of strips and holders are painted from far to near."""
 
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
@@ -29,28 +29,29 @@ from elastica_cad.strip.solids import FlatSolid
 from elastica_cad.strip.strip import Placed
 
 APART_MM = 1e-7
-"""Least distance of stations; nearer stations are merged."""
+"""Stations nearer than this, mm, are merged."""
 
 FEWEST, ROUND = 4, 96
-"""Least number of sides of a curve, and number of sides of a loop that is a single curve."""
+"""Least number of sides that represent a curve, and number of sides for a loop that is a single curve."""
 
 
 def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
-    """Return the area inside an odd number of loops as trapezoids, cut along x at corners and at `stations`.
+    """Divide the area inside a loop and outside its holes into trapezoids with sides parallel to y.
+
+    Trapezoids end at corners of the loops and at `stations`.
 
     Parameters
     ----------
     loops : sequence of Path
-        Closed; outline and holes in any direction.
-    stations : (k,) array
-        Further places where the trapezoids end, mm.
+        Closed outline and holes, in any direction. stations : (k,) array Values of x, mm, at which trapezoids
+        also end.
     step : float
-        Distance between the corners of the polygons that approximate curved loops, mm.
+        Length, mm, of the sides of the polygons that approximate curved loops.
 
     Returns
     -------
     (n, 2, 3) array
-        x, lower y and upper y at the left and at the right side of each, mm.
+        Trapezoids: x, lower y and upper y, mm, of the left side and of the right side.
 
     Examples
     --------
@@ -72,15 +73,17 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     )
     cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
     middles = (cuts[:-1] + cuts[1:]) / 2
-    # each line crosses all slabs from its first to its last
+    # a slab is the area between neighbouring values of x; each line crosses all slabs from its first to its
+    # last slab
     first = np.searchsorted(middles, left[:, 0], side="right")
     count = np.searchsorted(middles, right[:, 0], side="left") - first
     line = np.repeat(np.arange(len(left)), count)
     slab = numbers_in_groups(count) + np.repeat(first, count)
     order = np.lexsort((left[line, 1] + slope[line] * (middles[slab] - left[line, 0]), slab))
-    # loops are closed, so the lines of every slab are in pairs, below and above the inside
+    # loops are closed, so the lines in every slab form pairs, below and above the area
     below, above, slab = line[order[0::2]], line[order[1::2]], slab[order[0::2]]
-    # neighbouring slabs between the same two lines are joined to a trapezoid, which ends at the next station
+    # the parts of neighbouring slabs between the same two lines form a trapezoid, which ends at the next
+    # station
     ends_here = np.zeros(len(cuts), dtype=bool)
     ends_here[np.searchsorted(cuts, stations, side="right") - 1] = True
     along = np.lexsort((slab, above, below))
@@ -109,13 +112,14 @@ Plate: TypeAlias = BasePlate | Rib
 
 
 def _plate_faces(holders: Sequence[Holder]) -> list[Frame]:
-    """Return the planes of both faces of the plates with slots for tabs."""
+    """Return the planes of both faces of every plate that has slots for tabs."""
     plates = [holder for holder in single_holders(holders) if isinstance(holder, BasePlate)]
     return [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
 
 
 def _holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Patches (n, 4, 3) of `size` mm or less and their colours (n, 3), unlit, of each body that holds strips.
+    """Yield patches (n, 4, 3), at most `size` mm large, and their colours (n, 3) without shading, for each
+    body of the holders.
 
     Slots that tabs fill are drawn as if they were not cut.
     """
@@ -128,7 +132,7 @@ def _holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[Fl
 
 
 def _loops(holder: Plate) -> tuple[Path, ...]:
-    """Outline and opening, without slots."""
+    """Return the outline and the opening of a plate, without slots."""
     opening = None if isinstance(holder, Rib) else holder.opening
     return (holder.outline, *(() if opening is None else (opening,)))
 
@@ -136,7 +140,7 @@ def _loops(holder: Plate) -> tuple[Path, ...]:
 def _patches(
     solid: FlatSolid, loops: Sequence[Path], color: Color, size: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return patches of both faces and the rims of a plate."""
+    """Return patches (n, 4, 3) of both faces and of the rims of a plate, and their colours."""
     low, high = np.array([loop.bounds for loop in loops[:1]])[0]
     stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
     flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
@@ -157,7 +161,10 @@ def _patches(
 
 
 def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
-    """Return a trapezoid (2, 3) of x, lower and upper y, cut into parts of a height of at most `size`."""
+    """Yield parts of a trapezoid (2, 3) that are at most `size` mm high.
+
+    The columns are x, lower y and upper y.
+    """
     count = max(1, int(np.ceil((slab[:, 2] - slab[:, 1]).max() / size)))
     heights = slab[:, 1:2] + (slab[:, 2:] - slab[:, 1:2]) * np.linspace(0.0, 1.0, count + 1)
     for k, _ in pairwise(range(count + 1)):
@@ -165,7 +172,7 @@ def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
 
 
 def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
-    """Return a closed polygon with no side longer than `size`."""
+    """Return a closed polygon with points inserted so that no side is longer than `size`."""
     pieces = []
     for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
         count = max(1, int(np.ceil(np.hypot(*(b - a)) / size)))
@@ -174,20 +181,24 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
 
 
 RIM_SHARE, MODEL_RIM_SHARE = 0.035, 0.0015
-"""Width of the dark line along edges, as a fraction of the width of the strip, and its limit as a fraction of the
-extent of the model."""
+"""Width of the dark line along edges, as a fraction of the strip width; its largest width, as a fraction of
+the extent of the model.
+"""
 
 ROUNDED_MM = 6
-"""Decimals of a height above a face, mm; a patch with height 0.0 is on the face."""
+"""Decimals to which heights above a face, mm, are rounded. A patch with height 0.0 is on the face."""
 
 HOLDER_PATCH_SHARE = 0.02
-"""Size of patches of holders, as a fraction of the model's extent, small enough for sorting by depth."""
+"""Size of patches of holders, as a fraction of the extent of the model.
+
+It is small enough for sorting by depth.
+"""
 
 NAME_SHARE = 0.045
-"""Space for the name of a flat part, as a fraction of the longest part."""
+"""Space for the name of a flat part, as a fraction of the length of the longest part."""
 
 STATIONS, CORNERS = 81, 40
-"""Numbers of patch boundaries along a strip, and of corners of its drawn outline."""
+"""Number of stations along a strip at which its patches end, and number of corners of its drawn outline."""
 
 LIGHT = np.array([0.35, -0.45, 0.82])
 """Direction to the light, which is above, to the left and in front."""
@@ -203,9 +214,9 @@ def model(
 ) -> Figure:
     """Draw the bent strips of a model in the colours of their sheets, viewed from two angles (degrees).
 
-    Tabs, slots and holes are drawn. Only the base of a laminate is drawn. Holders other than the model's own plates
-    are drawn with filled slots. A number of different flat parts (the first, the last, and some between them) are
-    drawn below at a common scale.
+    Tabs, slots and holes are drawn, but of a laminate only the base. `holders` are drawn without slots, in
+    addition to the plates of the model. `flat` is the number of different flat parts that are drawn below at
+    a common scale: the first, the last, and some between them.
     """
     require_model(model)
     if not (is_whole(flat) and flat >= 0):
@@ -240,7 +251,8 @@ def bodies(
     Parameters
     ----------
     meshes : sequence of (vertices (n, 3), triangles (m, 3), color)
-        Vertices in mm; triangles as rows of vertices, anticlockwise seen from outside; red, green, blue in 0..1.
+        Vertices, mm; triangles as indices of vertices, anticlockwise seen from outside; red, green and blue,
+        from 0 to 1.
     title : str
     elevation, azimuth : float
         Direction of the viewer, degrees.
@@ -280,15 +292,15 @@ def _seen(
     flat: tuple[Sequence[EqualStrips], float] | None = None,
     faces: Sequence[Frame] = (),
 ) -> Figure:
-    """Paint patches (n, k, 3) from the farthest to the nearest, and flat parts at the scale of the longest part.
+    """Paint patches (n, k, 3) from the farthest to the nearest, and below them flat parts at a common scale.
 
-    Patches on the viewer's side of a plate's face are painted after the patches on its other side. If they were
-    sorted by depth alone, tabs would have ragged edges in their slots.
+    Patches in front of the face of a plate are painted after the patches behind it. Sorting by depth alone
+    would draw tabs with ragged edges in their slots.
     """
     toward = look_from(elevation, azimuth)
     plane = patches @ screen_of(elevation, azimuth)
     middle = patches.mean(axis=1)
-    # patches behind each face, on it, and in front of it
+    # for each face: patches behind it, on it, and in front of it
     sides = [
         np.sign(np.round((middle - face.origin) @ face.z_axis, ROUNDED_MM)) * np.sign(face.z_axis @ toward)
         for face in faces
@@ -310,7 +322,7 @@ def _seen(
 
 
 def _flat_height(parts: Sequence[EqualStrips], longest: float) -> float:
-    """Return the height of the flat parts, one above another with their names between, mm."""
+    """Return the total height, mm, of the flat parts, drawn one above another with their names between."""
     return sum(float(np.ptp(part.strip.outline.bounds, axis=0)[1]) + NAME_SHARE * longest for part in parts)
 
 
@@ -348,14 +360,19 @@ def screen_of(elevation: float, azimuth: float) -> FloatArray:
 
 
 def _lit(patches: FloatArray) -> FloatArray:
-    """Return the brightness (n, 1) of patches from their angle to the light; both sides are equally bright."""
+    """Return the brightness (n, 1) of patches, computed from their angle to the light.
+
+    Both sides are equally bright.
+    """
     normal = np.cross(patches[:, 2] - patches[:, 0], patches[:, -1] - patches[:, 1])
     normal = normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
     return np.asarray(0.6 + 0.4 * np.abs(normal @ LIGHT)[:, None], dtype=float)
 
 
 def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[FloatArray, FloatArray]:
-    """Return triangles halved across their longest edge until edges are at most `longest`, for sorting by depth."""
+    """Divide triangles at their longest edge until no edge is longer than `longest`, so that they can be
+    sorted by depth.
+    """
     while True:
         edges = np.linalg.norm(np.roll(triangles, -1, axis=1) - triangles, axis=2)
         large = edges.max(axis=1) > longest
@@ -372,7 +389,8 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
 def rule_strip(
     placed: Placed, rim_most: float = np.inf, faces: Sequence[Frame] = ()
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n, 3).
+    """Return a strip in space, with tabs, slots and holes, as patches (n, 4, 3) and colours (n, 3); its rims
+    are dark.
 
     Patches are split where the strip crosses one of the `faces`.
     """

@@ -10,15 +10,17 @@ from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 
 CUT, FIRST, SECOND, WAY = "#8a8f98", "#1f5fa8", "#c2571a", "#d9dbe0"
-CHORD_SHARE = 1e-4  # largest distance of polylines from splines, as a fraction of the length
+# largest distance between a spline and the polyline that is drawn, as a fraction of the length
+CHORD_SHARE = 1e-4
 
 PUSHED_SHARE = 0.3  # length of the arrow, as a fraction of the displacement between the states
 
 
 def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
-    """Draw a two-state part flat, at rest in both states with the holder's holes, and the push between them.
+    """Draw a two-state part: its flat pattern, both rest shapes with the holes of the holder, and the force
+    between the states.
 
-    The drawn curves are dashed, if they are given.
+    The requested curves `drawn_as` are dashed.
     """
     chord = CHORD_SHARE * part.pair.length
     lines = [part.line_through(rest.position) for rest in part.rests]

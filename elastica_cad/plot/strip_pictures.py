@@ -30,7 +30,7 @@ LAYER_COLORS = {
 }
 COMB, LINE, FAINT, HOLD = "#2f6db3", "#c2452d", "#8a8f98", "#3a8f4d"
 MARKERS = {Rail: "^", Pin: "o", Tie: "s", PointForce: "v"}
-"""Marks of elements and point forces at their stations."""
+"""Markers of rails, pins, ties and point forces at their stations."""
 
 NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
 """Space around a drawing with both axes, a title, and a legend below the title."""
@@ -39,21 +39,22 @@ STIFFNESS = NUMBERED._replace(height=1.6, above=0.32)
 """Space around the graph of K along the strip, with a title."""
 
 WIDE = WIDTH_INCHES - NUMBERED.left - NUMBERED.right
-"""Width of the axes of these pages, inches."""
+"""Width of the axes, inches."""
 
 MARGIN_SHARE = 0.04
 """Space beside the flat strip, as a fraction of its length."""
 COMB_SHARE = 0.16
-"""Longest tooth of the curvature comb, as a fraction of the curve's extent."""
+"""Length of the longest tooth of the curvature comb, as a fraction of the extent of the curve."""
 
 SMOOTH_MM = 0.02
-"""Accuracy of polylines for splines in pictures, less than a printed dot."""
+"""Largest distance, mm, between a spline and the polyline that is drawn; it is less than a printed dot."""
 
 
 def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
     """Draw the bent rod with its curvature comb and inflection line, and its stiffness along the strip.
 
-    `wish` is the requested curve; it is also drawn if the rod is only the nearest possible rod.
+    `wish` is the requested curve, which is also drawn if the rod bends into the nearest possible curve
+    instead.
     """
     require_record(rod, Rod, "what is drawn", "a Rod")
     figure, (above, below) = new_page([_bent_panel(rod, wish), STIFFNESS])
@@ -83,7 +84,7 @@ def drawing(drawing: Drawing) -> Figure:
     lines = [item.path.closed_points(SMOOTH_MM) for item in drawing.strokes]
     for layer in dict.fromkeys(item.layer for item in drawing.strokes):
         strokes = [line for item, line in zip(drawing.strokes, lines, strict=True) if item.layer == layer]
-        # not aligned to whole pixels, because dots of letters would vanish
+        # lines are not snapped to pixels, because dots of letters would vanish
         axes.add_collection(
             LineCollection(strokes, colors=LAYER_COLORS[layer], linewidths=0.9, label=layer, snap=False)
         )
@@ -99,7 +100,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     ----------
     strip : Strip
     wish : PlaneCurve, optional
-        Requested curve, which is also drawn, if the strip bends into the nearest possible curve.
+        Requested curve. It is also drawn if the strip bends into the nearest possible curve instead.
 
     Returns
     -------
@@ -133,16 +134,16 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
 
 
 def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)) -> None:
-    """Paint the cut pattern in the colours of its sheets, a backing translucent, moved by `shift` mm."""
+    """Paint the cutting pattern, moved by `shift` mm, in the colours of its sheets. A backing is translucent."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path as Outline
 
     for layer in strip.layers:
-        # loops in the direction opposite to the outline are not filled
+        # matplotlib does not fill loops whose direction is opposite to that of the outline
         loops = [layer.outline, *(hole if hole.area < 0 else hole.reversed() for hole in layer.holes)]
         outlines = [Outline(loop.closed_points(SMOOTH_MM) + shift, closed=True) for loop in loops]
         seen_through = layer is not strip.layers[0]
-        # not `add_patch`, which computes limits from every piece of every hole; the limits are set later
+        # `add_patch` is not used, because it is slow: it computes limits from every piece of every hole
         axes.add_artist(
             PathPatch(
                 Outline.make_compound_path(*outlines),
@@ -155,7 +156,7 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
 
 
 def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> Panel:
-    """Return the panel of a bent rod."""
+    """Return the height and the spaces of the drawing of a bent rod."""
     if wish is not None:
         require_curve(wish)
     shown = [rod.position, comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
@@ -194,7 +195,7 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[He
         label = "_side" if k else "thrust line"
         axes.plot(*side.T, color=LINE, linewidth=1.0, linestyle="--", label=label)
     _mark_stations(axes, rod)
-    # leave room across a nearly straight curve, so that its axis can be read
+    # enlarge the box of a nearly straight curve, so that the numbers on the axis across it can be read
     box = box_about(np.array(shown))
     least, middle = _widened(box[1] - box[0]) / 2, box.mean(axis=0)
     axes.set_xlim(middle[0] - least[0], middle[0] + least[0])
@@ -223,7 +224,7 @@ def _paint_stiffness(axes: Axes, rod: Rod) -> None:
 
 
 def _flat_panel(strip: Strip) -> Panel:
-    """Return the panel of a flat strip."""
+    """Return the height and the spaces of the drawing of a flat strip."""
     (left, bottom), (right, top) = strip.outline.bounds
     tall = float(np.clip(WIDE * ((top - bottom) / (right - left) + 0.13), 1.2, 4.5))
     return STIFFNESS._replace(height=tall, below=0.08)
@@ -260,17 +261,22 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
 
 
 def _widened(size: FloatArray) -> FloatArray:
-    """Return the displayed width and height for a drawing of this size, at least so high that its axis can be
-    read."""
+    """Return the displayed width and height for a drawing of this size.
+
+    The height is enlarged if axis numbers would overlap.
+    """
     return np.asarray(1.1 * np.maximum(size, 0.3 * size.max()))
 
 
 def _stations_of(size: Profile) -> list[float]:
-    """Return the widest and narrowest place, the ends and the quarters, without those whose labels would
-    overlap."""
+    """Return the stations of labels: widest and narrowest position, ends and quarters.
+
+    Stations whose labels would overlap are left out.
+    """
     length = size.length
     s = np.linspace(0.0, length, 801)
-    w = np.round(size(s), 9)  # if many places are equally wide, rounding must not select one of them
+    # rounded, so that rounding errors do not decide between positions of equal width
+    w = np.round(size(s), 9)
     wanted = [s[int(np.argmax(w))], s[int(np.argmin(w))], 0.0, length, length / 2, length / 4, 3 * length / 4]
     kept: list[float] = []
     for x in map(float, wanted):
@@ -280,17 +286,19 @@ def _stations_of(size: Profile) -> list[float]:
 
 
 def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
-    """Return point and direction of the line of zero moment (Eq. 3), or None for a rod with weight."""
+    """Return a point and the direction of the line of zero moment (Eq. 3 of the paper), or None for a rod
+    with weight.
+    """
     size = float(np.linalg.norm(rod.force[0]))
     if rod.gravity is not None or rod.acting or size == 0.0:
         return None
     direction = rod.force[0] / size
-    gradient = np.array([direction[1], -direction[0]])  # b = R^t lambda
+    gradient = np.array([direction[1], -direction[0]])  # the vector b of Eq. 3 is R^t lambda
     return rod.position[0] - gradient * rod.moment[0] / size, direction
 
 
 def _mark_stations(axes: Axes, rod: Rod) -> None:
-    """Mark and name rails, pins, ties and point forces; a tie is drawn as a dotted line."""
+    """Draw labelled markers of rails, pins, ties and point forces. A tie is drawn as a dotted line."""
     beside = {"xytext": (6, 7), "textcoords": "offset points", "fontsize": 9, "color": HOLD}
     for action in rod.acting:
         noun = NOUNS[type(action.element)]
@@ -310,7 +318,7 @@ def comb_tips(rod: Rod | CurveSamples) -> FloatArray:
 
 
 def paint_comb(axes: Axes, position: FloatArray, tips: FloatArray) -> None:
-    """Paint some hundred teeth of a curvature comb, and the line along all its tips."""
+    """Paint some hundred teeth of a curvature comb, and the line through all tips."""
     step = max(1, len(position) // 100)
     teeth = np.stack([position, tips, np.full_like(tips, np.nan)], axis=1)[::step].reshape(-1, 2)
     axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)
@@ -360,14 +368,15 @@ def _paint_legend(axes: Axes) -> None:
 # colours of the shapes from first to last, and of shapes after snaps
 FIRST, LAST, UNSTABLE = "#a9c6e8", "#1d4f8c", "#c2452d"
 SHAPES = Panel(3.2, above=0.3, below=0.52, left=0.8, right=0.8)
-COSTS = SHAPES._replace(height=2.4, above=NUMBERED.above)  # force on the left axis, energy on the right axis
+# panel with the force on the left axis and the energy on the right axis
+COSTS = SHAPES._replace(height=2.4, above=NUMBERED.above)
 FORCE, ENERGY = "#1d4f8c", "#e0962b"
 
 
 def travel(moved: Travel) -> Figure:
     """Draw all shapes of a travel, and below them the force along the path and the bending energy.
 
-    Dotted lines mark the places of `Travel.warnings`.
+    Dotted lines mark the positions on the path to which `Travel.warnings` refer.
 
     Examples
     --------
@@ -401,7 +410,7 @@ def travel(moved: Travel) -> Figure:
     beside = below.twinx()
     beside.plot(moved.path_length, moved.energy, color=ENERGY, linestyle="--")
     beside.set_ylabel("bending energy, N mm", color=ENERGY)
-    for axes in (below, beside):  # the axis begins at 0, so that a nearly constant force looks constant
+    for axes in (below, beside):  # axes begin at 0, so that a nearly constant force looks constant
         low, high = axes.get_ylim()
         room = 0.05 * (high - low) if low * high > 0 else 0.0
         axes.set_ylim(min(low - room, 0.0), max(high + room, 0.0))
@@ -424,6 +433,6 @@ def travel(moved: Travel) -> Figure:
 
 
 def _blend(first: str, last: str, count: int) -> list[tuple[float, float, float]]:
-    """Return a gradient of colours."""
+    """Return `count` colours from `first` to `last`."""
     a, b = (np.array([int(c[i : i + 2], 16) / 255 for i in (1, 3, 5)]) for c in (first, last))
     return [tuple(a + (b - a) * part) for part in np.linspace(0, 1, max(count, 2))][-count:]

@@ -1,4 +1,4 @@
-"""Paper templates: a drawing at full size as PDF, in tiles of a home printer's paper with marks to join them by."""
+"""Paper templates: drawings at full size as PDF, divided into pages with marks for joining them."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -19,15 +19,16 @@ PAPERS = {
     "A4": (210.0, 297.0), "A3": (297.0, 420.0), "A2": (420.0, 594.0), "A1": (594.0, 841.0), "A0": (841.0, 1189.0),
     "letter": (215.9, 279.4), "tabloid": (279.4, 431.8),
 }  # fmt: skip
-"""Width and height of papers, mm (ISO 216; ANSI Y14.1)."""
+"""Width and height of paper sizes, mm (ISO 216; ANSI Y14.1)."""
 
-MARGIN_MM = 10.0  # margin, mm, that home printers do not print
+MARGIN_MM = 10.0  # width of the margin, mm, that home printers cannot print
 OVERLAP_MM = 10.0  # overlap of neighbouring tiles, mm, for glue
-CHORD_MM = 0.01  # largest distance of lines from splines, mm: a fifth of a dot of a printer with 600 dpi
+# largest distance, mm, between splines and the lines that are drawn: a fifth of a dot at 600 dpi
+CHORD_MM = 0.01
 CROSS_MM = 4.0  # length of the arms of a registration mark, mm
-RULER_MM = 100.0  # length, mm, of the bar that shows whether the printer scaled
+RULER_MM = 100.0  # length, mm, of the bar by which users detect that the printer scaled the page
 POINTS_PER_MM = 72 / MM_PER_INCH
-MOST_TILES = 400  # largest number of pages; more are probably a mistake
+MOST_TILES = 400  # largest number of pages, because more pages are probably a mistake
 
 
 def printed_size(paper: str) -> tuple[float, float]:
@@ -47,7 +48,7 @@ class Tiling:
     origins : (k, 2) array
         Lower left corner of each printed tile in the drawing, mm.
     names : tuple of str
-        "A1" is the lower left tile; letters count to the right, numbers upwards.
+        Names of the tiles. "A1" is the lower left tile; letters count to the right, numbers upwards.
     size : (float, float)
         Size of the printed part of a page, mm.
     """
@@ -59,7 +60,9 @@ class Tiling:
 
 
 def _tile_drawing(drawing: Drawing, paper: str = "A4") -> Tiling:
-    """Return the tiles that cover a drawing, upright or across, whichever needs fewer pages, without empty tiles.
+    """Return the tiles that cover a drawing.
+
+    Pages are upright or across, whichever needs fewer; empty tiles are left out.
 
     Raises
     ------
@@ -102,7 +105,7 @@ def _tiles(drawing: Drawing, page: tuple[float, float]) -> Tiling:
 
 
 def _enters(segments: FloatArray, low: FloatArray, high: FloatArray) -> bool:
-    """Return True if a chord (x, y, x, y) overlaps the box."""
+    """Return True if any of the segments (n, 4), each x, y of both ends, crosses the box from `low` to `high`."""
     inside = np.minimum(segments[:, :2], segments[:, 2:]), np.maximum(segments[:, :2], segments[:, 2:])
     return bool(np.any(np.all((inside[0] < high) & (inside[1] > low), axis=1)))
 
@@ -126,8 +129,8 @@ def save_template(
 ) -> Tiling:
     """Write a drawing at its true size as PDF, on as many pages as necessary.
 
-    Each page has a name, crosses that coincide with the crosses of its neighbours when pages are joined, and a
-    measuring bar that shows whether the printer scaled the page. Lines follow splines to 0.01 mm.
+    Each page has a name, crosses that must coincide with the crosses of its neighbours when pages are joined,
+    and a measuring bar to detect scaling by the printer. Lines follow splines to 0.01 mm.
 
     Parameters
     ----------
@@ -146,7 +149,7 @@ def save_template(
     Raises
     ------
     InputError
-        Unknown paper, more than 400 pages, or the file exists.
+        The paper size is unknown, there would be more than 400 pages, or the file exists.
     MissingDependencyError
         matplotlib is not installed.
     """
@@ -162,7 +165,7 @@ def save_templates(
     title: str,
     paper: str = "A4",
 ) -> None:
-    """Write several drawings 1:1 to one PDF, one after another; see `save_template`."""
+    """Write several drawings at full size to a single PDF, one after another; see `save_template`."""
     pages = (page for drawing in drawings for page in _pages(drawing, _tile_drawing(drawing, paper)))
     write_pages(pages, path, title, what="PDF templates")
 
@@ -179,7 +182,7 @@ def _pages(drawing: Drawing, tiling: Tiling) -> Iterator[Any]:
 
 
 def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, title: str) -> None:
-    """Draw a tile; its axes are the page itself, in mm of the drawing."""
+    """Draw a tile of a drawing; the axes cover the whole page and are in mm of the drawing."""
     low = tiling.origins[k]
     high = low + tiling.size
     axes = figure.add_axes((0, 0, 1, 1))
@@ -192,7 +195,7 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, title: str
     for item in drawing.strokes:
         points = item.path.closed_points(CHORD_MM)
         if np.any(points.max(axis=0) < low) or np.any(points.min(axis=0) > high):
-            continue  # skip lines on other pages, because invisible lines take as much time as visible lines
+            continue  # skip lines that are on other pages, because drawing them would take the same time
         axes.plot(*points.T, color=LAYER_COLORS[item.layer], linewidth=0.6, solid_capstyle="butt")[
             0
         ].set_clip_path(window)
