@@ -26,23 +26,26 @@ from elastica_cad.geometry.splines import SplineFunction
 from elastica_cad.refusals import Length
 
 _FLATTEST_MM = 1e-7
-"""Height of an arc over its chord, mm, below which the arc is a line."""
+"""Height of an arc over its chord, mm, below which the arc is replaced by a line."""
 
 _FARTHEST_MM = 1e9
-"""Radius of an arc, mm, above which the arc is a line, because its ends are not accurate to 1e-6 mm."""
+"""Radius of an arc, mm, above which the arc is replaced by a line.
+
+The ends of such an arc are not accurate to 1e-6 mm.
+"""
 
 RATIONAL_NODES = 32
-"""Number of Gauss nodes for the area swept along a rational piece; a quarter circle is exact to rounding."""
+"""Number of Gauss nodes for the area of a rational piece; for a quarter circle only rounding errors remain."""
 
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """A straight segment.
+    """Straight segment.
 
     Parameters
     ----------
     start, end : (2,) array_like
-        mm; they must differ.
+        End points, mm; they must differ.
 
     Examples
     --------
@@ -66,14 +69,14 @@ class Line:
 
     @property
     def direction(self) -> tuple[float, float]:
-        """Direction from start to end, of length 1."""
+        """Unit vector from start to end."""
         start, end = self.start.tolist(), self.end.tolist()
         size = dist(start, end)
         return (end[0] - start[0]) / size, (end[1] - start[1]) / size
 
     @property
     def bounds(self) -> FloatArray:
-        """[[x_min, y_min], [x_max, y_max]], mm."""
+        """Bounding box [[x_min, y_min], [x_max, y_max]], mm."""
         return np.array([np.minimum(self.start, self.end), np.maximum(self.start, self.end)])
 
     def at(self, u: ArrayLike) -> FloatArray:
@@ -90,31 +93,31 @@ class Line:
         return np.asarray(self.velocity_at(u) / self.length, dtype=float)
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
-        """Return the signed area swept by the ray from `origin`, mm2: 1/2 of the integral of x dy - y dx."""
+        """Return the signed area that the ray from `origin` sweeps, mm2: half the integral of x dy - y dx."""
         origin = point(origin, "origin")
         return 0.5 * float(cross(self.start - origin, self.end - origin))
 
     def reversed(self) -> "Line":
-        """Return the reversed line."""
+        """Return the line with its direction reversed."""
         return Line(self.end, self.start)
 
     def transformed(self, matrix: ArrayLike) -> "Line":
-        """Return the line moved by a 3x3 affine matrix."""
+        """Return the image of the line under a 3x3 affine matrix."""
         return Line(*transform_points(require_affine(matrix), [self.start, self.end]))
 
 
 @dataclass(frozen=True, eq=False)
 class Arc:
-    """A circular arc, anticlockwise if `end_angle` > `start_angle`; a full turn is a circle.
+    """Circular arc, anticlockwise if `end_angle` > `start_angle`; a full turn is a circle.
 
     Parameters
     ----------
     center : (2,) array_like
-        mm.
+        Center, mm.
     radius : float
-        mm, positive.
+        Radius, mm, positive.
     start_angle, end_angle : float
-        rad, from the x axis; they may differ by at most 2 pi.
+        Angles from the x axis, rad; their difference is at most 2 pi.
 
     Examples
     --------
@@ -162,17 +165,17 @@ class Arc:
 
     @property
     def sweep(self) -> float:
-        """Turn, rad, positive anticlockwise."""
+        """Angle of the arc, rad, positive anticlockwise."""
         return self.end_angle - self.start_angle
 
     @property
     def bulge(self) -> float:
-        """Bulge tan(sweep / 4) of arcs in DXF polylines."""
+        """Bulge of the arc in DXF polylines: tan(sweep / 4)."""
         return float(np.tan(self.sweep / 4))
 
     @property
     def is_circle(self) -> bool:
-        """True for a full turn."""
+        """True if the arc is a full turn."""
         return abs(abs(self.sweep) - 2 * np.pi) < 1e-12
 
     @cached_property
@@ -192,7 +195,7 @@ class Arc:
 
     @property
     def bounds(self) -> FloatArray:
-        """[[x_min, y_min], [x_max, y_max]], mm."""
+        """Bounding box [[x_min, y_min], [x_max, y_max]], mm."""
         low, high = sorted((self.start_angle, self.end_angle))
         quarter = pi / 2
         poles = (quarter * k for k in range(ceil(low / quarter), floor(high / quarter) + 1))
@@ -215,17 +218,17 @@ class Arc:
         return forward if self.sweep > 0 else -forward
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
-        """Return the signed area swept by the ray from `origin`, mm2."""
+        """Return the signed area that the ray from `origin` sweeps, mm2."""
         origin = point(origin, "origin")
         triangle = float(cross(self.start - origin, self.end - origin))
         return 0.5 * (triangle + self.radius**2 * _beyond_sine(self.sweep))
 
     def reversed(self) -> "Arc":
-        """Return the reversed arc."""
+        """Return the arc with its direction reversed."""
         return Arc(self.center, self.radius, self.end_angle, self.start_angle)
 
     def transformed(self, matrix: ArrayLike) -> "Arc":
-        """Return the arc moved, rotated, mirrored or scaled by a 3x3 similarity.
+        """Return the image of the arc under a 3x3 matrix that moves, rotates, mirrors or scales.
 
         Raises
         ------
@@ -256,7 +259,7 @@ class Arc:
 
 @dataclass(frozen=True, eq=False)
 class Spline:
-    """A segment along a whole `PlaneCurve`."""
+    """Segment along a whole `PlaneCurve`."""
 
     curve: PlaneCurve
 
@@ -279,17 +282,17 @@ class Spline:
 
     @property
     def bounds(self) -> FloatArray:
-        """[[x_min, y_min], [x_max, y_max]], mm."""
+        """Bounding box [[x_min, y_min], [x_max, y_max]], mm."""
         return np.asarray(self.curve.bounds).reshape(2, 2)
 
     def parameter(self, u: ArrayLike) -> FloatArray:
-        """Return the curve's parameters at u in [0, 1]."""
+        """Return the parameters of the curve at u in [0, 1]."""
         t0, t1 = self.curve.domain
         u = numbers(u, "u")
         return np.asarray(t0 * (1 - u) + t1 * u, dtype=float)
 
     def at(self, u: ArrayLike) -> FloatArray:
-        """Return points (..., 2) at u in [0, 1], uniform in the curve's parameter."""
+        """Return points (..., 2) at u in [0, 1], uniform in the parameter of the curve."""
         return np.asarray(self.curve.evaluate(self.parameter(u)), dtype=float)
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:
@@ -298,16 +301,17 @@ class Spline:
         return np.asarray(self.curve.evaluate(self.parameter(u), 1) * (t1 - t0), dtype=float)
 
     def tangent_at(self, u: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Return unit tangents (..., 2) at u in [0, 1]; at corners those after it, with `left` those before it."""
+        """Return unit tangents (..., 2) at u in [0, 1]; at corners after it, or with `left` before it."""
         d = np.asarray(
             self.curve.evaluate(self.parameter(u), 1, left=require_flag(left, "left")), dtype=float
         )
         return np.asarray(d / np.hypot(d[..., 0], d[..., 1])[..., None], dtype=float)
 
     def swept_area(self, origin: ArrayLike = (0.0, 0.0)) -> float:
-        """Return the signed area swept by the ray from `origin`, mm2, by Gauss's rule on each Bezier piece.
+        """Return the signed area that the ray from `origin` sweeps, mm2, by Gauss's rule on each Bezier piece.
 
-        The result is exact without weights, because x y' - y x' is then of degree 2 p - 1 at most.
+        Without weights the result is exact, because x y' - y x' has a degree of at most 2 p - 1 for splines of
+        degree p.
         """
         origin = point(origin, "origin")
         edges, _ = self.curve.bezier_table
@@ -318,11 +322,11 @@ class Spline:
         return float(0.5 * np.sum((half * w).ravel() * cross(p - origin, d)))
 
     def reversed(self) -> "Spline":
-        """Return the reversed spline."""
+        """Return the spline with its direction reversed."""
         return Spline(self.curve.reversed())
 
     def transformed(self, matrix: ArrayLike) -> "Spline":
-        """Return the spline moved by a 3x3 projective matrix."""
+        """Return the image of the spline under a 3x3 projective matrix."""
         return Spline(self.curve.transformed(matrix))
 
 
@@ -339,7 +343,7 @@ def segment_from_bulge(start: ArrayLike, end: ArrayLike, bulge: float) -> Line |
 
 
 def point(value: ArrayLike, name: str) -> FloatArray:
-    """Check a point (2,), mm, and return it as a read-only array."""
+    """Return a point (2,), mm, as a read-only array; refuse other values."""
     p = numbers(value, name).copy()
     if p.shape != (2,) or not all(map(isfinite, p.tolist())):
         raise InputError(f"{name} must be two finite numbers in mm, got {value!r}")
@@ -348,14 +352,14 @@ def point(value: ArrayLike, name: str) -> FloatArray:
 
 
 def _beyond_sine(x: float) -> float:
-    """Return x - sin x without cancellation, for segments of flat arcs."""
+    """Return x - sin x without cancellation, for areas beyond the chords of flat arcs."""
     y = x * x
     near = x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
     return x - sin(x) if abs(x) > 0.3 else near
 
 
 def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
-    """Return the part of a segment between 0 <= u0 < u1 <= 1, exact."""
+    """Return the exact part of a segment between u0 and u1, with 0 <= u0 < u1 <= 1."""
     if not 0 <= u0 < u1 <= 1:
         raise InputError(f"a segment must be trimmed between 0 <= u0 < u1 <= 1, not {u0:g} and {u1:g}")
     if (u0, u1) == (0, 1):
@@ -385,7 +389,10 @@ def require_tolerance_mm(tolerance: float) -> float:
 
 
 def chords(segment: Segment, tolerance: float) -> tuple[FloatArray, FloatArray]:
-    """Return parameters u (n,) whose chords stay within `tolerance` mm of a segment, and the points there."""
+    """Return parameters u (n,) and points (n, 2) of a segment.
+
+    The chords between the points are within `tolerance` mm of the segment.
+    """
     u = _first_places(segment, tolerance)
     if not isinstance(segment, Spline):
         return u, segment.at(u)
@@ -399,7 +406,10 @@ def chord_points(segment: Segment, tolerance: float) -> FloatArray:
 
 
 def _first_places(segment: Segment, tolerance: float) -> FloatArray:
-    """Return initial u (n,) from 0 to 1: final for lines and arcs, and to be refined for splines."""
+    """Return initial parameters u (n,) from 0 to 1 for chords of a segment.
+
+    They are final for lines and arcs, and are refined for splines.
+    """
     tolerance = require_tolerance_mm(tolerance)
     if isinstance(segment, Line):
         return _ENDS
@@ -416,18 +426,18 @@ def _halve_chords(
     at: Callable[[IntArray, FloatArray], FloatArray], which: IntArray, u: FloatArray, bent: BoolArray,
     tolerance: float,
 ) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
-    """Insert values of u until chords are close enough; return segment numbers, u and the points (n, 2) there.
+    """Return segment numbers, parameters u and points (n, 2), inserted until chords are close enough.
 
     Parameters
     ----------
     at : callable
-        Returns points (n, 2) of segments (n,) at u (n,).
+        Function of segment numbers (n,) and parameters u (n,) that returns points (n, 2).
     which, u : (k,) arrays
-        Numbers of segments, increasing, and positions u on them from 0 to 1.
+        Increasing segment numbers, and parameters u on these segments from 0 to 1.
     bent : (k,) boolean array
-        True at positions whose following chord is measured.
+        True for parameters whose following chord is measured.
     tolerance : float
-        mm.
+        Largest distance between chord and segment, mm.
     """
     spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
     number, low, high = which[spans], u[spans], u[spans + 1]
@@ -452,7 +462,10 @@ def _halve_chords(
 
 
 def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
-    """Return largest distance (n,) of the probes (n, k, 2) of each span from the chord between its ends (n, 2)."""
+    """Return the largest distances (n,) of sample points from chords.
+
+    Each of the n chords has an end in `begins` and `ends` (n, 2), and k samples in `probes` (n, k, 2).
+    """
     chord, off = ends - begins, probes - begins[:, None, :]
     size = (chord**2).sum(axis=1)[:, None]
     # if a point is beyond the chord, as in hairpins, the end of the chord is the nearest point
@@ -462,12 +475,14 @@ def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> F
 
 
 _Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
-"""Type of functions of segments (n,), u (n,) and order: points (n, 2) or derivatives by u, for one kind of
-segment."""
+"""Function of segment numbers (n,), parameters u (n,) and an order that is 0 or 1.
+
+It returns points (n, 2), or derivatives by u, for segments of one kind.
+"""
 
 
 class SegmentTable:
-    """Segments of all kinds, evaluated together.
+    """Lines, arcs and splines that are evaluated together.
 
     Examples
     --------
@@ -487,7 +502,7 @@ class SegmentTable:
             self._motions.append(_motion([segments[i] for i in members]))
 
     def at(self, which: IntArray, u: FloatArray, derivative: int = 0) -> FloatArray:
-        """Return points (n, 2), or first derivatives by u, mm, at places u (n,) in [0, 1] of segments (n,)."""
+        """Return points (n, 2), or derivatives by u, mm, at u (n,) in [0, 1] on segments with numbers (n,)."""
         points, kind = np.empty((which.size, 2)), self._kind[which]
         for k, motion in enumerate(self._motions):
             here = kind == k
@@ -546,7 +561,7 @@ def _on_circles(arcs: Sequence[Arc]) -> _Motion:
 
 
 def _on_splines(knots: Sequence[FloatArray], points: Sequence[FloatArray], degree: int) -> _Motion:
-    """Evaluate splines as one B-spline, whose part from 2 i to 2 i + 1 is spline i."""
+    """Return a function that evaluates splines as one B-spline, whose part from 2 i to 2 i + 1 is spline i."""
     nothing = np.zeros((degree + 1, 2))
     chain = [part for array in points for part in (array, nothing)][:-1]
     joined = SplineFunction(

@@ -1,4 +1,4 @@
-"""Self-intersections of a curve, and the angles of the directions from a point of the curve to the whole curve."""
+"""Self-intersections of a curve, and angles of the directions from a point of the curve to its other points."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -24,27 +24,29 @@ from elastica_cad.geometry.polynomials import (
 )
 
 _MOST_HALVINGS = 40
-"""Largest number of halvings, which makes a piece as short as rounding errors."""
+"""Largest number of halvings; a piece is then as short as rounding errors."""
 
 _NEWTON_SHARE = 1e-4  # size of a piece, as a fraction of the extent, below which Newton's method starts
-# largest number of pairs; more pairs are due to overlapping stretches, and a tenth of them is used
+# largest number of pairs of pieces; more pairs mean that parts of the curve overlap, and a tenth of them is
+# used
 _MOST_PAIRS = 1000
 
 
 def find_self_intersections(
     bezier: FloatArray, edges: FloatArray, motion: Callable[[FloatArray], Sequence[FloatArray]]
 ) -> FloatArray:
-    """Return parameter pairs (k, 2), first < second, where homogeneous Bezier pieces (p, degree + 1, 3) meet.
+    """Return the pairs of parameters (k, 2), the smaller one first, at which a curve meets itself.
 
-    Pieces are halved while their boxes overlap. Neighbouring pieces, or a single piece, with all velocities in
-    a common half plane cannot meet again. They are excluded, so that joints are not reported.
+    The curve consists of homogeneous Bezier pieces (p, degree + 1, 3). Pieces are halved while their boxes overlap.
+    Neighbouring pieces, or a single piece, whose velocities are all in a common half plane cannot meet again.
+    They are excluded, so that joints are not reported.
 
     Parameters
     ----------
     edges : (p + 1,) array
         Parameters at which the pieces meet.
     motion : callable
-        Positions and velocities d/dt, (n, 2) each, at parameters (n,).
+        Function of parameters (n,) that returns positions and velocities d/dt, (n, 2) each.
     """
     points = bezier[..., :2] / bezier[..., 2:]
     small = _NEWTON_SHARE * float(np.ptp(points, axis=(0, 1)).max())
@@ -76,7 +78,7 @@ def _boxes(part: FloatArray) -> FloatArray:
 def _meeting(
     part: FloatArray, limits: tuple[FloatArray, FloatArray], first: IntArray, second: IntArray
 ) -> tuple[IntArray, IntArray]:
-    """Return pairs of pieces that overlap by their boxes and are not a continuation in one direction."""
+    """Return the pairs of pieces whose boxes overlap, without pieces that continue each other in one direction."""
     (low, high), box = limits, _boxes(part)
     overlap = boxes_meet(box[first], box[second])
     first, second = first[overlap], second[overlap]
@@ -114,7 +116,10 @@ def _polished(
     edges: FloatArray,
     small: float,
 ) -> FloatArray:
-    """Solve gamma(t1) = gamma(t2) by Newton's method; drop pairs that do not converge to a common point."""
+    """Return the pairs of parameters after Newton's method for gamma(t1) = gamma(t2) on the curve gamma.
+
+    Pairs that do not converge to a common point are omitted.
+    """
     start = pairs
     for _ in range(12):
         if not pairs.size:
@@ -122,7 +127,7 @@ def _polished(
         p, v = motion(pairs.T.ravel())
         n = len(pairs)
         gap, v1, v2 = p[n:] - p[:n], v[:n], v[n:]
-        # least squares with a small damping, to avoid division by zero for tangent branches
+        # least squares with a small damping, to avoid division by zero if the parts touch
         a11, a12, a22 = (v1**2).sum(axis=1), -(v1 * v2).sum(axis=1), (v2**2).sum(axis=1)
         r1, r2 = (v1 * gap).sum(axis=1), -(v2 * gap).sum(axis=1)
         determinant = a11 * a22 - a12**2 + 1e-14 * a11 * a22
@@ -148,21 +153,22 @@ def _distinct(pairs: FloatArray, edges: FloatArray) -> FloatArray:
     return np.array(kept).reshape(-1, 2)
 
 
-_AT_KNOT_SHARE = 1e-9  # distance from a knot that counts as at the knot, as a fraction of a span
+# distance from a knot, as a fraction of a span, below which a parameter counts as at the knot
+_AT_KNOT_SHARE = 1e-9
 
 
 @dataclass(frozen=True)
 class ViewAngles:
-    """Smallest and largest angle (rad), continued along the curve, of the directions towards it.
+    """Smallest and largest angle of the directions from a point to a curve, continuous along the curve.
 
     Attributes
     ----------
     point : (float, float)
-        Viewpoint, mm.
+        Point from which the directions are measured, mm.
     low, high : float
-        rad; high - low may exceed a full turn.
+        Smallest and largest angle, rad; their difference may exceed a full turn.
     low_t, high_t : float
-        Parameters of the points seen under these angles.
+        Parameters of the points of the curve in these directions.
     """
 
     point: tuple[float, float]
@@ -173,10 +179,10 @@ class ViewAngles:
 
 
 def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
-    """Return the angles of the directions from the point p at t to the curve, or None if the curve passes p again.
+    """Return the angles of the directions from the point at t to the other points of the curve.
 
-    Directions to points before p are reversed. The direction at p is the tangent, so that the angle is
-    continuous along the curve.
+    Directions to points before t are reversed, and the direction at t is the tangent, so that the angle is
+    continuous along the curve. The result is None if the curve passes the same point again.
     """
     views, edges, point = _views(curve, t)
     cones = cut_into_tangent_cones(views, edges)
@@ -197,7 +203,11 @@ def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
 
 
 def _views(curve: NurbsCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[float, float]]:
-    """Return pieces (k, n, 2) along gamma - p (reversed before p) without the zero at p, edges (k + 1,), and p."""
+    """Return Bezier pieces (k, n, 2) in the directions from the point p at t, their edges (k + 1,), and p.
+
+    The directions are gamma - p for the curve gamma, reversed before p, and divided by the parameter distance
+    from p.
+    """
     edges, bezier = curve.bezier_table
     at = int(np.searchsorted(edges[1:-1], t, side="right"))
     u = (t - edges[at]) / (edges[at + 1] - edges[at])

@@ -1,4 +1,4 @@
-"""B-splines by knots and coefficients: Bezier pieces, basis functions, interpolation, fits to a tolerance."""
+"""B-splines with knots and coefficients: Bezier pieces, basis functions, interpolation, fits to a tolerance."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -16,11 +16,11 @@ from elastica_cad.geometry.polynomials import bernstein_values, gauss_rule
 from elastica_cad.refusals import Length, Point, note
 
 SHORTEST_DOMAIN, FARTHEST_KNOT = 1e-9, 1e12
-"""Shortest domain and largest knot of a spline."""
+"""Length of the shortest domain, and largest knot of a spline."""
 
 
 def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
-    """Return the distinct knots (k,) of a nondecreasing vector, and their multiplicities (k,).
+    """Return the distinct knots (k,) of a vector of knots without a decrease, and their multiplicities (k,).
 
     Examples
     --------
@@ -30,13 +30,15 @@ def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
     """
     rises = np.ones(knots.size + 1, dtype=bool)
     np.not_equal(knots[1:], knots[:-1], out=rises[1:-1])
-    first = rises.nonzero()[0]  # start of every run, and the end of the last run
+    first = rises.nonzero()[0]  # start of every run of equal knots, and the end of the last run
     counts = first[1:] - first[:-1]
     return knots[first[:-1]], counts
 
 
 def clamped_knots(edges: FloatArray, continuity: Mapping[float, int], degree: int) -> FloatArray:
-    """Return clamped knots (m,) of a spline over the spans between edges (k,), with `continuity` at some edges.
+    """Return the clamped knots (m,) of a spline on the spans between edges (k,).
+
+    `continuity` contains the number of continuous derivatives at some edges.
 
     Examples
     --------
@@ -51,7 +53,9 @@ def clamped_knots(edges: FloatArray, continuity: Mapping[float, int], degree: in
 
 
 def greville(knots: FloatArray, degree: int) -> FloatArray:
-    """Return Greville abscissae (..., m) of knot vectors (..., m + degree + 1), as coefficients of x.
+    """Return the Greville abscissae (..., m) of knot vectors (..., m + degree + 1).
+
+    They are the coefficients of the spline x.
 
     Examples
     --------
@@ -92,7 +96,7 @@ def check_knots(knots: FloatArray, count: int, degree: int) -> None:
 
 @lru_cache(maxsize=64)
 def _check_knots(written: bytes, count: int, degree: int) -> None:
-    """Check knots given as bytes, with a cache for curves with equal knots."""
+    """Check knots given as bytes; the result is cached for curves with equal knots."""
     knots = np.frombuffer(written)
     if count < degree + 1:
         raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")
@@ -128,18 +132,18 @@ def _check_knots(written: bytes, count: int, degree: int) -> None:
 
 @dataclass(frozen=True, eq=False)
 class Spans:
-    """The non-empty knot spans of a B-spline basis inside its domain.
+    """Knot spans of positive length of a B-spline basis inside its domain.
 
     Attributes
     ----------
     count : int
         Number m of control points.
     edges : (p + 1,) array
-        Ends of the spans in the parameter t, increasing.
+        Increasing parameters at the ends of the spans.
     first : (p,) int array
-        Index of the first of the degree + 1 control points that act on each span.
+        Index of the first of the degree + 1 control points that affect each span.
     matrix : (p, degree + 1, degree + 1) array
-        Bezier control points of a span = matrix @ its B-spline control points.
+        Matrices that convert the B-spline control points of a span to its Bezier control points.
     """
 
     count: int
@@ -158,19 +162,22 @@ class Spans:
         return np.asarray(self.edges[1:] - self.edges[:-1])
 
     def bezier(self, control_points: FloatArray) -> FloatArray:
-        """Return Bezier control points (p, degree + 1, ...) of the spline with `control_points` (m, ...)."""
+        """Return the Bezier control points (p, degree + 1, ...) of the spline with `control_points` (m, ...)."""
         local = control_points[self.first[:, None] + np.arange(self.degree + 1)]
         pieces = self.matrix @ local.reshape(*local.shape[:2], -1)
         return np.asarray(pieces.reshape(local.shape), dtype=float)
 
     def locate(self, t: FloatArray, *, left: bool = False) -> tuple[IntArray, FloatArray]:
-        """Return the span index and local coordinate u in [0, 1] of parameters (n,); at an edge the right span."""
+        """Return the span index and the local coordinate u in [0, 1] of parameters t (n,).
+
+        At an edge it is the span on the right, or on the left with `left`.
+        """
         index = np.searchsorted(self.edges[1:-1], t, side="left" if left else "right")
         u = (t - self.edges[index]) / self.widths[index]
         return index, np.minimum(np.maximum(u, 0.0), 1.0)
 
     def basis(self, t: FloatArray, derivative: int = 0) -> FloatArray:
-        """Return values (n, m) of the d-th derivative of all m basis functions at parameters (n,)."""
+        """Return derivatives (n, m) of the given order of all m basis functions at parameters t (n,)."""
         local, index = self.local_basis(t, derivative)
         out = np.zeros((t.size, self.count))
         columns = self.first[index][:, None] + np.arange(self.degree + 1)
@@ -178,7 +185,7 @@ class Spans:
         return out
 
     def local_basis(self, t: FloatArray, derivative: int = 0) -> tuple[FloatArray, IntArray]:
-        """Return the degree + 1 nonzero basis functions (n, degree + 1), and the span index (n,)."""
+        """Return the degree + 1 basis functions that are not zero, (n, degree + 1), and the span index (n,)."""
         index, u = self.locate(t)
         width = self.widths[index]
         bernstein = bernstein_values(self.degree, u, derivative) / width[:, None] ** derivative
@@ -186,25 +193,26 @@ class Spans:
 
 
 def bezier_spans(knots: FloatArray, degree: int) -> Spans:
-    """Return the Bezier extraction of a B-spline basis with a full knot vector (m + degree + 1,), clamped or not.
+    """Return the spans of a B-spline basis with a full knot vector (m + degree + 1,), clamped or not.
 
-    Bezier point j of the span [a, b] is the blossom at a (degree - j times) and b (j times).
+    Bezier point j of the span [a, b] is the blossom (polar form) at the arguments a (degree - j times) and b (j
+    times).
     """
     return _spans(np.asarray(knots, dtype=float).tobytes(), degree)
 
 
 @lru_cache(maxsize=64)
 def _spans(written: bytes, degree: int) -> Spans:
-    """Return the spans of knots given as bytes, with a cache for curves with equal knots."""
+    """Return the spans of knots given as bytes; the result is cached for curves with equal knots."""
     knots = np.frombuffer(written)
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
     ends, size = near[degree - 1 : degree + 1], degree + 1
-    # the spans run along the last axis
+    # the spans are along the last axis
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
         low, high = near[level - 1 : degree], near[degree : degree + size - level]
-        # argument `level` of the blossom is a for the first Bezier points, b for the remaining points
+        # argument `level` of the blossom is a for the first Bezier points, and b for the remaining points
         shares = ((ends[:, None] - low) / (high - low))[(np.arange(size) >= level).astype(int)]
         shares = shares.swapaxes(0, 1)[:, :, None]
         points = points[:-1] * (1 - shares) + points[1:] * shares
@@ -218,9 +226,9 @@ def _spans(written: bytes, degree: int) -> Spans:
 
 @dataclass(frozen=True, eq=False)
 class SplineFunction:
-    """A spline function with a full knot vector (m + degree + 1,), clamped, and coefficients (m, ...).
+    """Spline function with a full, clamped knot vector (m + degree + 1,) and coefficients (m, ...).
 
-    It replaces scipy's `BSpline`, whose import takes longer than all computations of a command with it.
+    It replaces `BSpline` of SciPy, whose import takes longer than all computations with it in a command.
 
     Examples
     --------
@@ -240,12 +248,12 @@ class SplineFunction:
         rows, u, width = self._at(x)
         for k in range(derivative):
             rows = (rows[1:] - rows[:-1]) * ((self.degree - k) / width)
-        while len(rows) > 1:  # de Casteljau
+        while len(rows) > 1:  # de Casteljau's algorithm
             rows = rows[:-1] + (rows[1:] - rows[:-1]) * u
         return np.asarray(rows[0])
 
     def value_and_slope(self, x: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return values and first derivatives at x, as two calls would, in the time of a single call."""
+        """Return values and first derivatives at x; this takes half the time of two calls."""
         rows, u, width = self._at(x)
         while len(rows) > 2:
             rows = rows[:-1] + (rows[1:] - rows[:-1]) * u
@@ -253,7 +261,10 @@ class SplineFunction:
         return rows[0] + step * u, step * (self.degree / width)
 
     def _at(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the coefficients (degree + 1, ...) of the pieces at x, the places on them, and their widths."""
+        """Return the coefficients (degree + 1, ...) of the pieces at x.
+
+        Local coordinates of x in the pieces, and the widths of the pieces, follow.
+        """
         spans = self._spans
         index = spans.edges[1:-1].searchsorted(x, side="right")
         after = x.shape + (1,) * (self.coefficients.ndim - 1)
@@ -261,7 +272,7 @@ class SplineFunction:
         return self._rows.take(index, axis=1), (x - spans.edges[index]).reshape(after) / width, width
 
     def integral(self) -> "SplineFunction":
-        """Return the antiderivative of the spline function that is 0 at the start."""
+        """Return the integral of the spline function from the start."""
         size = self.degree + 1
         steps = (self.knots[size:] - self.knots[:-size]) / size
         sums = np.cumsum((steps * self.coefficients.T).T, axis=0)
@@ -279,15 +290,15 @@ class SplineFunction:
 
     @cached_property
     def _rows(self) -> FloatArray:
-        """The first coefficients of all pieces, then the second coefficients and so on, (degree + 1, p, ...)."""
+        """Bezier coefficients in the order (degree + 1, p, ...): first those with index 0 of all pieces."""
         return np.ascontiguousarray(self.pieces.swapaxes(0, 1))
 
 
 def spline_through(x: FloatArray, values: FloatArray, degree: int) -> SplineFunction:
     """Return the spline function through values (n, ...) at increasing x (n,).
 
-    A cubic spline has no knots at the second and the second last x. A quintic spline has none at the two x next to
-    each end. A spline of even degree is the single polynomial through degree + 1 values.
+    A cubic spline has no knots at the second and the second last x. A quintic spline has no knots at the two x next
+    to each end. A spline of even degree is a single polynomial through degree + 1 values.
 
     Examples
     --------
@@ -302,20 +313,22 @@ def spline_through(x: FloatArray, values: FloatArray, degree: int) -> SplineFunc
 
 
 def interpolation_sites(knots: FloatArray, degree: int) -> FloatArray:
-    """Return sites (m,) for interpolation with clamped knots: the Greville abscissae, with both ends exact."""
+    """Return parameters (m,) for interpolation with clamped knots: the Greville abscissae, with exact ends."""
     sites = greville(knots, degree)
     sites[[0, -1]] = knots[[0, -1]]
     return sites
 
 
 def interpolated(sites: FloatArray, values: FloatArray, knots: FloatArray, degree: int) -> FloatArray:
-    """Return coefficients (m, ...) of the spline over given knots that has `values` (m, ...) at `sites` (m,)."""
+    """Return coefficients (m, ...) of the spline with given knots that has `values` (m, ...) at `sites` (m,)."""
     spans = bezier_spans(knots, degree)
     return solved(spans, *spans.local_basis(sites), values)
 
 
 def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray) -> FloatArray:
-    """Return the coefficients (m, ...) for values[i] at row i of `basis` (m, degree + 1) in span index[i].
+    """Return the coefficients (m, ...) of the spline with m given values.
+
+    Row i of `basis` (m, degree + 1) contains the basis functions at the parameter of values[i], in span index[i].
 
     Raises
     ------
@@ -333,10 +346,10 @@ def solved(spans: Spans, basis: FloatArray, index: IntArray, values: FloatArray)
 
 
 def unit_circle_arc(start: float, end: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return knots, control points (m, 2) and weights (m,) of degree 2 for the unit circle from angle start to end.
+    """Return knots, control points (m, 2) and weights (m,) of the unit circle between two angles, of degree 2.
 
-    Segments of at most a quarter turn, joined by double knots at the angles where they meet; the middle
-    control point of a segment of angle 2 h has weight cos h (Piegl and Tiller, The NURBS Book, section 7.3).
+    Segments of at most a quarter turn are joined by double knots at their angles. The middle control point of a
+    segment of angle 2 h has the weight cos h (Piegl and Tiller, The NURBS Book, section 7.3).
     """
     count = max(1, ceil(abs(end - start) / (pi / 2) * (1 - 1e-12)))
     half = (end - start) / count / 2
@@ -354,8 +367,8 @@ def elevate_degree(
 ) -> tuple[FloatArray, FloatArray, FloatArray | None]:
     """Return knots, control points and weights of the same clamped spline with its degree raised by 1.
 
-    Every piece is raised as a Bezier piece, and control points are joined where pieces meet. All inner knots
-    become knots of multiplicity degree + 1, which does not change the curve.
+    The degree of every Bezier piece is raised, and equal control points of neighbouring pieces are merged. All
+    inner knots become knots of multiplicity degree + 1, which does not change the curve.
 
     Examples
     --------
@@ -377,7 +390,7 @@ def elevate_degree(
 
 
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
-"""Fractions of a span at which the error is measured; none is a site of the fit."""
+"""Fractions of a span at which the error is measured; no interpolation point is at these fractions."""
 
 _MOST_DEGREE = 12
 """Largest degree of the splines that approximate functions."""
@@ -386,12 +399,13 @@ _MOST_SPANS = 3000
 """Largest number of spans; a function that needs more is refused."""
 
 _NARROWEST_SHARE = 1e-9
-"""Narrowest span, as a fraction of the domain."""
+"""Width of the narrowest span, as a fraction of the domain."""
 
-_SAME_BREAK_SHARE = 1e-10  # distance of breaks that count as equal, as a fraction of the domain
-# distance of equal breaks with a continuous slope; a narrower span between them would be singular
+_SAME_BREAK_SHARE = 1e-10  # distance, as a fraction of the domain, below which breaks count as equal
+# the same for breaks with a continuous slope, because a narrower span between them would be singular
 _ALIKE = 1e-7
-_WIDER_TIMES = 8.0  # width of a span, relative to a bad neighbour, above which the span is divided too
+# width of a span, relative to a neighbour with a large error, above which the span is divided too
+_WIDER_TIMES = 8.0
 
 _REFINED_SHARE = 0.05
 """Error, as a fraction of the largest error, above which a span is refined."""
@@ -399,13 +413,14 @@ _REFINED_SHARE = 0.05
 _CORRECTIONS = 2
 """Number of times that the parameters are moved to the nearest points of the curve, for each knot vector."""
 
-_POINTS_EACH = 4  # least number of points for each control point in a fit below the tolerance
-_ENOUGH_FOR_NOISE = 100  # fewest points that separate noise from shape; fewer points may be interpolated
+_POINTS_EACH = 4  # least number of points for each control point in a fit that is closer than the tolerance
+# least number of points that separate noise from shape; fewer points may be interpolated
+_ENOUGH_FOR_NOISE = 100
 _MOST_INTERPOLATED = 1000
-"""Largest number of points that are interpolated, which is the size of a dense system."""
+"""Largest number of points that are interpolated; it is the size of a dense linear system."""
 
 _STRIDE_SHARE = (
-    0.4  # largest move of a point, as a fraction of its distance from the next, if the order changed
+    0.4  # largest move of a parameter, as a fraction of the distance to the next, if the order would change
 )
 _LEAST_PENALTY = 1e-11  # penalty that only determines coefficients without data
 _ALLOWED_INCREASE = 1.1  # factor of the root mean square distance that is allowed for a smoother curve
@@ -426,24 +441,24 @@ def adaptive_spline(
     Parameters
     ----------
     function : callable
-        Maps x (k,) to values (k,) or (k, q); it is evaluated strictly inside the spans only, so that the
-        value at a break does not matter.
+        Function of x (k,) that returns values (k,) or (k, q). It is evaluated only inside the spans, so its value
+        at a break has no effect.
     tolerance : float
-        Largest error of a value, checked between the sites of the fit.
-    breaks : sequence of (place, continuity)
-        Values of x where the function is only `continuity` times differentiable, -1 where it jumps. They become
-        knots of the matching multiplicity.
+        Largest error of a value, measured between the interpolation points.
+    breaks : sequence of (x, continuity)
+        Values of x at which the function is only `continuity` times differentiable; -1 means a jump. They become
+        knots with the corresponding multiplicity.
     knots : (k,) array_like
-        Initial knots besides the breaks; more are inserted where they are needed.
+        Initial knots in addition to the breaks; further knots are inserted where the error is too large.
     rounding : float
-        Relative error of the function's values, which limits the tolerance.
+        Relative rounding error of the values of the function, which limits the tolerance.
 
     Raises
     ------
     InputError
         The function is not finite.
     NotConvergedError
-        The function has an undeclared jump or kink, or noise above the tolerance.
+        The function has a jump or kink that is not in `breaks`, or noise above the tolerance.
     """
     require_positive(tolerance, "the tolerance of a fit", "the unit of the values")
     if not callable(function):
@@ -488,7 +503,7 @@ def _first_edges(
 ) -> tuple[FloatArray, dict[float, int]]:
     """Return the ends of the domain with breaks and given knots between them, and the continuity at each break.
 
-    Breaks that are too close to be separated count as one. Knots next to a break are left out.
+    Breaks that are too close to be separated count as one break. Knots next to a break are omitted.
     """
     first, last = domain
     length, order, latest = last - first, dict[float, int](), first
@@ -511,7 +526,7 @@ def _first_edges(
 
 
 def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> FloatArray:
-    """Return values (p, k, ...) at places (p, k)."""
+    """Return values (p, k, ...) of a function at x (p, k); refuse values that are not finite."""
     values = numbers(function(x.ravel()), "values of a function")
     if values.shape[:1] != (x.size,):
         raise InputError(f"a function along the curve must give a value for each of {x.size} places")
@@ -522,9 +537,9 @@ def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Floa
 
 
 def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArray) -> FloatArray:
-    """Return coefficients (m, ...) of the spline nearest in mean square to values (p, k, ...) at places (p, k).
+    """Return coefficients (m, ...) of the spline that approximates values (p, k, ...) at x (p, k) by least squares.
 
-    It replaces scipy's `make_lsq_spline`, whose import takes longer than all fits of a command.
+    It replaces `make_lsq_spline` of SciPy, whose import takes longer than all fits of a command.
     """
     basis, index = spans.local_basis(x.ravel())
     first, weight = spans.first[index], weights.ravel()[:, None]
@@ -544,7 +559,7 @@ def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArra
 
 
 def _evaluated(spans: Spans, coefficients: FloatArray, x: FloatArray) -> FloatArray:
-    """Return values (p, k, ...) of a spline at places (p, k)."""
+    """Return values (p, k, ...) of a spline at parameters x (p, k)."""
     basis, index = spans.local_basis(x.ravel())
     local = coefficients[spans.first[index][:, None] + np.arange(spans.degree + 1)]
     values = np.einsum("nj,nj...->n...", basis, local)
@@ -552,7 +567,7 @@ def _evaluated(spans: Spans, coefficients: FloatArray, x: FloatArray) -> FloatAr
 
 
 def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolerance: float) -> None:
-    """Raise NotConvergedError if too many spans are needed, or a span is too narrow."""
+    """Refuse a fit that needs too many spans or too narrow a span."""
     widths = np.diff(edges)
     narrow = bad & (widths < _NARROWEST_SHARE * (edges[-1] - edges[0]))
     if narrow.any() or edges.size + np.count_nonzero(bad) > _MOST_SPANS:
@@ -564,7 +579,10 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
 
 
 def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
-    """Return the bad spans, and spans next to them that are much wider, because a narrow span cannot mend these."""
+    """Return flags for spans with a large error, and for much wider spans next to them.
+
+    A narrow span cannot compensate for the error of a wide neighbour.
+    """
     cut = bad.copy()
     cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
     cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
@@ -579,13 +597,14 @@ def _parts(excess: FloatArray, degree: int) -> IntArray:
 def fit_spline(
     points: ArrayLike, degree: int, tolerance: float, smoothing: float | None = None
 ) -> tuple[FloatArray, FloatArray]:
-    """Return knots and control points of a clamped spline within `tolerance` of `points` (n, 2).
+    """Return knots and control points of a clamped spline whose distance from `points` is at most `tolerance`.
 
-    Knots are added where points are too far from the spline. Between rounds, the parameter of every point moves
-    to the foot of its perpendicular. The correlation of the remaining gaps from point to point separates noise
-    from shape. Shape is followed to a third of the tolerance, to keep the curvature accurate. Noise is removed
-    by the largest penalty on the third derivative that hardly increases the mean distance (the penalty of a
-    parabola is 0). If such a spline cannot follow the points, they are interpolated.
+    Knots are added where points are too far from the spline. Between iterations, the parameter of every point
+    moves to the nearest point of the spline. The correlation of the remaining distances of neighbouring points
+    separates noise from shape. Shape is approximated within a third of the tolerance, so that the curvature is
+    accurate. Noise is removed by the largest penalty on the third derivative that hardly increases the mean
+    distance; a parabola has the penalty 0. If no such spline is within the tolerance, the points are
+    interpolated.
     """
     data = distinct_points(points)
     _check_options(degree, tolerance, smoothing)
@@ -633,10 +652,11 @@ def fit_spline(
 def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[FloatArray, FloatArray]:
     """Return knots and control points of the smoothest clamped spline within `tolerance` of `points` (n, 2).
 
-    The spline has about one knot for each point, and the largest penalty on its third derivative that keeps all
-    points within the tolerance. It is between the interpolating spline and a parabola for every tolerance. It
-    does not oscillate between the points, unlike least squares with nearly as many control points as points.
-    For 100 points or more, `fit_spline` is used, which separates noise from shape with few control points.
+    The spline has about one knot for each point. The penalty on its third derivative is the largest with which
+    all points are within the tolerance. For every tolerance, the spline is between the interpolating spline and a
+    parabola. It does not oscillate between the points, unlike least squares with nearly as many control points as
+    points. For 100 points or more, `fit_spline` is used, which separates noise from shape with few control
+    points.
     """
     data = distinct_points(points)
     if not degree < data.shape[0] < _ENOUGH_FOR_NOISE:
@@ -648,7 +668,7 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
 
 
 class _Problem:
-    """Least squares problem for the control points on a given knot vector."""
+    """Least squares problem for the control points of a spline with given knots."""
 
     def __init__(self, knots: FloatArray, degree: int, data: FloatArray) -> None:
         self.knots = knots
@@ -660,7 +680,7 @@ class _Problem:
         self._latest: tuple[FloatArray, FloatArray] = (np.empty(0), np.empty((0, 0)))
 
     def weight(self, smoothing: float | None) -> float:
-        """Return the penalty factor for the user's smoothing, scaled to the data."""
+        """Return the penalty factor for the argument `smoothing`, scaled to the data."""
         return max(_LEAST_PENALTY, (smoothing or 0.0) * self.scale)
 
     def solved(self, t: FloatArray, weight: float, corrections: int) -> tuple[FloatArray, FloatArray]:
@@ -691,13 +711,16 @@ class _Problem:
         return np.asarray(self.data - self._basis(t) @ control)
 
     def _end_emphasis(self, t: FloatArray) -> FloatArray:
-        """Return Chebyshev-like weights for the first and last span, where least squares has the largest errors."""
+        """Return weights of the points that are larger in the first and last span.
+
+        Least squares has its largest errors there; the weights are like those of Chebyshev polynomials.
+        """
         edges = self.spans.edges
         from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
         return np.asarray(1 / np.sqrt(np.clip(from_ends, 1e-3, 1.0)))
 
     def feet(self, control: FloatArray, t: FloatArray) -> FloatArray:
-        """Return the parameters of the curve points nearest to the data, by one Gauss-Newton step from t."""
+        """Return the parameters of the curve points nearest to the data, by a single Gauss-Newton step from t."""
         gap = self._gap(control, t)
         velocity = self.spans.basis(t, 1) @ control
         gap[[0, -1]] = 0.0
@@ -710,12 +733,12 @@ class _Problem:
         return np.asarray(t + np.clip(step, -reach[:-1], reach[1:]))
 
     def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:
-        """Return distances (n,), mm, of the points from the curve at t (n,), their nearest places on it."""
+        """Return the distances (n,), mm, of the points from the points of the curve at parameters t (n,)."""
         gap = self._gap(control, t)
         return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
 
     def likeness(self, control: FloatArray, t: FloatArray) -> float:
-        """Return the correlation of the gaps of neighbouring points: near 1 for shape, near 0 for noise."""
+        """Return the correlation of the distances of neighbouring points: near 1 for shape, near 0 for noise."""
         gap = self._gap(control, t)
         total = float((gap**2).sum())
         return float((gap[1:] * gap[:-1]).sum()) / total if total > 0 else 0.0
@@ -772,7 +795,7 @@ def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
 def _knots_for(t: FloatArray, degree: int) -> FloatArray:
     """Return knots of a spline that interpolates a point at each parameter t (n,).
 
-    For even degrees, the knots are between the points, because with knots at the points the spline oscillates.
+    For even degrees, the knots are between the points, because a spline with knots at the points would oscillate.
     """
     inner = t[1:-1] if degree % 2 else (t[:-1] + t[1:]) / 2
     return np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
@@ -789,12 +812,12 @@ def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
 
 
 def distinct_points(points: ArrayLike) -> FloatArray:
-    """Return points (n, 2) to fit, without equal neighbours.
+    """Return the points (n, 2) to fit, without equal neighbours.
 
     Raises
     ------
     InputError
-        No such rows, or fewer than two different points.
+        The array has not two columns, or there are fewer than two different points.
     """
     data = finite("points", points)
     if data.ndim != 2 or data.shape[1] != 2:
@@ -821,7 +844,7 @@ def _derivative_gram(spans: Spans) -> FloatArray:
 
 
 def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:
-    """Return a knot for every span that exceeds the tolerance, worst first."""
+    """Return a new knot for every span that exceeds the tolerance, the span with the largest error first."""
     span = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, edges.size - 2)
     worst = np.zeros(edges.size - 1)
     np.maximum.at(worst, span, error)

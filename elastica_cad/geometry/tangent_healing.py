@@ -1,8 +1,12 @@
-"""Removal of corners caused by rounding of coordinates, by turning the handles next to them.
+"""Removal of corners that are caused by rounding of coordinates.
 
-A file that writes coordinates to the nearest multiple of 2 h moves each coordinate by at most h, and a point by
-at most h sqrt(2). A handle of length l then turns by at most asin(2 sqrt(2) h / l). If the rounding of both
-handles explains the turn at a node, the node was smooth when it was drawn.
+A handle is the vector from a node of a spline to its neighbouring control point. If a file contains coordinates
+rounded
+to the nearest multiple of 2 h, each coordinate moves by at most h, and a point by at most h sqrt(2). A handle of
+length
+l then turns by at most asin(2 sqrt(2) h / l). If the rounding of both handles explains the corner at a node, the
+curve
+was smooth there when it was drawn. Both handles are then turned into a common direction.
 """
 
 from dataclasses import dataclass
@@ -17,27 +21,28 @@ ANYWAY = 1e-9
 """Smallest angle of a corner that is removed, rad."""
 
 SURE = np.radians(5.0)
-"""Largest angle of a corner that is removed by default, rad, even if rounding explains larger ones."""
+"""Largest angle of a corner that is removed by default, rad, even if rounding explains larger angles."""
 
-_STRAIGHT = 1e-12  # distance, as a fraction of the squared chord, of a control point that counts as on a line
-_CLOSED = 1e-9  # distance of ends that count as equal, as a fraction of the size
-_SHORT = 1e-12  # distance of control points that coincide, as a fraction of the longest handle
+# distance of a control point from a line, as a fraction of the squared chord, below which it is on the line
+_STRAIGHT = 1e-12
+_CLOSED = 1e-9  # distance of both ends, as a fraction of the size, below which they are equal
+_SHORT = 1e-12  # distance of control points, as a fraction of the longest handle, below which they coincide
 
 
 @dataclass(frozen=True)
 class Turn:
-    """A node where the tangent turns.
+    """Node of a spline at which the tangent has a corner.
 
     Attributes
     ----------
     t : float
-        Parameter of the curve.
+        Parameter of the node.
     point : (2,) array
-        The node, mm.
+        Position of the node, mm.
     angle : float
-        Exterior angle, rad, not negative.
+        Exterior angle of the corner, rad, not negative.
     bound : float
-        Largest angle that rounding explains, rad.
+        Largest angle that rounding can cause, rad.
     handle : float
         Length of the shorter handle, mm.
     """
@@ -50,24 +55,24 @@ class Turn:
 
     @property
     def is_explained(self) -> bool:
-        """True if rounding alone can explain the turn."""
+        """True if rounding alone can cause the corner."""
         return self.angle <= self.bound
 
 
 @dataclass(frozen=True, eq=False)
 class Healing:
-    """A spline after healing.
+    """Spline after the removal of corners.
 
     Attributes
     ----------
     knots, control_points, degree, weights
-        As in `PlaneCurve`; the same objects as before if nothing was moved.
+        As in `PlaneCurve`; the original objects if nothing was moved.
     moved : float
-        Upper bound on the distance between both curves, mm.
+        Upper bound of the distance between the curves before and after the removal, mm.
     healed : tuple of Turn
-        Nodes that were smoothed.
+        Nodes whose corners were removed.
     undecided : tuple of Turn
-        Nodes whose turn rounding explains but exceeds `SURE`; they may be corners.
+        Nodes whose corners rounding can cause, but with angles above `SURE`; they may be real corners.
     """
 
     knots: FloatArray
@@ -87,23 +92,22 @@ def heal_tangents(
     *,
     rounding: float,
 ) -> Healing:
-    """Return the spline without the corners that `rounding` (mm, per coordinate) explains.
+    """Return the spline without the corners that rounding of its coordinates can cause.
 
-    This concerns knots of full multiplicity, and the seam of a closed clamped spline. The control points before and
-    after the node are turned about the node by equal distances, so the longer handle
-    turns by the smaller angle. A straight piece is not turned if rounding explains the whole turn of its neighbour.
-    Splines of degree 2 are first
-    raised to degree 3, because their control points belong to two nodes.
+    Corners are possible at knots of full multiplicity, and where a closed clamped spline starts and ends. The
+    control points before and after the node are turned about the node by equal distances, so the longer handle
+    turns by the smaller angle. A straight piece is not turned if rounding explains the whole turn of its
+    neighbour. Splines of degree 2 are first raised to degree 3, because their control points belong to two nodes.
 
     Parameters
     ----------
     knots : (m + degree + 1,) array
-        Clamped.
+        Clamped knots.
     control_points : (m, 2) array
-        mm.
+        Control points, mm.
     weights : (m,) array, optional
     rounding : float
-        Half a unit of the last written digit, mm.
+        Largest rounding error of a coordinate, mm: half a unit of the last written digit.
     """
     unchanged = Healing(knots, control_points, degree, weights, 0.0, (), ())
     if not rounding > 0:
@@ -141,7 +145,7 @@ def _nodes(knots: FloatArray, degree: int) -> IntArray:
 
 
 def _handles(points: FloatArray, node: int, degree: int) -> tuple[FloatArray, FloatArray, int, int]:
-    """Return the incoming and outgoing handle at a node, and the indices of their end points."""
+    """Return the incoming and outgoing handle at a node, and the indices of their other end points."""
     size = float(np.hypot(*np.ptp(points[max(0, node - degree) : node + degree + 1], axis=0)))
     before, after = node - 1, node + 1
     while before > node - degree and np.hypot(*(points[node] - points[before])) <= _SHORT * size:
@@ -163,7 +167,7 @@ def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, roundin
 
 
 def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatArray | None) -> bool:
-    """Return True if a clamped spline of more than one piece ends at its start, so that its seam can be smooth."""
+    """Return True if a clamped spline of several pieces is closed, so that it can be smooth where it closes."""
     clamped = knots[0] == knots[degree] and knots[-1] == knots[-degree - 1]
     even = weights is None or weights[0] == weights[-1]
     size = float(np.hypot(*np.ptp(points, axis=0)))
@@ -176,7 +180,7 @@ def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatAr
 
 
 def _around_seam(points: FloatArray, degree: int) -> FloatArray:
-    """Return the control points of the last and the first piece; the middle one is the seam."""
+    """Return the control points of the last and the first piece; the curve closes at the middle one."""
     return np.concatenate([points[-degree - 1 :], points[1 : degree + 1]])
 
 
@@ -186,7 +190,7 @@ def _turn_of_seam(knots: FloatArray, points: FloatArray, degree: int, rounding: 
 
 
 def _smooth_seam(points: FloatArray, degree: int) -> None:
-    """Align the handles at the seam, in place."""
+    """Align the handles where a closed curve starts and ends, in place."""
     around = _around_seam(points, degree)
     _smooth_node(around, degree, degree)
     points[-degree:-1] = around[1:degree]

@@ -39,37 +39,42 @@ from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.solids import FlatSolid, turned
 
 LEAST_CUT_MM, LEAST_PRINTED_MM = 0.8, 0.9
-"""Least thickness in the plane, mm, of a part cut by laser, and of a part printed in two lines of a 0.4 mm
-nozzle."""
+"""Least thickness in the plane, mm, of a part cut by laser, and of a printed part.
+
+The printed value is that of two lines of a 0.4 mm nozzle.
+"""
 
 SIDE_MM = 1e-3
 """Tolerance of the cut sides, mm."""
 
 LEAST_GAP_MM = 0.3
-"""Least gap between two stretches of the part, mm; smaller gaps touch or fuse in laser or printer."""
+"""Least gap between different parts of the flexure, mm; smaller gaps close or fuse during cutting or printing."""
 
 APART = 3.0
-"""Distance along the part, in thicknesses, below which two stretches are neighbours."""
+"""Distance along the part, in thicknesses, below which two points are neighbours that may be close."""
 
 CONTACT_POINTS = 241
 TRAVEL_STEPS = 48
-SHAPES = 8  # checked shapes of a travel, in which the part must not touch itself
+SHAPES = 8  # number of shapes of a travel in which the part is checked for contact with itself
 State: TypeAlias = Literal["first", "second"]
 STATES = get_args(State)
 FAR_SHARE = 0.05
 """Least displacement of the pushed point, as a fraction of the largest displacement between the states."""
 
 REST_SHARE = 1e-3
-"""Distance from the drawn state, as a fraction of the length, beyond which there is a warning about a rest shape.
-Two rest shapes within this distance count as the same."""
+"""Distance of a rest shape from the drawn state, as a fraction of the length, above which there is a warning.
+
+Two rest shapes within this distance count as the same.
+"""
 
 SPARE = 0.98
-"""Fraction of the strain limit that is used. The rest is a reserve, because the path of a part that stretches
-depends
-on its thickness."""
+"""Fraction of the strain limit that is used.
+
+The rest is a reserve, because the path of a part that stretches depends on its thickness.
+"""
 
 OFF_MM = 0.1
-"""Thickness tolerance in the plane of careful cutting or printing, mm."""
+"""Tolerance of the thickness in the plane for careful cutting or printing, mm."""
 
 _GAUSS = np.polynomial.legendre.leggauss(24)
 
@@ -81,9 +86,10 @@ class Pad:
     Attributes
     ----------
     length, width : float
-        Sizes along and across the part, mm; the pad is wider if the end of the part and its fillets require it.
+        Sizes along and across the part, mm. The pad becomes wider if the end of the part and its fillets require
+        it.
     hole : float
-        Diameter of the holes, mm; 3.2 for M3.
+        Diameter of the holes, mm; 3.2 for M3 screws.
     inset : float
         Distance from the ends of the pad to the centres of the holes, mm.
     """
@@ -106,23 +112,23 @@ class Pad:
 
 @dataclass(frozen=True, eq=False)
 class FlexureTravel:
-    """Path from one state to the other.
+    """Path of a flexure from one state to the other.
 
     Attributes
     ----------
     travel : (k,) array
-        Displacement of the pushed point, mm; for a part with two settings, fraction (0 to 1) of the displacement
-        of its end.
+        Displacement of the pushed point, mm. For a part that is not bistable, it is the fraction (0 to 1) of the
+        displacement of its end.
     force : (k,) array
-        Force along the push, N; for a part with two settings, the force that holds its end.
+        Force along the push, N. For a part that is not bistable, it is the force that holds its end.
     energy : (k,) array
-        N mm.
+        Elastic energy, N mm.
     position : (k, n, 2) array
-        Centre line, mm.
+        Centre lines of the k shapes, mm.
     strain : (k,) array
-        Largest strain at each step.
+        Largest strain of each shape.
     snap : float or None
-        Travel at which the part snaps, mm.
+        Travel at which the part snaps, mm, or None.
     work : float
         Work of the push up to the snap, N mm.
     reached : bool
@@ -140,34 +146,36 @@ class FlexureTravel:
 
     @property
     def largest_force(self) -> float:
-        """Largest force up to the snap, or of the whole travel if the part does not snap, N."""
+        """Largest force up to the snap, or over the whole travel without a snap, N."""
         return float(self.force[self.travel <= (self.travel[-1] if self.snap is None else self.snap)].max())
 
 
 @dataclass(frozen=True, eq=False)
 class Flexure:
-    """A part cut from a sheet for a pair of states; its thickness in the plane determines the stiffness.
+    """Part cut from a sheet that has two rest shapes (states); its thickness in the plane varies along the part.
 
     Parameters
     ----------
     pair : TwoStateRod
     sheet : Sheet or str
-        Its thickness is the depth of the part; its `max_strain` bounds both states and the path between them.
+        Sheet of the part. Its thickness is the depth of the part, and its `max_strain` is the limit for both states
+        and the path between them.
     least_thickness : float, optional
-        Least thickness in the plane, mm; by default the largest for which states and path meet the strain limit.
+        Least thickness in the plane, mm. By default, it is the largest value for which both states and the path are
+        within the strain limit.
     pad : Pad
-        At both ends.
+        Pads at both ends.
     fillet : float
-        Radius at the roots, mm; 0 for no fillet.
+        Radius of the fillets between the part and its pads, mm; 0 for no fillet.
     push_at : float, optional
-        Arc length where a bistable part is pushed, mm; by default its middle, or the point of largest displacement
-        if the middle hardly moves.
+        Arc length at which a bistable part is pushed, mm. By default it is the middle, or the point of largest
+        displacement if the middle hardly moves.
     printed : bool
-        True for a printed part, at least 0.9 mm thick instead of 0.8 mm.
+        True for a printed part, which must be at least 0.9 mm thick instead of 0.8 mm.
     label : str
-        Engraved on the first pad.
+        Text that is engraved on the first pad.
     ignore_limits : bool
-        Accept a part that is too thin, strained too much, or in contact with itself.
+        True to accept a part that is too thin, has too much strain, or touches itself.
 
     Raises
     ------
@@ -178,11 +186,11 @@ class Flexure:
 
     Notes
     -----
-    With t the depth and E the sheet's modulus h(s) = (12 B K / (E t))^(1/3). The strain of a state on the inner
-    side is |kappa - kappa_0| h / 2 times Winkler's factor of curved beams, plus
-    the strain due to the axial force. In the fillets at the roots the strain is larger by a notch factor. The
-    fillets are partly within the free length, so
-    that the ends are as compliant as ends clamped at the drawn places.
+    The thickness in the plane is h = (12 B K / (E t))^(1/3), with least bending stiffness B, relative stiffness
+    K, modulus E of the sheet and depth t. The strain of a state on the inner side is |kappa - kappa_0| h / 2
+    times Winkler's factor for curved beams, plus the strain by the axial force. In the fillets the strain is
+    larger by a notch factor. The fillets are partly within the free length, so that the ends are as compliant as
+    ends that are clamped at the drawn points.
 
     Examples
     --------
@@ -271,19 +279,21 @@ class Flexure:
         return self.scale, self.scale * self.pair.ratio ** (1 / 3)
 
     def thickness_at(self, s: FloatArray) -> FloatArray:
-        """Thickness in the plane (n,), mm, at arc lengths (n,), mm; constant beyond the ends."""
+        """Return the thickness in the plane (n,), mm, at arc lengths (n,), mm; it is constant beyond the ends."""
         inside = np.clip(numbers(s, "the arc lengths"), 0.0, self.pair.length)
         return np.asarray(self.scale * self.pair.first.profile(inside) ** (1 / 3))
 
     @property
     def bending_stiffness(self) -> float:
-        """Least B, N mm2."""
+        """Least bending stiffness, N mm2."""
         return self.sheet.youngs_modulus * self.sheet.thickness * self.scale**3 / 12
 
     def _strains(self, bends: FloatArray, stretch: FloatArray, scale: float) -> FloatArray:
-        """Return the largest strain (..., n) at the nodes, for bends (1/mm) and axial strains (..., n).
+        """Return the largest strain (..., n) at the nodes.
 
-        The ends are within the fillets and have the strain of the fillets.
+        It is computed from changes of curvature (1/mm) and axial strains (..., n). The ends are within the
+        fillets and have
+        the strain of the fillets.
         """
         s, h = self.pair.first.s, scale * self.pair.first.stiffness ** (1 / 3)
         bent = np.abs(bends) * h / 2 * curved_beam_factor(h * np.abs(self.pair.natural_curvature))
@@ -297,11 +307,11 @@ class Flexure:
         return np.asarray(strains)
 
     def _bends_of(self, rods: Iterable[Rod]) -> FloatArray:
-        """kappa - kappa_0 (k, n), 1/mm, of shapes of the part."""
+        """Return the changes of curvature (k, n), 1/mm, of shapes of the part."""
         return np.array([rod.curvature - self.pair.natural_curvature for rod in rods])
 
     def _pull_of(self, rods: Iterable[Rod]) -> FloatArray:
-        """Axial strain (k, n) due to the forces of shapes of the part, divided by the square of `scale`, 1/mm2."""
+        """Return the axial strain (k, n) by the forces of shapes, divided by the square of `scale`, 1/mm2."""
         along = [
             (rod.force * np.column_stack([np.cos(rod.angle), np.sin(rod.angle)])).sum(axis=1) for rod in rods
         ]
@@ -309,19 +319,19 @@ class Flexure:
 
     @cached_property
     def strain(self) -> tuple[float, float]:
-        """Largest strain of both states, at rest."""
+        """Largest strain of each state at rest."""
         first, second = (float(self._strains(*self._nodal(rest), self.scale).max()) for rest in self.rests)
         return first, second
 
     @property
     def stretch(self) -> float:
-        """Return the largest change of length due to the forces of the drawn states, mm."""
+        """Largest change of length by the forces of the drawn states, mm."""
         strain = self.scale**2 * self._pull_of(self.pair.states)
         return float(np.abs(strain @ self.pair.first.node_lengths).max())
 
     @cached_property
     def rests(self) -> tuple[RestShape, RestShape]:
-        """Rest shapes, with stretching, after the part is released in each state."""
+        """Rest shapes of the part, with its axial stretching, after release in each state."""
         first, second = (rest_shape(rod, thickness=self.scale) for rod in self.rods)
         return first, second
 
@@ -344,7 +354,7 @@ class Flexure:
 
     @cached_property
     def sideways(self) -> tuple[SidewaysStability, SidewaysStability]:
-        """Stability of each state against leaving its plane."""
+        """Stability of each state against tipping out of its plane."""
         return self.pair.sideways(
             self.sheet.thickness, self.thickness_at(self.pair.first.s), poisson_ratio=self.sheet.poisson_ratio
         )
@@ -353,14 +363,14 @@ class Flexure:
 
     @cached_property
     def centre(self) -> "CentreLine":
-        """Unloaded centre line, from the origin along x."""
+        """Unloaded centre line, starting at the origin along x."""
         rod = self.pair.first
         turn = spline_through(rod.s, self.pair.natural_curvature, 3).integral()
         return CentreLine(rod.s, np.asarray(turn(rod.s)), np.zeros(2))
 
     @cached_property
     def second_moved(self) -> FloatArray:
-        """Transform (3, 3) of the second drawn state, such that both states start in the same clamp."""
+        """Matrix (3, 3) that moves the second drawn state, so that both states start in the same clamp."""
         first, second = self.pair.states
         turn = float(first.angle[0] - second.angle[0])
         c, s = np.cos(turn), np.sin(turn)
@@ -371,7 +381,7 @@ class Flexure:
 
     @cached_property
     def rods(self) -> tuple[Rod, Rod]:
-        """Both states, with the second moved so that both start in the same clamp."""
+        """Rods of both states, with the second moved so that both start in the same clamp."""
         first, second = self.pair.states
         matrix, turn = self.second_moved, float(first.angle[0] - second.angle[0])
         moved = replace(
@@ -393,7 +403,7 @@ class Flexure:
         return round_corners(corners, self.fillet) if self.fillet else corners
 
     def outline_along(self, line: "CentreLine") -> Path:
-        """Return the outline, with sharp roots, of the part bent to a centre line."""
+        """Return the outline of the part bent to a centre line, without fillets."""
         require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
         low, high = -self.overhang(0.0), self.pair.length + self.overhang(self.pair.length)
 
@@ -420,10 +430,9 @@ class Flexure:
     def overhang(self, s: float) -> float:
         """Return the distance from an end of the free length to its pad, mm.
 
-        The fillet makes the part thicker towards the pad. Its compliance is that of a piece of the strip of the
-        length `give`, so it begins at this distance within the free length. The compliance of the root in the pad
-        is that
-        of a half-plane.
+        The fillet makes the part thicker towards the pad. The fillet is as compliant as a shorter piece of the
+        strip, so it
+        begins within the free length. The pad is as compliant as a half-plane.
         """
         s = require_number(s, "the arc length", "mm")
         return _overhang(float(self.thickness_at(np.array([s]))[0]), self.fillet)
@@ -432,7 +441,7 @@ class Flexure:
     def pad_width(self) -> float:
         """Actual width of the pads, mm."""
         thickest = float(self.thickness_at(np.array([0.0, self.pair.length])).max())
-        return max(self.pad.width, thickest + 5 * self.fillet)  # room for roots and corners
+        return max(self.pad.width, thickest + 5 * self.fillet)  # space for roots and corners
 
     def pads_along(self, line: "CentreLine") -> tuple[list[FloatArray], list[FloatArray]]:
         """Return the corners of the start and end pads of the part bent to a centre line, anticlockwise."""
@@ -451,13 +460,13 @@ class Flexure:
         return [position - half, far - half, far + half, position + half]
 
     def _root(self, line: "CentreLine", s: float, sign: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the middle of a pad's inner edge, the outward direction, and the direction to its left."""
+        """Return the middle of the inner edge of a pad, the outward direction, and the direction to its left."""
         position, angle = (value[0] for value in line.at(np.array([s])))
         along = sign * np.array([np.cos(angle), np.sin(angle)])
         return position, along, np.array([-along[1], along[0]])
 
     def hole_places(self, line: "CentreLine") -> FloatArray:
-        """Return the centres of the holes (2, 2, 2) of the start and end pads, from the root outward."""
+        """Return the centres of the holes (2, 2, 2) in the start and end pads, starting at the strip."""
         places = []
         for s, sign in ((-self.overhang(0.0), -1), (self.pair.length + self.overhang(self.pair.length), 1)):
             position, along, _ = self._root(line, s, sign)
@@ -514,14 +523,14 @@ class Flexure:
 
     @property
     def solid(self) -> FlatSolid:
-        """Body of the unloaded part, from z = 0 to the depth."""
+        """Body of the unloaded part, from z = 0 to its depth."""
         return self.solid_in(None)
 
     def solid_in(self, state: State | None) -> FlatSolid:
-        """Return the body in a drawn state, "first" or "second", or unloaded, from z = 0 to the depth.
+        """Return the body of the part in the state "first" or "second", or unloaded, from z = 0 to its depth.
 
-        Its joints "start" and "end" are on the inner edges of the pads, with x outward. The joints "hole1" to
-        "hole4" are the holes from the start to the end, with x along the part. All are at half the depth.
+        The joints "start" and "end" are on the inner edges of the pads, with x outward. The joints "hole1" to
+        "hole4" are the holes from start to end, with x along the part. All joints are at half the depth.
         """
         if state not in (None, *STATES):
             raise InputError(f"The state is {state!r}. Use first, second, or None for the unloaded part.")
@@ -548,7 +557,7 @@ class Flexure:
 
     @cached_property
     def pushed(self) -> tuple[float, FloatArray]:
-        """Arc length (mm) where a bistable part is pushed, and displacement of this point between the states."""
+        """Arc length, mm, at which a bistable part is pushed, and displacement of this point between the states."""
         first, second = self.rods
         distances = second.position - first.position
         far = np.hypot(*distances.T)
@@ -559,15 +568,15 @@ class Flexure:
 
     @cached_property
     def travel(self) -> FlexureTravel:
-        """Path from the first state to the second, by a push if bistable, else by moving the end."""
+        """Path from the first state to the second, by a push if the part is bistable, else by moving its end."""
         return self._pushed(*self.rods) if self.pair.bistable else self._led()
 
     @cached_property
     def force_range(self) -> tuple[float, float]:
-        """Least and largest value of `travel.largest_force`, N.
+        """Least and largest value of `travel.largest_force` within the tolerances, N.
 
-        The part is thicker or thinner by `OFF_MM` in its plane, and the sheet is at the limits of its ranges. The
-        force is 0 at a thickness for which the part does not snap.
+        The thickness in the plane varies by `OFF_MM`, and the properties of the sheet within their ranges. The
+        force is 0 for a thickness with which the part does not snap.
         """
         forces = [self.travel.largest_force]
         for off in (-OFF_MM, OFF_MM):
@@ -585,7 +594,7 @@ class Flexure:
 
     @property
     def force_text(self) -> Refusal:
-        """Text of the largest force with its range."""
+        """Message with the largest force and its range."""
         low, high = self.force_range
         return note(
             "about {force:.2g} N ({low:.2g} to {high:.2g} N for a thickness within {off} and the variation "
@@ -598,12 +607,12 @@ class Flexure:
 
     @cached_property
     def travel_back(self) -> FlexureTravel | None:
-        """Path of a bistable part from the second state to the first."""
+        """Path of a bistable part from the second state to the first, or None."""
         return self._pushed(*self.rods[::-1]) if self.bistable else None
 
     @property
     def travel_strain(self) -> float:
-        """Largest strain on the path between the states, and back if the part is bistable."""
+        """Largest strain on the path between the states, and on the path back if the part is bistable."""
         return max(
             float(travel.strain.max()) for travel in (self.travel, self.travel_back) if travel is not None
         )
@@ -620,7 +629,10 @@ class Flexure:
         )  # fmt: skip
 
     def _push(self, start: Rod, scale: float, *snap: float) -> PushPath:
-        """Push the point straight to its place in the other state; steps are finer before a snap at `snap` mm."""
+        """Return the path of a push straight to the other state.
+
+        Steps are finer before a snap at `snap` mm.
+        """
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
         travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*snap, float(np.hypot(*push)))]
@@ -631,7 +643,7 @@ class Flexure:
         return path if path.snap is None else self._push(start, scale, path.snap)
 
     def _nodal(self, shape: PushPath | RestShape) -> tuple[FloatArray, FloatArray]:
-        """Return kappa - kappa_0, 1/mm, and axial strain (..., n) at the nodes of the rod."""
+        """Return the changes of curvature, 1/mm, and axial strains (..., n) of a shape at the nodes of the rod."""
         s = self.pair.first.s
         bend, stretch = (
             np.apply_along_axis(lambda row: np.interp(s, shape.s, row), -1, values)
@@ -641,7 +653,7 @@ class Flexure:
 
     @cached_property
     def _led_rods(self) -> Sequence[Rod]:
-        """Rods while the end moves along a straight line and turns uniformly; the start is fixed."""
+        """Return the rods while the end moves along a straight line and turns uniformly; the start is fixed."""
         first, second = self.rods
         end, angle = second.position[-1], float(second.angle[-1])
         steps = [
@@ -672,7 +684,7 @@ class Flexure:
 
     @cached_property
     def contacts(self) -> dict[str, float]:
-        """Gaps (mm) below the least gap, for the unloaded part and both states."""
+        """Gaps that are less than `LEAST_GAP_MM`, mm, of the unloaded part and of both states, by name."""
         lines = {
             "unloaded": self.centre,
             "in its first state": self.states[0],
@@ -682,7 +694,7 @@ class Flexure:
         return {name: gap for name, gap in gaps.items() if gap < LEAST_GAP_MM}
 
     def _gap(self, line: "CentreLine") -> float:
-        """Return the least gap between stretches of part and pads that are not neighbours, mm."""
+        """Return the least gap, mm, between points of part and pads that are not neighbours."""
         length = self.pair.length
         s = np.linspace(0.0, length, CONTACT_POINTS)
         beyond = np.arange(self.pad_width / 2, self.pad.length + 1e-9, self.pad_width / 4)
@@ -703,14 +715,14 @@ class Flexure:
         return min(gaps)
 
     def line_through(self, positions: FloatArray) -> "CentreLine":
-        """Return the centre line through nodes (n, 2) of a shape of `travel` or `rests`, mm."""
+        """Return the centre line through the nodes (n, 2), mm, of a shape of `travel` or `rests`."""
         steps = np.append(0.0, np.cumsum(np.hypot(*np.diff(positions, axis=0).T)))
         s = steps * self.pair.length / steps[-1]
         along = np.gradient(positions, s, axis=0, edge_order=2)
         return CentreLine(s, np.unwrap(np.arctan2(along[:, 1], along[:, 0])), positions[0])
 
     def _faults(self) -> Iterable[InputError]:
-        """Yield the errors that prevent making and using the part."""
+        """Yield the errors for which the part cannot be made or used."""
         thin, least = self.scale, LEAST_PRINTED_MM if self.printed else LEAST_CUT_MM
         if thin < least * (1 - 1e-6):
             verb = "printed" if self.printed else "cut"
@@ -777,7 +789,7 @@ class Flexure:
 
     @property
     def rest_warnings(self) -> tuple[Refusal, ...]:
-        """Messages about rest shapes that do not exist or are far from the drawn states."""
+        """Warnings about states that are not stable, or whose rest shapes are far from the drawn curves."""
         if self.pair.bistable and not self.bistable:
             return (note("the part is not bistable, because its forces stretch it, so it rests only near the "
                          "{name} curve. Make it thinner ({field}), or bend the curves more",
@@ -798,7 +810,7 @@ class Flexure:
         return tuple(messages)
 
     def as_dict(self) -> dict[str, Any]:
-        """Numbers, texts and lists for a report."""
+        """Return a dictionary of numbers, texts and lists for a report."""
         low, high = self.thickness_range
         travel, pair = self.travel, self.pair
         report = {
@@ -836,7 +848,7 @@ class Flexure:
 
 
 def _overhang(h: float, r: float) -> float:
-    """Return `Flexure.overhang`, mm, of a part of thickness h at its root with a fillet of radius r, mm."""
+    """Return `Flexure.overhang`, mm, for a part of thickness h at its end and a fillet of radius r, mm."""
     x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
     wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
     give = float(w @ (h / wide) ** 3) if r else 0.0
@@ -849,20 +861,22 @@ def _distance(positions: FloatArray, others: FloatArray) -> float:
 
 
 HALF_PLANE = 0.44
-"""Length of strip, in thicknesses, that is as compliant as a root in a half-plane (O'Donnell, J. Appl. Mech. 27,
-1960)."""
+"""Length of strip, in thicknesses, that is as compliant as the half-plane in which the strip ends.
+
+Source: O'Donnell, J. Appl. Mech. 27, 1960.
+"""
 
 
 SHARP_MM = 0.1
-"""Radius of a root without a fillet, mm: half the width of a laser's cut."""
+"""Radius of a root without a fillet, mm: half the width of a laser cut."""
 
 
 def root_factors(radius: float) -> tuple[float, float]:
-    """Return the notch factors of a fillet beside a wide pad, of bending and of tension.
+    """Return the notch factors, for bending and for tension, of a fillet beside a wide pad.
 
-    The factors fit plane finite elements within 1 %, for pads at least three times as wide as the strip and radii
-    of 0.05 to 2.5 times the thickness. For narrower pads the factors are too large. Whole parts agree with finite
-    elements (`tests/validation/test_pushed_parts.py`).
+    The factors agree with plane finite elements within 1 % for pads at least three times as wide as the strip and
+    radii of 0.05 to 2.5 times the thickness. For narrower pads the factors are too large. Whole parts agree with
+    finite elements (`tests/validation/test_pushed_parts.py`).
 
     Parameters
     ----------
@@ -878,9 +892,10 @@ def root_factors(radius: float) -> tuple[float, float]:
 
 
 def curved_beam_factor(share: FloatArray) -> FloatArray:
-    """Return the strain of the inner side over h |kappa - kappa_0| / 2, for h |kappa_0| (n,).
+    """Return factors on the strain of the inner side of a curved beam.
 
-    Winkler's theory of curved beams; about 1 + share / 3.
+    By Winkler's theory, the strain is h |kappa - kappa_0| / 2 times this factor, for thickness h and curvature
+    kappa. `share` (n,) is h |kappa_0| with the natural curvature kappa_0. The factor is about 1 + share / 3.
 
     Examples
     --------
@@ -896,12 +911,14 @@ def curved_beam_factor(share: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class CentreLine:
-    """A line by arc length, extended straight beyond its ends.
+    """Centre line as a function of arc length, extended straight beyond its ends.
 
     Attributes
     ----------
     s, angle : (n,) arrays
+        Arc lengths, mm, and angles of the tangent, rad.
     start : (2,) array
+        First point, mm.
     """
 
     s: FloatArray
@@ -914,13 +931,13 @@ class CentreLine:
 
     @cached_property
     def _place(self) -> tuple[Any, FloatArray]:
-        """Position over arc length, as the integral of the tangent's spline."""
+        """Position as a function of arc length, and its value at the first arc length."""
         tangent = np.column_stack([np.cos(self.angle), np.sin(self.angle)])
         place = spline_through(self.s, tangent, 5).integral()
         return place, np.asarray(place(self.s[:1])[0])
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return positions (n, 2) and angles (n,) at arc lengths, straight beyond the ends."""
+        """Return positions (n, 2), mm, and angles (n,), rad, at arc lengths s, mm; straight beyond the ends."""
         inside = np.clip(s, self.s[0], self.s[-1])
         place, zero = self._place
         angle = np.asarray(self._turn(inside))
@@ -933,7 +950,7 @@ def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
 
 
 def _distinct(places: FloatArray) -> list[FloatArray]:
-    """Return the places without repetition."""
+    """Return the points without repetitions."""
     distinct: list[FloatArray] = []
     for place in places:
         if all(np.hypot(*(place - other)) > 0.01 for other in distinct):

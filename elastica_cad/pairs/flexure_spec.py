@@ -18,22 +18,25 @@ Match = Literal["ends", "shape", "none"]
 
 @dataclass(frozen=True, eq=False)
 class FlexureSpec(EqualByValue):
-    """Request for a flexure; equal requests give equal parts.
+    """Request for a flexure: a part with two rest shapes (states).
 
     Attributes
     ----------
     first, second : PlaneCurve
-        Both drawn states, mm.
+        Drawn curves of both states, mm.
     sheet : Sheet or str
+        Sheet from which the part is cut.
     match : "ends", "shape" or "none"
-        Method to make their lengths equal: see `matched_pair`.
+        Method by which the lengths of both curves are made equal: see `matched_pair`.
     smooth : float, optional
-        Largest distance that smoothing may move the curves, mm, as in `StripSpec`.
+        Largest distance, mm, by which smoothing may move the curves, as in `StripSpec`.
     limits : PairLimits
+        Upper limits of stiffness ratio, natural curvature and bend.
     free : "first", "second" or None
-        State that rests without external forces.
+        State in which no external forces act, or None.
     objective : "thickness" or "ratio"
-        Maximise the least thickness at the strain limit of the sheet, or minimise the stiffness ratio.
+        "thickness" maximises the least thickness at the strain limit of the sheet. "ratio" minimises the stiffness
+        ratio.
     least_thickness, pad, fillet, push_at, printed, label, ignore_limits
         As in `Flexure`.
 
@@ -111,7 +114,7 @@ class FlexureSpec(EqualByValue):
 
     @cached_property
     def matched(self) -> MatchedPair | None:
-        """Both curves with equal lengths, or None if they are used as drawn."""
+        """Both curves with equal lengths, or None if the drawn lengths are used."""
         return None if self.match == "none" else matched_pair(*self.faired, self.match)
 
     @cached_property
@@ -122,7 +125,7 @@ class FlexureSpec(EqualByValue):
 
     @cached_property
     def pair(self) -> TwoStateRod:
-        """Rod that rests in both curves."""
+        """Rod whose rest shapes are both curves."""
         first, second = self.matched or self.faired
         return two_state_rod(first, second, limits=self.limits, free=self.free, objective=self.objective)
 
@@ -132,7 +135,7 @@ class FlexureSpec(EqualByValue):
         Raises
         ------
         NotRealizable
-            No strip rests in both curves within the limits.
+            No strip within the limits has both curves as rest shapes.
         InputError
             The part cannot be cut, or touches itself; the message has suggestions.
         """

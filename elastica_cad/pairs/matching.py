@@ -1,4 +1,4 @@
-"""Change two drawn curves as little as possible to equal lengths, so that one strip fits both."""
+"""Smallest change of two drawn curves to equal lengths, so that both can be rest shapes of one strip."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -21,15 +21,15 @@ Kept: TypeAlias = Literal["ends", "shape"]
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
 """Distance (fraction of the length) and angle (rad) of two ends, below which they become the same clamp."""
 
-LONGEST_STEP = 0.02  # largest step of the logarithm of the length, for Newton's method
+LONGEST_STEP = 0.02  # largest step of the logarithm of the length for Newton's method
 NEWTON_STEPS = 20
-MET = 1e-13  # tolerance in lengths and rad
+MET = 1e-13  # tolerance of Newton's method in lengths and rad
 
 TANGENT_ERROR = 1e-9
 """Accuracy of the ends of the changed curve, as a fraction of the length."""
 
 LARGEST_TURN = 0.5
-"""Largest change of direction, rad, anywhere on the curve."""
+"""Largest change of the tangent direction, rad, at any point of the curve."""
 
 EQUAL = 1e-12  # relative difference of lengths that count as equal
 
@@ -41,10 +41,11 @@ class MatchedPair:
     Attributes
     ----------
     first, second : PlaneCurve
+        Changed curves.
     moved : (float, float)
-        Largest distance of corresponding points from the drawn curves, mm.
+        Largest distance between corresponding points of each changed and drawn curve, mm.
     same_clamps : bool
-        True if both have exactly the same ends and total turning.
+        True if both curves have exactly the same ends, and the same angle between their end tangents.
     """
 
     first: PlaneCurve
@@ -71,9 +72,9 @@ class MatchedPair:
 
 
 def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCurve]:
-    """Return both curves, reversed if that is necessary for a common start or for the same clamps.
+    """Return both curves, reversed if this gives them a common start or the same clamps.
 
-    Curves may be drawn from either end, and curves of a drawing that meet are read as a single curve.
+    A curve may be drawn from either end.
     """
     for curve in (first, first.reversed()):
         for other in (second, second.reversed()):
@@ -90,13 +91,13 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     Parameters
     ----------
     first, second : PlaneCurve
-        mm.
+        Drawn curves, mm.
     keep : "ends" or "shape"
-        "ends": each curve keeps the positions and directions of its ends and changes length like a uniform
-        elastic strip. Its curvature changes by the smallest sufficient affine function of the position. The common
-        length minimises the change of both. If the ends of both curves agree up to a rigid motion (within 1 % of
-        the length and 2 degrees, with the same total turning), they become exactly the same clamps.
-        "shape": each curve is scaled about its start.
+        "ends": each curve keeps the positions and directions of its ends, and changes its length like a uniform
+        elastic strip. Its curvature changes by the smallest sufficient affine function of the position. The
+        common length minimises the changes of both curves. If the ends of both curves agree after a rigid motion
+        (within 1 % of the length and 2 degrees), they become exactly the same clamps. "shape": each curve is
+        scaled about its start.
 
     Returns
     -------
@@ -105,7 +106,8 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     Raises
     ------
     InputError
-        A curve cannot have the common length with its ends fixed: it is straight, or the lengths differ too much.
+        A curve cannot have the common length with its ends fixed, because it is straight or the lengths differ
+        too much.
 
     Examples
     --------
@@ -153,7 +155,7 @@ def _scaled(first: PlaneCurve, second: PlaneCurve) -> MatchedPair:
 
 
 def _moved(before: PlaneCurve, after: PlaneCurve) -> float:
-    """Largest distance of points at the same share of the length, mm."""
+    """Return the largest distance between points at the same fraction of the length, mm."""
     if after is before:
         return 0.0
     apart = after.sample(before.survey.s.size).position - before.survey.position
@@ -161,7 +163,10 @@ def _moved(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) -> bool:
-    """Return True if both clamps agree up to a rigid motion, within a fraction of the length."""
+    """Return True if the clamps of both curves agree after a rigid motion.
+
+    The tolerance is a fraction of the length.
+    """
     size = max(first.curve.length, second.curve.length)
     apart, angles, other_angles = np.hypot(*(first.chord - second.chord)), first.clamps[2], second.clamps[2]
     return bool(
@@ -170,7 +175,7 @@ def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) ->
 
 
 def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float:
-    """Return the common length with the least sum of both changes of curvature."""
+    """Return the common length with the least sum of the changes of curvature of both curves."""
     from scipy.optimize import minimize_scalar
 
     low, high = sorted(lengths)
@@ -196,10 +201,11 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
 
 @dataclass(frozen=True, eq=False)
 class _Drawn:
-    """Curve and its desired clamps: start (2,), end (2,), both angles (2,).
+    """Curve and its requested clamps: start (2,), end (2,), both angles (2,).
 
-    Its angle changes by c + alpha u + <beta, integral of position>, where u is the fraction of the length and c the
-    change at the start.
+    The angle of its tangent changes by c + alpha u + <beta, integral of position>. Here u is the fraction of the
+    length, c the
+    change at the start, and alpha and beta (2,) are unknowns.
     """
 
     curve: PlaneCurve
@@ -212,15 +218,18 @@ class _Drawn:
 
     @property
     def chord(self) -> FloatArray:
-        """Vector from start to end (2,), mm."""
+        """Vector (2,) from start to end, mm."""
         return self.clamps[1] - self.clamps[0]
 
     @cached_property
     def _nodes(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Quadrature of the curve and derivatives by the three unknowns.
+        """Quadrature of the curve, and derivatives by the three unknowns.
 
-        They are the edges of panels (N + 1,) by u; weights (N p,), angles (N p,) and derivatives of the curvature
-        (N p, 3) at the nodes; and derivatives of the angle (N p + 1, 3) at the nodes and at the end.
+        It contains the edges of panels (N + 1,) as fractions u of the length. Weights (N p,), angles (N p,) and
+        derivatives
+        of the curvature (N p, 3) at the nodes follow. The last array contains derivatives of the angle (N p + 1,
+        3) at the
+        nodes and at the end.
         """
         curve = self.curve
         edges = curve.arc_length(curve.smooth_panels) / curve.length
@@ -237,7 +246,7 @@ class _Drawn:
         return edges, (WEIGHTS * half).ravel(), at.angle, functions.reshape(-1, 3), turns
 
     def numbers(self, length: float) -> FloatArray | None:
-        """Return (alpha, beta) (3,) for the clamps and a length, or None if no small change is sufficient."""
+        """Return the unknowns (alpha, beta) (3,) for the clamps and a length; None if no small change suffices."""
         _, weight, angle, _, turns = self._nodes
         start, end, angles = self.clamps
         clamped = self.curve.at(np.array([0.0, self.curve.length]))
@@ -271,8 +280,10 @@ class _Drawn:
         return numbers
 
     def change(self, length: float) -> float:
-        """Integral of the square of the change of curvature times the length; infinite if no small change
-        suffices."""
+        """Return the integral of the squared change of curvature, times the length.
+
+        It is infinite if no small change suffices.
+        """
         numbers = self.numbers(length)
         if numbers is None:
             return np.inf
@@ -280,7 +291,7 @@ class _Drawn:
         return float((functions @ numbers) ** 2 @ weight)
 
     def of_length(self, length: float) -> PlaneCurve:
-        """Return the changed curve."""
+        """Return the curve changed to a given length."""
         numbers = self.numbers(length)
         if numbers is None:
             raise NotConvergedError(f"no small change of the curve leads to the length {length}")

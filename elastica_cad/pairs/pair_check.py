@@ -1,12 +1,16 @@
-"""Theorem 1 for two curves: existence of one strip, with any natural curvature, that rests in both.
+"""Theorem 1 for two curves: existence of a strip, with any natural curvature, with both curves as rest shapes.
 
-The moments of a strip that is held at its ends are affine in position in both states (paper, Eq. 3),
+In both states, the moments M_i of a strip that is held at its ends are affine functions of the position gamma_i
+(paper,
+Eq. 3),
 
     K (kappa_1 - kappa_0) = M_1 = a_1 + <b_1, gamma_1>,    K (kappa_2 - kappa_0) = M_2 = a_2 + <b_2, gamma_2>,
 
-so K d = N with d = kappa_1 - kappa_2 and N = M_1 - M_2. The parameters of N are a number and two vectors. K > 0
-exists if and only if some N has the sign of d everywhere, and the same zeros with the same orders. Then
-kappa_0 = kappa_1 - M_1 / K.
+with stiffness K, curvatures kappa_i and natural curvature kappa_0. It follows that K d = N with d = kappa_1 -
+kappa_2 and
+N = M_1 - M_2. The parameters of N are a number and two vectors. A positive K exists if and only if some N has the
+sign of
+d everywhere, and the same zeros with the same orders. Then kappa_0 = kappa_1 - M_1 / K.
 """
 
 from collections.abc import Iterable, Sequence
@@ -42,7 +46,7 @@ from elastica_cad.mechanics.theorem1 import (
 from elastica_cad.refusals import Length, note
 
 EQUAL_LENGTHS_SHARE = 1e-4
-"""Largest relative difference of two lengths; above it, use `matched_pair` first."""
+"""Largest relative difference of both lengths; for a larger difference, use `matched_pair` first."""
 
 SAME_CLAMPS = 1e-3
 """Tolerance of the same clamps, in lengths of the curve and rad."""
@@ -51,44 +55,45 @@ CONGRUENT_SHARE = 1e-7
 """Difference of curvature, as a fraction of the largest curvature, below which curves are congruent."""
 
 FAINT_SHARE = 1e-9
-"""Difference of curvature in a dip or between two zeros, as a fraction of the largest, that counts as zero."""
+"""Least difference of curvature, as a fraction of the largest, that differs from zero inside a curve."""
 
 GENTLE_SHARE = 1e-7
-"""Slope at a zero, as a fraction of the largest difference over the length, that counts as zero. The width of the
-strip
-at the zero would grow with its reciprocal."""
+"""Slope of the difference of curvature at a zero that counts as zero, relative to largest difference over length.
+
+The width of the strip at the zero would be proportional to the inverse of this slope.
+"""
 
 SHORT_SHARE = 0.01
-"""Longest zero of high order, as a fraction of the length; a longer one is a flat stretch."""
+"""Longest zero of high order, as a fraction of the length; a longer interval of zeros is a flat interval."""
 
 BESIDE_SHARE = 1e-4
-"""Distance, as a fraction of the length, from a zero at an end to the place where the sign is taken."""
+"""Distance, as a fraction of the length, from a zero at an end to the point at which the sign is evaluated."""
 
 DEPENDENT_SHARE = 1e-8
 """Relative tolerance of ranks, which are smaller if 1, gamma_1 and gamma_2 are linearly dependent."""
 
 NUMBERS = 6
-"""Number of parameters of the moments: a_1 - a_2, b_1, b_2, a_1; the first five determine N."""
+"""Number of parameters of the moments: a_1 - a_2, b_1, b_2, a_1. The first five determine N = M_1 - M_2."""
 
 
 def check_pair(first: PlaneCurve, second: PlaneCurve) -> PairCheck:
-    """Check whether one strip, held at its ends, can rest in both curves.
+    """Check whether a strip that is held at its ends can have two curves as rest shapes.
 
     Parameters
     ----------
     first, second : PlaneCurve
-        mm; the relative difference of their lengths is at most 1e-4 (`matched_pair` makes them equal). The second
-        is scaled to the length of the first.
+        Curves, mm. The relative difference of their lengths is at most 1e-4 (`matched_pair` makes them equal).
+        The second curve is scaled to the length of the first.
 
     Returns
     -------
     PairCheck
-        Its `str` gives reason and place if no strip can.
+        Result; its `str()` states why and where no strip is possible.
 
     Raises
     ------
     InputError
-        Curves with corners, closed curves, or curves of different lengths.
+        A curve has corners or is closed, or the lengths differ.
 
     References
     ----------
@@ -165,7 +170,10 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
 
 
 def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
-    """Return True if both curves have the same end, relative to the start, and the same total turning."""
+    """Return True if both curves have the same clamps.
+
+    Their ends relative to the start, and the angles between their end tangents, are compared.
+    """
     (chord, turn), (other, other_turn) = (_clamps_of(curve) for curve in (first, second))
     return bool(
         np.hypot(*(chord - other)) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS
@@ -173,7 +181,7 @@ def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
 
 
 def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
-    """Return the end (2,), mm, in the frame of the start tangent, and the total turning, rad."""
+    """Return the end (2,), mm, in the frame of the start tangent, and the angle between the end tangents, rad."""
     ends = curve.at(np.array([0.0, curve.length]))
     x, y = ends.position[1] - ends.position[0]
     c, s = np.cos(ends.angle[0]), np.sin(ends.angle[0])
@@ -181,14 +189,14 @@ def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
 
 
 def _is_stretch(curve: PlaneCurve, zero: CurvatureZero) -> bool:
-    """Return True for a flat stretch, which is too long to be a zero of high order."""
+    """Return True for an interval of equal curvature that is too long to be a zero of high order."""
     return zero.kind == "flat" and zero.s_end - zero.s > SHORT_SHARE * curve.length
 
 
 def _with_orders(
     difference: ExcessCurvature, crossings: Sequence[CurvatureZero], largest: float
 ) -> tuple[PairZero, ...]:
-    """Return the zeros with their orders; zeros near an end are moved to it, and near pairs are merged."""
+    """Return the zeros with their orders; zeros near an end are moved to it, and close pairs are merged."""
     curve, zeros = difference.curve, list[PairZero]()
     for z in crossings:
         if _is_stretch(curve, z):
@@ -234,12 +242,13 @@ def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
 
 
 def _can_be_met(first: PlaneCurve, zero: PairZero) -> bool:
-    """Return True if some difference of moments N has a zero of the same order.
+    """Return True if some difference of moments N has a zero of the same order as d.
 
-    N' = <b_1, T_1> - <b_2, T_2>, and where d = 0, N'' = kappa (<b_1, n_1> - <b_2, n_2>) with the common curvature
-    kappa. A double zero is therefore possible where the curves are bent. If N'' vanishes too, the order of N
-    exceeds the
-    order of d by two.
+    N' = <b_1, T_1> - <b_2, T_2>, with tangents T_i. Where d = 0, N'' = kappa (<b_1, n_1> - <b_2, n_2>), with the
+    common
+    curvature kappa and normals n_i. A double zero is therefore possible where the curves are bent. If N'' is zero
+    too, the
+    order of N exceeds the order of d by two.
     """
     if zero.order == 2:
         bent = float(first.curvature_at(np.array(zero.t)))
@@ -292,8 +301,10 @@ def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
 
 @dataclass(frozen=True, eq=False)
 class PairedPanels:
-    """Moments of two states along both curves, as linear functions of six numbers: a_1 - a_2, b_1, b_2 (the vectors
-    times the length), and a_1.
+    """Moments of two states along both curves, as linear functions of six numbers.
+
+    The numbers are a_1 - a_2, b_1, b_2 and a_1; the vectors b are multiplied by the length. See the module for
+    the symbols.
 
     Attributes
     ----------
@@ -301,11 +312,11 @@ class PairedPanels:
     panels : Panels
         Panels of the first curve; their `curvature` is d = kappa_1 - kappa_2.
     moments : tuple of (N, p, 6) arrays
-        M_1 and M_2 at the nodes.
+        Coefficients of the moments M_1 and M_2 at the nodes.
     stiffness : (N, p, 5) array
-        K = N / d, as a linear function of the first five numbers.
+        Coefficients of the stiffness K = N / d, as a linear function of the first five numbers.
     conditions : (k, 5) array
-        Rows that must vanish: N at the zeros of d, and N' at the double zeros.
+        Rows of conditions rows @ numbers = 0: N at the zeros of d, and N' at the double zeros.
     """
 
     check: PairCheck
@@ -316,7 +327,7 @@ class PairedPanels:
 
     @classmethod
     def of(cls, check: PairCheck, difference: ExcessCurvature) -> "PairedPanels":
-        """Return the rows of two curves, with the zeros of d at ends of panels."""
+        """Return the coefficients for two curves, with the zeros of d at ends of panels."""
         zeros, first, second, size = check.zeros, check.first, check.second, check.length
         panels = cut_into_panels(
             first, [z.t for z in zeros], cuts=[t for t, _, _ in difference.kinks],
@@ -337,7 +348,8 @@ class PairedPanels:
         conditions = np.concatenate(
             [rows[at], _rows(np.zeros(int(double.sum())), *(turn[double] for turn in turns))]
         )
-        # N at a node = N at the panel's near end and the step from there; at a zero the first term vanishes
+        # N at a node is N at the near end of the panel plus the step from there; at a zero the first term
+        # is 0
         vanishing = vanishing_at_zeros(panels, rows)
         left = panels.zero_left
         base = np.where(left[:, None], vanishing[:-1], vanishing[1:])
@@ -348,7 +360,7 @@ class PairedPanels:
         near = np.arange(panels.count) + ~left
         for place, turn in zip(at[double], zip(*(turn[double] for turn in turns), strict=True), strict=True):
             beside_zero = (near == place) & (panels.zero_left | panels.zero_right)
-            for row, tangent_there in zip(step, turn, strict=True):  # a double zero: N' vanishes as well
+            for row, tangent_there in zip(step, turn, strict=True):  # at a double zero, N' is zero as well
                 row[beside_zero] -= far[beside_zero, :, None] * tangent_there
         difference_rows = base[:, None, :] + _rows(np.zeros(far.shape), *step)
         nodes = [end[:-1, None] + a / size for end, a in zip(edges, from_left, strict=True)]
@@ -361,12 +373,12 @@ class PairedPanels:
 
     @cached_property
     def basis(self) -> FloatArray:
-        """Basis (5, q) of the numbers that meet the conditions and determine the stiffness."""
+        """Basis (5, q) of the numbers that satisfy the conditions and determine the stiffness."""
         return self._split[0]
 
     @cached_property
     def idle(self) -> FloatArray:
-        """Columns (6, r) of numbers that meet the conditions without effect on the stiffness, such as a_1."""
+        """Columns (6, r) of numbers that satisfy the conditions and do not affect the stiffness, such as a_1."""
         none = np.zeros((NUMBERS, 1 + self._split[1].shape[1]))
         none[-1, 0] = 1.0
         none[:-1, 1:] = self._split[1]
@@ -386,19 +398,19 @@ class PairedPanels:
 
     @property
     def _difference(self) -> FloatArray:
-        """N (N p, 5) at the nodes."""
+        """Coefficients (N p, 5) of the difference of moments N at the nodes."""
         return (self.stiffness * self.panels.curvature[..., None]).reshape(-1, NUMBERS - 1)
 
     @cached_property
     def rank(self) -> int:
-        """Number of parameters of N: five, or three if the curves are congruent or mirrored."""
+        """Number of parameters of the difference of moments: five; three for congruent or mirrored curves."""
         return int(
             np.linalg.matrix_rank(self._difference, DEPENDENT_SHARE * np.sqrt(self._difference.shape[0]))
         )
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Zeros after the longest initial sequence of zeros for which some N exists."""
+        """Zeros after the longest initial sequence of zeros for which a difference of moments exists."""
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])
             if not free.shape[1] or np.abs(self._difference @ free).max() <= CONGRUENT_SHARE:
@@ -421,11 +433,11 @@ class PairedPanels:
 
 
 def _rows(number: FloatArray, first: FloatArray, second: FloatArray) -> FloatArray:
-    """Rows (..., 5) of N: number + <b_1, first> - <b_2, second>."""
+    """Return coefficients (..., 5) of the difference of moments: `number` + <b_1, first> - <b_2, second>."""
     return np.concatenate([number[..., None], first, -second], axis=-1)
 
 
 def _tangents_at(curve: PlaneCurve, s: FloatArray) -> FloatArray:
-    """Unit tangents (n, 2)."""
+    """Return unit tangents (n, 2) at arc lengths s (n,), mm."""
     d1 = curve.derivatives(curve.parameter(np.clip(s, 0.0, curve.length)), 1)[1]
     return np.asarray(d1 / np.hypot(d1[:, :1], d1[:, 1:]))

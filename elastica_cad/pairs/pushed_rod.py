@@ -1,4 +1,4 @@
-"""A clamped rod that is pushed at one point, step by step, also beyond snaps."""
+"""Clamped rod that is pushed at one point, step by step, also beyond snaps."""
 
 from dataclasses import dataclass
 
@@ -12,45 +12,51 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
 EDGES = 480
-"""Edges of the discrete rod (paper, section 7.1); its relative error (1 / EDGES)^2 is that of a drawing."""
+"""Number of edges of the discrete rod (paper, section 7.1); its relative error is (1 / EDGES)^2."""
 
 STIFF, STIFFEST = 400.0, 1000.0
-"""Length over thickness for a rod of unknown thickness, and largest value in computations. A thinner rod hardly
-stretches, and rounding errors would exceed its forces."""
+"""Length over thickness of a rod of unknown thickness, and largest value in computations.
+
+A thinner rod hardly stretches, and rounding errors would exceed its forces.
+"""
 
 MOST_ITERATIONS = 2000
 CALM = 1e-8
 """Largest force on a node at rest, as a fraction of the largest force of an edge."""
 
 FIRST_DAMPING, LEAST_DAMPING, DAMPING_STEP = 1e-6, 1e-12, 4.0
-"""Damping, as a fraction of the largest stiffness of a node, and its factor. It is added where the energy is not
-convex or a step would increase it."""
+"""First and least damping, as fractions of the largest stiffness of a node, and factor between damping values.
+
+Damping is added where the energy is not convex, or a step would increase the energy.
+"""
 
 NOISE = 4e-15
 """Rounding error of the forces, over the stiffness of an edge times the length over the shortest edge."""
 
 ROUNDING = 1e-11
-"""Predicted decrease, as a fraction of the energy, below which a step is accepted, because rounding hides the
-decrease."""
+"""Predicted decrease, as a fraction of the energy, below which every step is accepted.
+
+Rounding errors would exceed such a decrease.
+"""
 
 KICK = 1e-4
-"""Asymmetric perturbation that leaves a ridge of the energy, as a fraction of the length."""
+"""Asymmetric displacement from a saddle of the energy, as a fraction of the length."""
 
 
 @dataclass(frozen=True, eq=False)
 class RestShape:
-    """A clamped rod at rest, stretched by its own forces.
+    """Rest shape of a clamped rod that its axial forces stretch.
 
     Attributes
     ----------
     s : (n,) array
         Arc lengths of the nodes, mm.
     position : (n, 2) array
-        Nodes, mm.
+        Positions of the nodes, mm.
     bend : (n,) array
-        kappa - kappa_0 at the nodes, 1/mm.
+        Changes of curvature at the nodes, 1/mm.
     stretch : (n,) array
-        Axial strain at the nodes.
+        Axial strains at the nodes.
     """
 
     s: FloatArray
@@ -61,29 +67,30 @@ class RestShape:
 
 @dataclass(frozen=True, eq=False)
 class PushPath:
-    """A rod while it is pushed; all arrays run over k steps.
+    """Shapes and forces of a rod while it is pushed in k steps.
 
     Attributes
     ----------
     travel : (k,) array
-        Displacement of the pushed point along the direction, mm.
+        Displacements of the pushed point along the direction, mm.
     force : (k,) array
-        Push divided by the least bending stiffness (N mm2), 1/mm2; negative if the rod is held back.
+        Pushes divided by the least bending stiffness (N mm2), 1/mm2; negative if the rod must be held back.
     energy : (k,) array
-        Bending energy over the least bending stiffness, 1/mm.
+        Bending energies over the least bending stiffness, 1/mm.
     position : (k, n, 2) array
-        Nodes, mm.
+        Positions of the nodes, mm.
     bend : (k, n) array
-        kappa - kappa_0 at the nodes, 1/mm.
+        Changes of curvature at the nodes, 1/mm.
     stretch : (k, n) array
-        Axial strain at the nodes.
+        Axial strains at the nodes.
     released : (n, 2) array
-        Nodes at rest after the push is removed at the last step, mm.
+        Positions of the nodes, mm, at rest after the push is removed at the last step.
     s : (n,) array
         Arc lengths of the nodes, mm.
     at : float
         Arc length of the pushed point, mm.
     direction : (2,) array
+        Unit vector of the push.
     """
 
     travel: FloatArray
@@ -99,12 +106,12 @@ class PushPath:
 
     @property
     def largest_force(self) -> float:
-        """Largest push up to the snap, or of the whole travel without a snap, 1/mm2."""
+        """Largest push up to the snap, or over the whole travel without a snap, 1/mm2."""
         return float(self.force[self.travel <= (self.travel[-1] if self.snap is None else self.snap)].max())
 
     @property
     def snap(self) -> float | None:
-        """Travel (mm) at which the rod snaps because the push falls to zero, or None."""
+        """Travel, mm, at which the push becomes zero and the rod snaps, or None."""
         gone = np.flatnonzero((self.force[1:] <= 0) & (self.force[:-1] > 0))
         if not gone.size:
             return None
@@ -114,7 +121,7 @@ class PushPath:
 
     @property
     def barrier(self) -> float:
-        """Work of the push up to the snap, divided by the stiffness (N mm2), 1/mm; other pushes may need less."""
+        """Work of the push up to the snap over the least bending stiffness, 1/mm; other pushes may need less."""
         end = self.travel[-1] if self.snap is None else self.snap
         return float(np.interp(end, self.travel, self.energy) - self.energy[0])
 
@@ -122,28 +129,29 @@ class PushPath:
 def push_path(
     rod: Rod, at: float, direction: ArrayLike, travel: ArrayLike, *, thickness: float | None = None
 ) -> PushPath:
-    """Push a clamped rod at a point in a direction; the point is free to move across the direction.
+    """Return the path of a clamped rod that is pushed at a point in a direction.
 
-    At every step the rod descends from its previous shape to a local minimum of the energy. The rod therefore snaps
-    where its branch of shapes ends.
+    The point is free to move across the direction. At every step the rod moves from its previous shape to a local
+    minimum of the energy. Therefore the rod snaps where its branch of equilibria ends.
 
     Parameters
     ----------
     rod : Rod
-        Clamped at both ends, weightless, of Hooke's law.
+        Rod that is clamped at both ends, without weight, and obeys Hooke's law.
     at : float
-        Arc length, mm, between the ends.
+        Arc length of the pushed point between the ends, mm.
     direction : (2,) array_like
+        Direction of the push.
     travel : (k,) array_like
         Displacements from the shape of the rod, mm.
     thickness : float, optional
-        Thickness in the plane where the rod is softest, mm; by default 1/400 of the length. It determines the axial
-        stiffness, for a bending stiffness proportional to the cube of the thickness.
+        Thickness in the plane at the softest point of the rod, mm; by default 1/400 of the length. It determines
+        the axial stiffness. The bending stiffness is proportional to the cube of the thickness.
 
     Raises
     ------
     NotConvergedError
-        No rest shape was found.
+        No rest shape is found.
 
     Examples
     --------
@@ -176,17 +184,17 @@ def push_path(
 
 
 def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
-    """Return the rest shape of a clamped rod that can stretch, found from its unstretched shape.
+    """Return the rest shape of a clamped rod that can stretch, starting from its shape without stretching.
 
     Parameters
     ----------
     rod, thickness
-        As of `push_path`.
+        As in `push_path`.
 
     Raises
     ------
     NotConvergedError
-        No rest shape was found.
+        No rest shape is found.
 
     Examples
     --------
@@ -212,8 +220,10 @@ def _require_plain(rod: Rod) -> Rod:
 
 @dataclass(frozen=True, eq=False)
 class _Chain:
-    """Discrete rod with nodes (n + 1, 2) relative to the first node; x is along the push, edges stretch, nodes
-    bend."""
+    """Discrete rod whose edges can stretch and whose nodes can bend.
+
+    Positions x (n + 1, 2) are relative to the first node, with the first axis along the push.
+    """
 
     s: FloatArray
     edge: FloatArray
@@ -244,11 +254,11 @@ class _Chain:
         )  # fmt: skip
 
     def placed(self, x: FloatArray) -> FloatArray:
-        """Nodes (n + 1, 2) where the rod is drawn, mm."""
+        """Return the positions of the nodes (n + 1, 2), mm, in the coordinates of the drawing."""
         return np.asarray(self.origin + x @ self.frame)
 
     def _edges(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Lengths (n,), directions (n, 2) and turns (n + 1,) at the nodes."""
+        """Return lengths (n,) and directions (n, 2) of the edges, and turning angles (n + 1,) at the nodes."""
         e = np.diff(x, axis=0)
         r = np.hypot(*e.T)
         t = e / r[:, None]
@@ -257,11 +267,11 @@ class _Chain:
         return r, t, np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], (a * b).sum(axis=1))
 
     def bends(self, x: FloatArray) -> FloatArray:
-        """kappa - kappa_0 (n + 1,)."""
+        """Return the changes of curvature (n + 1,) at the nodes."""
         return np.asarray(self._edges(x)[2] / self.weight - self.natural)
 
     def stretch(self, x: FloatArray) -> FloatArray:
-        """Axial strain (n + 1,)."""
+        """Return the axial strains (n + 1,) at the nodes."""
         strain = self._edges(x)[0] / self.edge - 1
         return np.asarray((np.append(strain, strain[-1]) + np.append(strain[0], strain)) / 2)
 
@@ -284,10 +294,13 @@ class _Chain:
         return np.asarray(((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t)
 
     def _band(self, x: FloatArray) -> FloatArray:
-        """The second derivatives by the inner nodes, upper band (6, 2 n - 2).
+        """Return the second derivatives of the energy by the inner nodes, as an upper band (6, 2 n - 2).
 
-        With respect to the edges they have blocks A_i on the diagonal and C_i = -K_{i+1} a_i a_{i+1}^t beside it.
-        Here a_i is the derivative of the angle of edge i. A node is the end of an edge and the start of the next.
+        With respect to the edges they have the blocks A_i on the diagonal and C_i = -K_{i+1} a_i a_{i+1}^t beside
+        it. Here a_i
+        is the derivative of the angle of edge i, and K_i the stiffness of a node. A node is the end of an edge
+        and the start of
+        the next edge.
         """
         r, t, turn = self._edges(x)
         n = np.column_stack([-t[:, 1], t[:, 0]])
@@ -312,7 +325,7 @@ class _Chain:
         return band
 
     def led(self, x: FloatArray, by: float) -> FloatArray:
-        """Return the nodes after the pushed node moves, with the linear response of the rest."""
+        """Return the nodes after a displacement of the pushed node, with the linear response of the other nodes."""
         band = self._band(x)
         row = 2 * (self.pushed - 1)
         right = np.zeros(band.shape[1])
@@ -331,7 +344,7 @@ class _Chain:
         return moved
 
     def _holding(self, band: FloatArray) -> FloatArray:
-        """Return the band without the pushed coordinate."""
+        """Return the band matrix in which the pushed coordinate is fixed."""
         row, held = 2 * (self.pushed - 1), band.copy()
         for k in range(1, 6):
             held[5 - k, row] = 0.0
@@ -341,7 +354,7 @@ class _Chain:
         return held
 
     def settled(self, x: FloatArray, *, held: bool = False) -> FloatArray:
-        """Minimise the energy from given nodes, with the pushed coordinate fixed if `held`."""
+        """Return the nodes at a minimum of the energy near given nodes, with the pushed node fixed if `held`."""
         damping, here, kicked = 0.0, self.energy(x), False
         shortest = self.edge.min()
         noise = NOISE * self.s[-1] / shortest * (self.axial.max() + self.stiffness.max() / shortest**2)
@@ -380,7 +393,7 @@ class _Chain:
         raise NotConvergedError("the pushed rod has no rest shape: push it less far, or at another place")
 
     def _kicked(self, x: FloatArray, held: bool) -> FloatArray:
-        """Return the nodes perturbed off a ridge of the energy."""
+        """Return the nodes after a displacement from a saddle of the energy."""
         share = self.s / self.s[-1]
         bow = KICK * self.s[-1] * np.sin(np.pi * share) ** 2 * (np.sin(2 * np.pi * share) + 0.3)
         moved = np.asarray(x + bow[:, None] * np.array([0.6, 0.8]))
@@ -390,7 +403,7 @@ class _Chain:
 
 
 def _solved(band: FloatArray, right: FloatArray) -> FloatArray | None:
-    """Solve a symmetric band system; return None if it is not positive definite."""
+    """Return the solution of a symmetric band system, or None if the matrix is not positive definite."""
     from scipy.linalg import LinAlgError, solveh_banded
 
     try:

@@ -15,9 +15,9 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
     ----------
     part : Flexure
     quick : bool
-        Leave out the path between the states, which takes longest to compute.
+        True to omit the path between the states, which takes longest to compute.
     live : bool
-        Show "…" for stability.
+        True to show "…" for stability.
     """
     path = [] if quick else [Row(note("Force"), _force(part))]
     first, second = part.rest_deviations
@@ -56,7 +56,7 @@ def _strain(part: Flexure, *, quick: bool) -> Row:
 
 
 def _stability(part: Flexure) -> Row:
-    """Return the row on the stability of both states, in the plane and sideways."""
+    """Return the row for the stability of both states, in the plane and sideways."""
     (first, second), sides = part.pair.stability, part.sideways
     ratings = (first.rating, second.rating, *(side.rating for side in sides))
     details = [
@@ -76,7 +76,7 @@ def _stability(part: Flexure) -> Row:
 
 
 def _force(part: Flexure) -> Refusal:
-    """Return a sentence on the forces between the states."""
+    """Return a sentence about the forces between the states."""
     if not part.pair.bistable:
         return note("two settings: moving the end between them takes at most {force}", force=part.force_text)
     at = Length(part.pushed[0])

@@ -1,4 +1,7 @@
-"""Rods that rest in two drawn curves, with the least ratio and bend or with the largest least thickness."""
+"""Rods that have two drawn curves as rest shapes.
+
+They have the least stiffness ratio and the least bend, or the largest least thickness.
+"""
 
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -30,20 +33,20 @@ MET_SHARE = 1e-6
 """Largest relative violation of a limit: the accuracy of the linear program."""
 
 TANGENTS = 12
-"""Number of tangents to K^(2/3) at each sample in the first program."""
+"""Number of tangents to K^(2/3) at each sample in the first linear program, for the stiffness K."""
 
 WIDEST_TANGENTS = 1e4
-"""Stiffness ratio covered by the first tangents."""
+"""Range of the first tangents, as a stiffness ratio."""
 
 TANGENT_ROUNDS = 30
 SETTLED = 1e-6
-"""Relative change of the least thickness that ends the rounds of tangents."""
+"""Relative change of the least thickness below which no further tangents are added."""
 
 SMOOTH = 4
-"""Continuous derivatives of a curve for which the stiffness is as smooth as its cubic spline."""
+"""Number of continuous derivatives of a curve for which the stiffness is as smooth as its cubic spline."""
 
 THICKNESS_SAMPLES = 301
-"""Number of samples of both curves for the strain bound; a flexure evaluates the strain at its nodes."""
+"""Number of samples of both curves for the strain limit; a flexure evaluates the strain at its nodes."""
 
 
 @dataclass(frozen=True)
@@ -53,11 +56,11 @@ class PairLimits:
     Attributes
     ----------
     ratio : float, optional
-        Largest over least stiffness; 8 corresponds to a thickness ratio of 2 in a flexure.
+        Ratio of largest to least stiffness; 8 corresponds to a thickness ratio of 2 in a flexure.
     natural_curvature : float, optional
-        |kappa_0|, curvature of the strip before bending, 1/mm.
+        Absolute curvature of the strip before bending, 1/mm.
     bend : float, optional
-        |kappa - kappa_0| in either state, 1/mm.
+        Absolute change of curvature by bending in either state, 1/mm.
     """
 
     ratio: Annotated[
@@ -82,15 +85,15 @@ class PairLimits:
 
 @dataclass(frozen=True, eq=False)
 class TwoStateRod:
-    """A rod that rests in two curves.
+    """Rod that has two curves as rest shapes.
 
     Attributes
     ----------
     first, second : Rod
-        Both states on the same n nodes, with the same stiffness and natural curvature.
+        Rod in each state, with the same n nodes, stiffness and natural curvature.
     check : PairCheck
     free : "first", "second" or None
-        The requested state that rests without external forces.
+        State in which no external forces act, if it was requested.
     """
 
     first: Rod
@@ -104,27 +107,27 @@ class TwoStateRod:
 
     @property
     def states(self) -> tuple[Rod, Rod]:
-        """Both states."""
+        """Rods of both states."""
         return self.first, self.second
 
     @property
     def length(self) -> float:
-        """Arc length, mm."""
+        """Length of the rod, mm."""
         return self.first.length
 
     @property
     def ratio(self) -> float:
-        """Largest over least stiffness."""
+        """Ratio of largest to least stiffness."""
         return self.first.ratio
 
     @property
     def natural_curvature(self) -> FloatArray:
-        """kappa_0 (n,) of the unloaded strip, 1/mm."""
+        """Curvature (n,) of the unloaded strip at the nodes, 1/mm."""
         return np.broadcast_to(np.asarray(self.first.natural_curvature, dtype=float), self.first.s.shape)
 
     @property
     def bend(self) -> float:
-        """Largest |kappa - kappa_0| of both states, 1/mm."""
+        """Largest absolute change of curvature in both states, 1/mm."""
         return max(float(np.abs(rod.curvature - self.natural_curvature).max()) for rod in self.states)
 
     @property
@@ -140,9 +143,9 @@ class TwoStateRod:
     def sideways(
         self, depth: float, thickness: Profile | ArrayLike, *, poisson_ratio: float = 0.3
     ) -> tuple[SidewaysStability, SidewaysStability]:
-        """Return the stability of both states against buckling out of the plane, for sections `depth` mm deep.
+        """Return the stability of both states against tipping out of the plane, for sections of `depth` mm.
 
-        `thickness` in the plane, mm, is a profile, a number, or values at equal distances.
+        `thickness`, mm, is the thickness in the plane: a profile, a number, or values at equal distances.
         """
         first, second = (
             sideways_stability(rod, depth, thickness, poisson_ratio=poisson_ratio) for rod in self.states
@@ -159,23 +162,24 @@ def two_state_rod(
     objective: Objective = "ratio",
     samples: int | None = None,
 ) -> TwoStateRod:
-    """Return the rod, with a suitable natural curvature, that rests in both curves.
+    """Return the rod, with a suitable natural curvature, that has two curves as rest shapes.
 
     Parameters
     ----------
     first, second : PlaneCurve
-        mm; of equal length within 1e-4 (`matched_pair` makes them equal). The second is scaled to the length of the
-        first.
+        Curves, mm. The relative difference of their lengths is at most 1e-4 (`matched_pair` makes them equal).
+        The second curve is scaled to the length of the first.
     limits : PairLimits, optional
-        Bounds on ratio, natural curvature and bend along both curves.
+        Upper limits of ratio, natural curvature and bend along both curves.
     free : "first" or "second", optional
-        The state that rests without external forces. Its curve is the natural shape, and the rod is the
+        State in which no external forces act. Its curve is the shape of the unloaded rod, and the rod is the
         `optimal_rod` for the other curve.
     objective : "ratio" or "thickness"
-        Minimise the stiffness ratio and, among all rods with this ratio, the largest bend; or maximise the least
-        thickness of a flexure, whose stiffness is proportional to the cube of its thickness, for a given strain.
+        "ratio" minimises the stiffness ratio and, among all rods with this ratio, the largest change of curvature.
+        "thickness" maximises the least thickness of a flexure for a given strain. The stiffness of a flexure is
+        proportional to the cube of its thickness.
     samples : int, optional
-        Nodes of both states; by default 601.
+        Number of nodes of both states; by default 601.
 
     Returns
     -------
@@ -184,9 +188,9 @@ def two_state_rod(
     Raises
     ------
     NotRealizable
-        No rod within the limits rests in both curves; `check` of the error gives reason and place.
+        No rod within the limits has both rest shapes; `check` of the error states why and where.
     InputError
-        Curves with corners, closed curves, or curves of different lengths.
+        A curve has corners or is closed, or the lengths differ.
 
     References
     ----------
@@ -240,18 +244,23 @@ def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> Float
 
 
 def _stiffness_rows(paired: PairedPanels) -> FloatArray:
-    """K (N, p, 6)."""
+    """Return the coefficients (N, p, 6) of the stiffness at the nodes."""
     return np.pad(paired.stiffness, ((0, 0), (0, 0), (0, 1)))
 
 
 def _first_curvature(paired: PairedPanels) -> FloatArray:
-    """kappa_1 (N, p) at the nodes."""
+    """Return the curvature (N, p) of the first curve at the nodes."""
     t = paired.panels.t
     return paired.check.first.curvature_at(t.ravel()).reshape(t.shape)
 
 
 def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
-    """Rows (N, p, 6), positive within the limits |kappa_1 K - M_1| <= k K and |M_i| <= c K, over k and c."""
+    """Return the rows (N, p, 6) of conditions rows @ numbers >= 0 for the limits.
+
+    They are |kappa_1 K - M_1| <= k K and |M_i| <= c K, divided by k and c. K is the stiffness, M_i the moment and
+    kappa_i the
+    curvature of a state. The limits are k for the natural curvature and c for the bend.
+    """
     K = _stiffness_rows(paired)
     rows: list[FloatArray] = []
     if (most := limits.natural_curvature) is not None:
@@ -265,17 +274,20 @@ def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
 
 
 def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float | None) -> FloatArray:
-    """Return the numbers (6,) of the same stiffness with the least maximum of |kappa_i - kappa_0|.
+    """Return the numbers (6,) of the same stiffness with the least bend.
 
-    Only a_1 is free, unless the curves are congruent or mirrored. Then several rods have the same least bend, and
-    the rod with kappa_0 nearest to the mean of both curvatures is selected.
+    The bend is the largest change of curvature in both states. Unless the curves are congruent or mirrored, only
+    the
+    parameter a_1 is free. In these cases several rods have the same least bend. The rod whose natural curvature
+    is nearest
+    to the mean of both curvatures is selected.
     """
     panels, size = paired.panels, paired.check.length
     K = _stiffness_rows(paired) @ numbers
     idle = paired.idle
     step = size * (paired.moments[0] @ idle) / K[..., None]
     d = size * panels.curvature
-    excess = size * (paired.moments[0] @ numbers) / K  # L (kappa_1 - kappa_0)
+    excess = size * (paired.moments[0] @ numbers) / K  # length times (kappa_1 - kappa_0)
     kappa = size * _first_curvature(paired)
     functions = [(sign * step, sign * (excess - part)) for sign in (1.0, -1.0) for part in (0.0, d)]
     bounds = [] if most_natural is None else [
@@ -305,7 +317,7 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
         program.hold(rows.dense, offset.dense)
     for _ in range(METHOD.most_rounds):
         answer = program.solve()
-        if answer is None:  # within rounding, only the given numbers meet the bounds
+        if answer is None:  # within rounding errors, only the given numbers satisfy the bounds
             return np.zeros(none.shape[1])
         z, most = answer
         settled = True
@@ -329,8 +341,10 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
 
 
 def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return the farthest point from start towards goal at which bounds hold and the largest value does not
-    increase."""
+    """Return the farthest point from `start` towards `goal` at which the bounds hold.
+
+    The largest value of the functions does not increase either.
+    """
     values = [(rows @ start + offset, rows @ (goal - start)) for rows, offset in functions]
     most = max(float(value.max()) for value, _ in values) * (1 + BOUNDED)
     room = [(most - value, change) for value, change in values]
@@ -345,9 +359,11 @@ def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bo
 def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
     """Return the numbers (6,) of the flexure with the largest least thickness at a given strain.
 
-    The strain of a section of thickness h ~ K^(1/3) is |M| h / (2 K) ~ |M| K^(-2/3). With the strain scaled to at
-    most 1, maximise k subject to K >= k and |M_i| <= K^(2/3), which is convex. Tangents replace the power, and are
-    added at each solution until k converges.
+    The strain of a section with moment M, stiffness K and thickness h ~ K^(1/3) is |M| h / (2 K) ~ |M| K^(-2/3).
+    The strain
+    is scaled to at most 1. The convex problem is to maximise k subject to K >= k and |M_i| <= K^(2/3). Tangents
+    replace the
+    power, and are added at each solution until k converges.
     """
     from scipy.optimize import linprog
 
@@ -376,7 +392,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
         fixed.append(with_least(K, -limits.ratio))
 
     def tangents(at: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """|M| <= K_0^(2/3) + 2/3 K_0^(-1/3) (K - K_0), at K_0 (2 n,)."""
+        """Return the conditions |M| <= K_0^(2/3) + 2/3 K_0^(-1/3) (K - K_0), at stiffnesses K_0 (2 n,)."""
         slope = (2 / 3 * at ** (-1 / 3))[:, None] * stiff
         offset = at ** (2 / 3) / 3
         return np.concatenate([with_least(M - slope), with_least(-M - slope)]), np.tile(offset, 2)
@@ -411,7 +427,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
 
 
 def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoStateRod:
-    """Return the rod for the numbers (6,) of the moments."""
+    """Return the rod for the numbers (6,) of its moments."""
     check, panels, size = paired.check, paired.panels, paired.check.length
     nodes = check.first.survey if samples == DEFAULT_SAMPLES else check.first.sample(samples)
     other = check.second.at(np.minimum(nodes.s, check.second.length))
@@ -450,7 +466,7 @@ DROWNS = (
 
 
 def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod:
-    """Return a rod whose `free` state is its natural shape; the other state is an `optimal_rod`."""
+    """Return a rod whose `free` state is its unloaded shape; its other state is an `optimal_rod`."""
     natural, held = (check.first, check.second) if free == "first" else (check.second, check.first)
     count = None if samples == DEFAULT_SAMPLES else samples
     bent = rod_of_request(RodRequest(held, natural_curvature=CurveOfRest.of(natural), samples=count))
@@ -466,7 +482,7 @@ def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod
 
 
 def _within(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
-    """Return the pair, or refuse it if it exceeds a limit."""
+    """Return the rod, or refuse it if it exceeds a limit."""
     values = {
         "ratio": pair.ratio,
         "natural_curvature": float(np.abs(pair.natural_curvature).max()),

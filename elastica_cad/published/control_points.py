@@ -29,19 +29,20 @@ _ALONG = 0.1  # weight of a move along the curve relative to a move across it
 _BEND = 0.005  # size of a move that changes the curvature by 1 / length, as a fraction of the length
 _STRETCH = 0.05  # size of a move that changes the velocity d/dt by 100 %, as a fraction of the length
 _LINE_STEP = 0.02  # size of a move of the line, as a move of the curve in fractions of its length
-_RANK = 1e-11  # least singular value, as a fraction of the largest, of a change that is not neglected
+_RANK = 1e-11  # least singular value of a change that is not neglected, as a fraction of the largest
 
 
 @dataclass(frozen=True, eq=False)
 class CurveChanges:
-    """First-order changes of an equilibrium curve of length l in r tangent coordinates u.
+    """First-order changes of an equilibrium curve as linear functions of r coordinates u.
 
-    |u| is about the root mean square move of the curve. The scale of the moment is fixed, so that K can increase or
-    decrease.
+    The norm of u is about the root mean square move of the curve. The scale of the moment is fixed, so that the
+    stiffness K can increase or decrease.
 
     Parameters
     ----------
     state : EquilibriumCurve
+        Curve with its equilibrium.
     constraints : sequence of Constraint
         Constraints in addition to inflections on a line.
     """
@@ -51,14 +52,15 @@ class CurveChanges:
 
     @cached_property
     def _t(self) -> FloatArray:
-        """Gauss nodes, which are never on an inflection."""
+        """Parameters of the Gauss nodes, which are never at an inflection."""
         return self.state.balance.panels.t.ravel()
 
     @cached_property
     def distance_rows(self) -> FloatArray:
-        """Rows (2 g, 2 m); the squared norm of rows @ move is the weighted mean square distance.
+        """Rows (2 g, 2 m) such that the squared norm of rows @ move is the weighted mean square distance.
 
-        The first rows are moves across the curve at all Gauss nodes, then `_ALONG` times moves along the curve.
+        `move` contains x and y of the moves of all control points. The first g rows give moves across the curve
+        at the Gauss nodes; the others give moves along the curve, times `_ALONG`.
         """
         basis = self.state.curve.basis(self._t)
         return np.concatenate([directed_rows(basis, d * self._root_share) for d in self._frame])
@@ -75,13 +77,13 @@ class CurveChanges:
         return np.sqrt((panels.stretch * WEIGHTS).ravel() / self.state.curve.length)[:, None]
 
     def offsets(self, target: PlaneCurve) -> FloatArray:
-        """Return the weighted distance (2 g,) from a curve of the same parameter; see `distance_rows`."""
+        """Return the weighted distances (2 g,) from a curve with the same parameter; see `distance_rows`."""
         off = self.state.curve.evaluate(self._t) - target.evaluate(self._t)
         return np.concatenate([(off * d * self._root_share).sum(axis=1) for d in self._frame])
 
     @cached_property
     def basis(self) -> FloatArray:
-        """Moves of control points and line, (2 m + 3, r): columns dq (x and y in turn), da, db."""
+        """Moves of control points and line (2 m + 3, r): columns dq (x and y in turn), da, db."""
         curve = self.state.curve
         a, b = self.state.line
         count = curve.control_points.size
@@ -129,11 +131,11 @@ class CurveChanges:
 
     @cached_property
     def compliance(self) -> PanelFunction:
-        """Changes (r) of C = 1/K = kappa / M at fixed parameters.
+        """Changes (r) of the compliance C = 1/K = kappa / M at fixed parameters.
 
-        dC = (d kappa - C dM) / M. On the tangent space, numerator and denominator vanish only at an inflection,
-        where the quotient is
-        interpolated by the polynomial through the Gauss nodes.
+        They are dC = (d kappa - C dM) / M, with curvature kappa and moment M. For allowed moves, numerator and
+        denominator are
+        zero only at an inflection. There the quotient is interpolated by the polynomial through the Gauss nodes.
         """
         state, curve = self.state, self.state.curve
         _, b = state.line
@@ -148,12 +150,12 @@ class CurveChanges:
         return PanelFunction.through(change.reshape(*panels.t.shape, -1))
 
     def watched(self) -> tuple[FloatArray, FloatArray]:
-        """Return C = 1/K (n,) at the places of the state, and its derivatives (n, r)."""
+        """Return the compliances 1/K (n,) at the samples of the state, and their derivatives (n, r)."""
         return 1 / self.state.stiffness, self.compliance.at(*self.state.places)
 
     @cached_property
     def _stretching(self) -> tuple[PanelFunction, FloatArray, FloatArray]:
-        """Derivatives by the r moves of arc lengths: in panels, at their left ends (N, r), of the curve (r,)."""
+        """Derivatives of arc lengths by r moves: in panels, at their left ends (N, r), and of the curve (r,)."""
         panels, curve = self.state.balance.panels, self.state.curve
         d1 = curve.evaluate(self._t, 1)
         tangent = d1 / np.linalg.norm(d1, axis=1, keepdims=True)
@@ -169,7 +171,7 @@ class CurveChanges:
 
     @cached_property
     def margin(self) -> FloatArray:
-        """Changes (r,) of the stability margin while the scale of the moment is held."""
+        """Changes (r,) of the stability margin, if the scale of the moment is fixed."""
         state, rod, nodes = self.state, self.state.rod, self.state.nodes
         panels, curve = state.balance.panels, state.curve
         panel, x = panels.locate(nodes.t)
@@ -177,7 +179,7 @@ class CurveChanges:
         d1 = curve.evaluate(nodes.t, 1)
         speed = np.linalg.norm(d1, axis=1)
         share = np.linspace(0.0, 1.0, nodes.t.size)
-        # the nodes slide along the curve so that they stay at equal arc lengths
+        # the nodes slide along the curve, so that they remain at equal distances
         slide = (share[:, None] * length - before[panel] - along.at(panel, x)) / speed[:, None]
         half = (np.diff(panels.edges) / 2)[panel]
         K_slope = state.balance.stiffness.slope_at(panel, x) / (state.scale * half)
@@ -193,41 +195,45 @@ class CurveChanges:
         return np.asarray(by.stiffness @ K + by.angles @ angles + force + by.length * length)
 
 
-# price of a violated bound relative to half the mean square distance in lengths, far above all multipliers
+# price of a violated bound, relative to half the mean square distance in lengths; far above all multipliers
 _PRICE = 0.1
-_ROW_PRICE = 10.0  # price of a row of the step that cannot be met, above the price of every bound
+_ROW_PRICE = 10.0  # price of a condition of a step that cannot be satisfied, above the price of every bound
 # accuracy of a step relative to the price, so that half a mean square distance of 1e-8 has an effect
 _ACCURACY = 1e-12
-_MARGIN_UNIT = 50.0  # typical error of the margin, as its unit
+_MARGIN_UNIT = 50.0  # typical error of the margin, used as its unit
 _COARSE = 3.0  # largest factor of a step on the ratio or its bound; larger steps are refused
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0  # targets of a step: factor on the ratio, and increase of the margin
-# radius of the trust region, in lengths of the curve
+# initial, largest and smallest radius of the trust region, in lengths of the curve
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
 _SETTLED = 1e-3  # predicted gain of a step, as a fraction of the distance, below which the search ends
 _RESOLUTION = (
-    1e-12  # least gain of a step (half the mean square distance, in lengths); less is rounding error
+    # least gain of a step (half the mean square distance, in lengths); smaller gains are rounding errors
+    1e-12
 )
 _INSIDE = 1e-5  # relative distance from the bounds, so that they hold between the samples too
-_ENFORCED = 1e-11  # largest error of a constraint that holds, in lengths and radians
-_ROUNDS = 12  # number of times that places are added where a step would break the bounds
+_ENFORCED = 1e-11  # largest error of a constraint that counts as satisfied, in lengths and radians
+_ROUNDS = 12  # largest number of times that samples are added where a step would violate the bounds
 
 
 @dataclass(frozen=True)
 class Bounds:
-    """Largest ratio and least margin (None for no bound)."""
+    """Largest stiffness ratio and least stability margin (None for no bound)."""
 
     ratio: float
     margin: float | None = None
 
     def broken(self, state: EquilibriumCurve) -> float:
-        """Return the violation of the bounds: 1/R - 1/R_now plus the missing margin over a typical margin."""
+        """Return the violation of the bounds.
+
+        It is 1/ratio minus 1/present ratio, plus the missing margin over a typical margin.
+        """
         excess = max(0.0, 1 / self.ratio - 1 / state.ratio)
         if self.margin is None:
             return excess
         return excess + max(0.0, (self.margin - state.margin) / _MARGIN_UNIT)
 
     def from_here(self, state: EquilibriumCurve) -> "Bounds":
-        """Return the next target; small steps lead to the nearer of many minima."""
+        """Return bounds for the next step, because small steps lead to the nearer of many minima."""
         ratio = max(self.ratio, _RATIO_PART * state.ratio)
         if self.margin is None:
             return Bounds(ratio)
@@ -246,7 +252,7 @@ class RouteStep:
     Attributes
     ----------
     ratio : float
-        R = max K / min K.
+        Ratio of largest to least stiffness.
     margin : float or None
         Stability margin, if it has a bound.
     distance : float
@@ -260,17 +266,18 @@ class RouteStep:
 
 @dataclass(frozen=True, eq=False)
 class Route:
-    """Result of a search: the nearest curve within the bounds, or the curve of least violation.
+    """Result of a search: the nearest curve within the bounds, or the curve with the least violation.
 
     Attributes
     ----------
     state : EquilibriumCurve
+        Curve with its equilibrium.
     within : bool
-        True if the bounds are met.
+        True if the curve is within the bounds.
     settled : bool
-        False if the search ran out of steps.
+        True if the search converged within the allowed number of steps.
     history : tuple of RouteStep
-        Start and all accepted curves.
+        Start curve and all accepted curves.
     iterations : int
         Number of attempted steps.
     """
@@ -285,7 +292,7 @@ class Route:
 def move_within(
     curve: PlaneCurve, bounds: Bounds, constraints: Sequence[Constraint], *, max_steps: int
 ) -> Route:
-    """Return the curve near `curve` whose ratio and margin are within bounds.
+    """Return the curve near `curve` whose stiffness ratio and stability margin are within bounds.
 
     Raises
     ------
@@ -330,13 +337,13 @@ def _route_step(state: EquilibriumCurve, half_square: float, bounds: Bounds) -> 
 
 
 def _half_square(changes: CurveChanges, target: PlaneCurve) -> float:
-    """Return half the mean square distance, relative to the length."""
+    """Return half the mean square distance, relative to the square of the length."""
     return 0.5 * float((changes.offsets(target) ** 2).sum()) / changes.state.curve.length**2
 
 
 @dataclass(frozen=True, eq=False)
 class _Step:
-    """Move of the control points (m, 2), mm, with its size relative to the length and its predicted merit."""
+    """Move of the control points (m, 2), mm, with its size relative to the length, and the predicted gain."""
 
     points: FloatArray
     size: float
@@ -364,8 +371,9 @@ def _moved(curve: PlaneCurve, step: _Step, constraints: Sequence[Constraint]) ->
 def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float) -> _Step:
     """Return the best step to first order.
 
-    The unknowns are the coordinates u of the move divided by the length, the largest compliance c = 1 / min K, and
-    the slacks of the two bounds.
+    The unknowns are the coordinates u of the move divided by the length, the largest compliance c = 1 / min K,
+    and the
+    slacks of the two bounds.
     """
     length = changes.state.curve.length
     J = changes.distance_rows @ changes.basis[:-3]
@@ -420,7 +428,7 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
 
 
 def _peaks(values: FloatArray, above: float = -np.inf) -> IntArray:
-    """Return the eight highest local maxima of values (n,) above a level."""
+    """Return the indices of the eight highest local maxima of values (n,) above a level."""
     padded = np.concatenate([[-np.inf], values, [-np.inf]])
     peaks = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > above))
     return np.asarray(peaks[np.argsort(-values[peaks], kind="stable")[:8]])
@@ -433,11 +441,11 @@ class EnforcedCurve:
     Attributes
     ----------
     curve : PlaneCurve
-        Curve that meets the constraints.
+        Curve that satisfies the constraints.
     residuals : tuple of float
         Norm of the residuals at the start and after every step, mm.
     moved : float
-        Largest move of a point of the curve, mm, at the same parameter.
+        Largest distance between points of both curves at the same parameter, mm.
     """
 
     curve: PlaneCurve
@@ -456,20 +464,22 @@ def enforce_constraints(
     tolerance: float = 1e-10,
     max_steps: int = 30,
 ) -> EnforcedCurve:
-    """Move the control points slightly until the inflections are collinear and the other constraints hold.
+    """Return the curve after the least move of its control points that satisfies constraints.
+
+    The inflections become collinear, and the other constraints are satisfied.
 
     Parameters
     ----------
     line : InflectionLine, optional
-        Line of the inflections; by default the nearest line (without effect for two inflections or fewer).
+        Line for the inflections; by default the nearest line. Two inflections or fewer need no line.
     ends, tangents : bool or (bool, bool)
-        Keep end points, end tangents of `like`: of both ends, or of (start, end).
+        True to keep the end points and the end tangents of `like`, for both ends or for (start, end).
     length : bool
-        Keep the arc length of `like`.
+        True to keep the arc length of `like`.
     like : PlaneCurve, optional
         Curve whose ends, tangents and length are restored; by default `curve` itself.
     tolerance : float
-        Norm of all residuals at which to stop, relative to the size of the curve.
+        Norm of all residuals, relative to the size of the curve, at which the iteration stops.
 
     Raises
     ------
@@ -515,5 +525,5 @@ def enforce_constraints(
 
 
 def _crossings(curve: PlaneCurve) -> FloatArray:
-    """Return arc lengths (k,) of the inflections, mm."""
+    """Return the arc lengths (k,) of the inflections, mm."""
     return np.array([z.s for z in curve.curvature_zeros if z.kind == "crossing"])

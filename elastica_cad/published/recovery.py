@@ -1,5 +1,4 @@
-"""Two algorithms of the paper on control points, for a smaller ratio (section 7.2) and for stability (section
-6.4)."""
+"""Two algorithms of the paper that move control points: for a smaller ratio (7.2) and for stability (6.4)."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -33,12 +32,12 @@ class OptimizedRatio:
     curve : PlaneCurve
         Realizable curve with the same knots and moved control points.
     ratio : float
-        R = max K / min K of the continuous curve.
+        Ratio of largest to least stiffness of the continuous curve.
     deviation : float
-        Largest distance of its points from the drawn curve, mm.
+        Largest distance of points of the curve from the drawn curve, mm.
     status : RatioStatus
     iterations : int
-        Number of tried steps.
+        Number of attempted steps.
     history : tuple of RouteStep
         Ratio and distance of the start and of every accepted step.
     """
@@ -60,27 +59,27 @@ def optimize_ratio(
     length: bool = False,
     max_steps: int = 100,
 ) -> OptimizedRatio:
-    """Move the control points as little as possible until the stiffness ratio is at most `target`.
+    """Return the curve whose control points are moved as little as possible to a stiffness ratio of `target`.
 
-    Local step: the least total move from the drawn curve that brings R = max K / min K within the target to
-    first order, in a trust region. Global step: the inflection line of least ratio (Eq. 4). The maximum and
-    minimum are those of the continuous curve, so the target is hard.
+    A local step is the least total move from the drawn curve that reduces the ratio to the target, to first order
+    and within a trust region. A global step finds the inflection line of least ratio (paper, Eq. 4). The ratio is
+    that of the continuous curve, so the result never exceeds the target.
 
     Parameters
     ----------
     curve : PlaneCurve
-        Curve that a strip can take, at least approximately: inflections are first moved onto a line.
+        Curve that is at least approximately realizable; its inflections are first moved onto a line.
     target : float
         Largest ratio, at least 1.
     ends, tangents : bool or (bool, bool)
-        True to keep end points, end tangents as drawn: for both ends, or (start, end).
+        True to keep the drawn end points and the drawn end tangents, for both ends or for (start, end).
     length : bool
         True to keep the arc length.
 
     Raises
     ------
     NotRealizable
-        The drawn curve is far from all curves that a strip can take: use `nearest_rod` or `split`.
+        The drawn curve is far from all shapes that a strip can have; use `nearest_rod` or `split`.
     InputError
         The target is below 1, or the curve is straight, closed or kinked.
 
@@ -139,12 +138,12 @@ class RecoveredStability:
     margin : float
         Stability margin as in `stability`; positive means stable.
     ratio : float
-        R = max K / min K of the continuous curve.
+        Ratio of largest to least stiffness of the continuous curve.
     deviation : float
-        Largest distance of its points from the drawn curve, mm.
+        Largest distance of points of the curve from the drawn curve, mm.
     status : RecoveryStatus
     iterations : int
-        Number of tried steps.
+        Number of attempted steps.
     history : tuple of RouteStep
         Ratio, margin and distance of the start and of every accepted step.
     """
@@ -168,30 +167,30 @@ def recover_stability(
     length: bool = True,
     max_steps: int = 100,
 ) -> RecoveredStability:
-    """Move the control points as little as possible until the rest shape is stable.
+    """Return the curve whose control points are moved as little as possible to a stable rest shape.
 
-    The data flow is that of Algorithm 2, from control points to stiffness and force, and to stability, without any
-    forward simulation. Every intermediate curve is an equilibrium. The paper moves the conjugate point past the
-    end. Here the lowest eigenvalue of the second variation rises to `margin`, which is smooth through the
-    threshold. The ratio is bounded by its true maximum and minimum.
+    As in Algorithm 2 of the paper, stiffness, force and stability are computed from the control points, without a
+    forward simulation. Every intermediate curve is an equilibrium. The paper moves the conjugate point beyond the
+    end. Here the lowest eigenvalue of the second variation is increased to `margin`, because it is a smooth
+    function near the limit of stability. The ratio of the continuous curve is bounded.
 
     Parameters
     ----------
     curve : PlaneCurve
-        Curve that a strip can take, at least approximately: inflections are first moved onto a line.
+        Curve that is at least approximately realizable; its inflections are first moved onto a line.
     R_max : float
         Largest stiffness ratio, at least 1; the bound prevents flat points at inflections.
     margin : float
         Least stability margin; 0 is the limit of stability, 5 is safely stable.
     ends, tangents : bool or (bool, bool)
-        True to keep end points, end tangents as drawn: for both ends, or (start, end).
+        True to keep the drawn end points and the drawn end tangents, for both ends or for (start, end).
     length : bool
         True to keep the arc length.
 
     Raises
     ------
     NotRealizable
-        The drawn curve is far from all curves that a strip can take: use `nearest_rod` or `split`.
+        The drawn curve is far from all shapes that a strip can have; use `nearest_rod` or `split`.
     InputError
         The ratio is below 1, the margin is not a number, or the curve is straight, closed or kinked.
 

@@ -1,4 +1,4 @@
-"""Eqs. 4 and 6 of the paper at given samples, with all rows, in three numbers."""
+"""Linear programs of the paper's Eqs. 4 and 6 with three unknowns, for all samples of a curve."""
 
 from dataclasses import dataclass
 
@@ -17,12 +17,13 @@ class SampledStiffness:
     Attributes
     ----------
     stiffness : (n,) array
-        K, least value 1.
+        Relative stiffness K; its least value is 1.
     ratio : float
-        R.
+        Ratio of largest to least stiffness.
     a : float
     b : (2,) array
-        Numbers of Eqs. 3 and 5: moment about the origin and force at the last sample, 1/mm and 1/mm2.
+        Numbers a and b of the paper's Eqs. 3 and 5: moment about the origin and force at the last sample, 1/mm and
+        1/mm2.
     """
 
     stiffness: FloatArray
@@ -38,16 +39,16 @@ def sampled_stiffness(
     *,
     gravity: Gravity | None = None,
 ) -> SampledStiffness | None:
-    """Solve the linear program of Eq. 4, or with gravity of Eq. 6, at the given samples.
+    """Return the optimal stiffness at given samples, by the linear program of Eq. 4, or with gravity of Eq. 6.
 
     `optimal_rod` solves the same problem on the continuous curve.
 
     Parameters
     ----------
     position : (n, 2) array_like
-        mm.
+        Positions of the samples, mm.
     curvature : (n,) array_like
-        kappa (less kappa_0), 1/mm, nowhere zero.
+        Curvatures minus the natural curvature, 1/mm; none is zero.
     weights : (n,) array_like, optional
         Voronoi lengths of the samples, mm; needed with gravity.
 
@@ -113,11 +114,15 @@ def sampled_rows(
     weights: FloatArray | None = None,
     e: FloatArray | None = None,
 ) -> FloatArray:
-    """Return rows (n, 3) with K = rows @ (a, b_x, b_y) at given samples.
+    """Return rows (n, 3) that give the stiffness K = rows @ (a, b_x, b_y) at the samples.
 
-    In Eq. 6 the terms of sample i in F_i and G_i cancel: K_i kappa_i = a + <b, gamma_i> + <R^t e, gamma_i> F_{i+1}
-    - G_{i+1}, with F_i = F_{i+1} + w_i K_i and G_i = G_{i+1} + w_i <R^t e, gamma_i> K_i. In reverse order this is a
-    banded triangular system with three right-hand sides.
+    In Eq. 6 of the paper the terms of sample i in F_i and G_i cancel. Therefore
+    K_i kappa_i = a + <b, gamma_i> + <R^t e, gamma_i> F_{i+1} - G_{i+1}, with F_i = F_{i+1} + w_i K_i and
+    G_i = G_{i+1} + w_i <R^t e, gamma_i> K_i. Here gamma_i, kappa_i and w_i are position, curvature and Voronoi
+    length of a
+    sample, e the vector of gravity, and R a quarter turn. In reverse order this is a banded triangular system
+    with three
+    right-hand sides.
     """
     affine = np.column_stack([np.ones(len(position)), position])
     if weights is None or e is None:
