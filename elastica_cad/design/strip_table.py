@@ -1,6 +1,6 @@
 """The table of a design file for a strip: its curve, its position in space, and its request."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
 
@@ -183,6 +183,36 @@ def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, values: Mapping[
         values = {**values, "gravity": (DOWN if frame is not None else True) if gravity else None}
     with table.naming():
         return StripSpec(curve, frame=frame, **values)
+
+
+TIE_KEYS = {"between": ("start", "end"), "loads": ("at",)}
+"""Keys of the places of ties and loads in the lists of a strip."""
+
+PLACE_DIGITS = 6
+
+
+def scaled_places(table: Mapping[str, Any], factor: float) -> dict[str, list[dict[str, Any]]]:
+    """Return the lists `between` and `loads` of a table with the places (mm) of ties and loads times a factor.
+
+    If a curve changes its length by this factor, ties and loads keep their fractions of the length. Places as
+    points, and those of rails and pins, are unchanged.
+
+    Examples
+    --------
+    >>> scaled_places({"between": [{"at": 40}, {"kind": "tie", "start": 0, "end": 300}]}, 1.1)
+    {'between': [{'at': 40}, {'kind': 'tie', 'start': 0.0, 'end': 330.0}]}
+    """
+
+    def places(record: Mapping[str, Any], names: tuple[str, ...]) -> Iterator[tuple[str, float]]:
+        for name in names:
+            if isinstance(record.get(name), int | float):
+                yield name, round(factor * record[name], PLACE_DIGITS)
+
+    return {
+        key: [{**record, **dict(places(record, names))} for record in table[key]]
+        for key, names in TIE_KEYS.items()
+        if isinstance(table.get(key), list)
+    }
 
 
 PLANE = ("origin", "x_axis", "y_axis")

@@ -8,6 +8,7 @@ from elastica_cad.errors import Change, InputError, NotMetError, rounded_up
 from elastica_cad.forming.nearest_record import NearestRod, Status
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.mechanics.least_ratio import filled_gravity, laminate_of_request, rod_of_request
+from elastica_cad.mechanics.loads import Weight
 from elastica_cad.mechanics.optimal_balance import OverloadError
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import PlainSection, WidthRange
@@ -31,21 +32,28 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
             "out {limits} and the backing, or these elements.",
             limits=FieldName("limits"),
         )
+    weight = _weight_on(spec.weight, curve.length / spec.curve.length)
+    smoothed: Any = {"curve": curve, "smooth": 0.0, "weight": weight}
     if spec.may_change:
         from elastica_cad.forming.nearest_search import find_nearest
 
-        return find_nearest(replace(spec, curve=curve, smooth=0.0))
+        return find_nearest(replace(spec, **smoothed))
     if layers is not None and spec.gravity is not None:
         gravity = filled_gravity(layers.section, spec.gravity.direction)
-        return laminate_of_request(replace(spec, curve=curve, smooth=0.0, gravity=gravity), layers).rod
+        return laminate_of_request(replace(spec, **smoothed, gravity=gravity), layers).rod
     bounds: Any = {} if widths is None else widths.stiffness
     try:
-        rod = rod_of_request(
-            replace(spec, curve=curve, smooth=0.0, known_check=spec.check, drawn=spec.curve, **bounds)
-        )
+        rod = rod_of_request(replace(spec, **smoothed, known_check=spec.check, drawn=spec.curve, **bounds))
     except OverloadError as error:
         raise (error if widths is None else _too_narrow(widths, error)) from None
     return rod if widths is None else _with_widest(rod, widths)
+
+
+def _weight_on(weight: Weight | None, factor: float) -> Weight | None:
+    """Return the weight with its masses at the same fractions of a length that smoothing changed by this factor."""
+    if weight is None:
+        return None
+    return replace(weight, masses=tuple(replace(mass, at=factor * mass.s) for mass in weight.masses))
 
 
 WIDTH_TOLERANCE_MM = 0.1

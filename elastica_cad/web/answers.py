@@ -14,6 +14,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.design.design_file import Design, design_of, parse_design
 from elastica_cad.design.pair_table import cutting_of, pair_of
+from elastica_cad.design.strip_table import scaled_places
 from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.source_file import read_below
@@ -269,22 +270,9 @@ def _with_kept_fractions(request: Mapping[str, Any]) -> tuple[StripSpec, Record]
         return spec, {}
     strip = design["strips"][k]
     listed = {key: strip.get(key, design.get(key)) for key in ("between", "loads")}
-    kept = {
-        key: [
-            _scaled(record, after / before, ("start", "end", *(("at",) if key == "loads" else ())))
-            for record in records
-        ]
-        for key, records in listed.items()
-        if isinstance(records, list)
-    }
+    kept = scaled_places(listed, after / before)
     strips = [*design["strips"][:k], strip | kept, *design["strips"][k + 1 :]]
     return requested_spec(design | {"strips": strips}, k), kept
-
-
-def _scaled(record: Mapping[str, Any], factor: float, names: Sequence[str]) -> Record:
-    """Return a record with places along the curve (mm) times a factor; places as points are unchanged."""
-    places = {name: record[name] for name in names if isinstance(record.get(name), int | float)}
-    return {**record, **{name: round(factor * place, PLACE_DIGITS) for name, place in places.items()}}
 
 
 def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:

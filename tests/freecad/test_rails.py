@@ -70,6 +70,31 @@ def test_no_support_is_sought_for_a_request_that_has_one(refused):
     assert changes_that_help(valid_request(refused), changeable(refused)) == ()
 
 
+def test_ties_and_loads_keep_their_fraction_of_a_changed_sketch(refused, move_pole):
+    sketch = refused.Curve[0]
+    change(refused, Between=["at = [180, -9]", "at = 200", "kind = 'tie', start = 40, end = 310"],
+           Loads=["at = 150, force = [0, -0.2]"])  # fmt: skip
+    before = drawn_curve(refused.Curve, refused).curve.length
+    refused.Document.openTransaction("Drag")
+    move_pole(sketch, 3, (180, -70))
+    factor = drawn_curve(refused.Curve, refused).curve.length / before
+    assert factor > 1.015
+    live = spec_of(refused, drawn_curve(refused.Curve, refused))
+    assert live.between[2] == ec.Tie(round(40 * factor, 6), round(310 * factor, 6)), "in the open sketch too"
+    refused.Document.recompute()
+    refused.Document.commitTransaction()
+    spec = spec_of(refused, drawn_curve(refused.Curve, refused))
+    assert (spec.between, spec.loads) == (live.between, live.loads)
+    assert spec.between[:2] == (ec.Rail((180, -9)), ec.Rail(200.0))
+    assert spec.loads[0].at == pytest.approx(150 * factor, abs=1e-6)
+    refused.Document.undo()
+    refused.Document.recompute()
+    assert spec_of(refused, drawn_curve(refused.Curve, refused)).between[2] == ec.Tie(40.0, 310.0)
+    change(refused, Between=["kind = 'tie', start = 50, end = 300"])
+    (tie,) = spec_of(refused, drawn_curve(refused.Curve, refused)).between
+    assert tie == ec.Tie(50.0, 300.0), "typed places are on the present curve"
+
+
 def test_the_overlay_shows_the_thrust_line_in_place_of_the_inflection_line():
     spec = ec.StripSpec(WAVE, "birch-plywood-0.8", max_width=30, between=(ec.Rail(200), ec.Tie(40, 310)))
     picture = curve_picture(WAVE, spec)

@@ -42,6 +42,15 @@ def test_the_report_has_each_force_and_says_what_is_not_checked():
     assert report["between"][1]["force"][0] == pytest.approx(tie, rel=1e-3)
 
 
+def test_loads_keep_their_fraction_of_a_smoothed_curve():
+    arch = ec.PlaneCurve.spline([(0, 0), (60, 60), (150, 80), (240, 60), (300, 0)], degree=2)
+    loads = (ec.PointMass(arch.length / 4, 1), ec.PointForce(arch.length / 4, (0, -0.01)))
+    rod = ec.make_strip(arch, SHEET, max_width=40, smooth=3, gravity=True, loads=loads).rod
+    assert abs(rod.length - arch.length) > 1
+    assert rod.weight.masses[0].s == pytest.approx(rod.length / 4)
+    assert rod.acting[0].s == pytest.approx(rod.length / 4)
+
+
 def test_a_pin_and_a_force_are_reported_and_the_forces_balance():
     loads = (ec.PointMass(150, 50), ec.PointForce(250, (0, -0.2)))
     strip = strip_between(ec.Pin(200), loads=loads, gravity=True)

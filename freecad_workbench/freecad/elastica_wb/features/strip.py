@@ -12,7 +12,14 @@ import FreeCAD as App
 from freecad.elastica_wb.curves.copies import Standing, copies, repeated
 from freecad.elastica_wb.curves.sketch_curves import drawn_curve
 from freecad.elastica_wb.features.proxy import Feature, parents
-from freecad.elastica_wb.features.strip_properties import FOLLOW, PROPERTIES, STYLES, acting_lines, spec_of
+from freecad.elastica_wb.features.strip_properties import (
+    FOLLOW,
+    PROPERTIES,
+    STYLES,
+    acting_lines,
+    keep_fractions,
+    spec_of,
+)
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.objects import dress, is_sketch, is_strip
 from freecad.elastica_wb.host.property_table import put
@@ -68,10 +75,21 @@ class StripFeature(Feature):
         if lacks_override:
             obj.Anyway = obj.StrainUse >= 100  # such a strip was not refused then
 
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Take new places of ties and loads as places on the present curve."""
+        super().onChanged(obj, name)
+        if (
+            name in ("Between", "Loads")
+            and "Restore" not in obj.State
+            and "PlacesLength" in obj.PropertiesList
+        ):
+            put(obj, PlacesLength=0.0)
+
     def make(self, obj: Any) -> None:
         """Set the shape and the results."""
         drawn = drawn_curve(obj.Curve, obj)
         spec = spec_of(obj, drawn)
+        keep_fractions(obj, drawn)
         strip = solve_strip(spec)
         shape = bent_shape(strip) if obj.Form == "Bent" else flat_shape(strip)
         made_from = _mark(obj, drawn, spec)

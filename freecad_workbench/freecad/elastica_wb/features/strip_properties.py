@@ -28,7 +28,7 @@ from freecad.elastica_wb.host.words import name_of
 from elastica_cad.declared import Field, declared
 from elastica_cad.defaults import MAX_WIDTH, RATIO, TAB_LENGTH
 from elastica_cad.design.records import BY_KIND, Reader, names_of, parsed_line, paths_of, put, word_of
-from elastica_cad.design.strip_table import StripKeys, read_fields, read_request
+from elastica_cad.design.strip_table import StripKeys, read_fields, read_request, scaled_places
 from elastica_cad.design.tables import Table, merged
 from elastica_cad.design.toml_text import toml_text
 from elastica_cad.errors import InputError
@@ -143,6 +143,14 @@ PROPERTIES = (
         "Loads",
         "Mechanics",
         "Masses and forces on the strip: at = 90, mass = 3, or at = 90, force = [0, -1] (mm, g, N)",
+    ),
+    Property(
+        "Length",
+        "PlacesLength",
+        "Mechanics",
+        "Length of the curve to which the places in Between and Loads refer; 0 for the present length",
+        result=True,
+        hidden=True,
     ),
     Property("String", "WeightLaw", "Mechanics", "All weight in newtons: alpha = 0.001, own = true"),
     Property("Float", "NaturalCurvature", "Mechanics", "Curvature of the strip before bending, 1/mm"),
@@ -265,6 +273,8 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
     nearest = obj.Follow == "Nearest"
     fields = {path: field for path, field in FIELDS.items() if _counts(obj, path, nearest=nearest)}
     table = _table(obj, drawn, fields, READ_STRIP | READ_ROD | (READ_LIMITS if nearest else {}))
+    if before := obj.PlacesLength.Value:
+        table = Table(table.data | scaled_places(table.data, drawn.curve.length / before), "", {})
     return read_request(table, Reader(sheets), drawn.curve, drawn.plane)
 
 
@@ -307,9 +317,25 @@ def acting_lines(items: Iterable[Acting]) -> dict[str, list[str]]:
         table = {} if kind in (None, "rail") else {"kind": kind}
         fields = {field.name: field.default for field in declared(type(item))}
         table |= {name: getattr(item, name) for name, usual in fields.items() if getattr(item, name) != usual}
-        line = ", ".join(toml_text(table).splitlines())
-        lines["Loads" if is_load(item) else "Between"].append(line)
+        lines["Loads" if is_load(item) else "Between"].append(_line(table))
     return lines
+
+
+def _line(table: Mapping[str, Any]) -> str:
+    """Return a table as one line of a property."""
+    return ", ".join(toml_text(table).splitlines())
+
+
+def keep_fractions(obj: Any, drawn: DrawnCurve) -> None:
+    """Write the places of ties and loads on the present curve, on which they keep their fractions of its length."""
+    length, before = drawn.curve.length, obj.PlacesLength.Value
+    if before == length:
+        return
+    if before:
+        for key, name in (("between", "Between"), ("loads", "Loads")):
+            tables = _lines(getattr(obj, name), name, EXAMPLES.get(name, MASS_LINE))
+            setattr(obj, name, [_line(table) for table in scaled_places({key: tables}, length / before)[key]])
+    obj.PlacesLength = length
 
 
 def acting_words(item: Acting, places: Sequence[float]) -> str:

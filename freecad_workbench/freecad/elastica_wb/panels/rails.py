@@ -65,7 +65,7 @@ KINDS = {
     QT_TRANSLATE_NOOP("Elastica", "Force"): Kind(1, lambda _, places: PointForce(places[0], USUAL_FORCE_N)),
     QT_TRANSLATE_NOOP("Elastica", "Hung mass"): Kind(1, lambda _, places: PointMass(places[0], USUAL_MASS_G)),
 }
-"""Rails and pins keep their point in space, ties and loads their distance along the curve."""
+"""Rails and pins keep their point in space, ties and loads their fraction of the length."""
 
 
 class RailsPanel(Panel):
