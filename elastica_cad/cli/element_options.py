@@ -3,12 +3,14 @@ records.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 import click
 
-from elastica_cad.cli.options import Length, join_options, option_name
+from elastica_cad.cli.options import Length, join_options, option_name, option_of
 from elastica_cad.declared import REQUIRED, Field, declared
+from elastica_cad.errors import InputError
 from elastica_cad.mechanics.elements import Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import PointMass
 
@@ -22,6 +24,9 @@ RECORDS: dict[str, tuple[type, str]] = {
 """Record class and help text of each option."""
 
 ELEMENTS, LOADS = ("rail", "pin", "tie"), ("point_force", "point_mass")
+
+CUTS = ("hole", "notch")
+"""Fields of pins and ties that cut the strip, each with an option for all pins and ties of a command."""
 
 
 class Place(Length):
@@ -64,12 +69,29 @@ def element_options(names: Iterable[str] = tuple(RECORDS)) -> Callable[[Any], An
     return join_options(*map(option, names))
 
 
+def cut_options() -> Callable[[Any], Any]:
+    """Return a decorator that adds the options for the holes and notches of pins and ties."""
+    cuts = [field for field in declared(Pin) if field.name in CUTS]
+    helps = [f"{field.help} For each --pin and --tie." for field in cuts]
+    return join_options(
+        *(
+            option_of(replace(field, option=replace(field.option, help=text)))
+            for field, text in zip(cuts, helps, strict=True)
+        )
+    )
+
+
 def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
     """Return the keys `between` and `loads`, as in a design file, for the given options."""
+    cuts = {name: chosen[name] for name in CUTS if chosen.get(name) is not None}
+    if cuts and not (chosen.get("pin") or chosen.get("tie")):
+        raise InputError("{option} needs --pin or --tie.", option=option_name(next(iter(cuts))))
     table: dict[str, Any] = {}
     for key, names in (("between", ELEMENTS), ("loads", LOADS)):
         rows = [
-            ({"kind": name} if key == "between" else {}) | _row(name, values)
+            ({"kind": name} if key == "between" else {})
+            | _row(name, values)
+            | (cuts if name in ("pin", "tie") else {})
             for name in names
             for values in chosen.get(name) or ()
         ]

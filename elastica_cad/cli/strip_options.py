@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from elastica_cad.cli.element_options import ELEMENTS, LOADS, element_options, element_table
+from elastica_cad.cli.element_options import ELEMENTS, LOADS, cut_options, element_options, element_table
 from elastica_cad.cli.options import IDLE_DOWN, POINT, join_options, option_name, option_of, output_options
 from elastica_cad.cli.requested_curves import (
     END_NAMES,
@@ -140,6 +140,7 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
             for end in ("start", "end")
         ),
         element_options(ELEMENTS),
+        cut_options(),
     ),
     "limits": (
         click.option("--nearest", is_flag=True, help="Change the curve as little as possible."),

@@ -10,7 +10,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import counted
-from elastica_cad.mechanics.elements import NOUNS
 from elastica_cad.model.assembly import (
     AssemblyStep,
     Holder,
@@ -24,7 +23,7 @@ from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
 from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_pages
 from elastica_cad.plot.model_pictures import look_from, rule_strip, screen_of
-from elastica_cad.strip.holding_template import held_elements
+from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements
 
 PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
 ELEVATION_DEG, AZIMUTH_DEG = 24.0, -60.0  # direction of the viewer
@@ -90,7 +89,7 @@ def _pages(
     held = list(_held_rows(model))
     if held:
         head = ("strip", "element", "place (x, y, z), mm", "angle, degrees", "force, N", "length, mm")
-        yield from _tables(f"{model.name}: rails, pins and ties", head, held)
+        yield from _tables(f"{model.name}: rails, pins, ties and loads", head, held)
     if cut_list is not None:
         cut = [
             (row.part, str(row.count), row.sheet, f"{row.length:.1f} x {row.width:.1f}", row.file)
@@ -114,9 +113,9 @@ def _rows(steps: Sequence[AssemblyStep]) -> Iterator[tuple[str, ...]]:
 
 
 def _held_rows(model: Model) -> Iterator[tuple[str, ...]]:
-    """Yield a row of the table for each rail, pin and tie.
+    """Yield a row of the table for each rail, pin, tie and load.
 
-    Angles are between the strip and the line between its ends.
+    Angles are those of the strip, or of the force of a load, relative to the line between the ends.
     """
     for i, member in enumerate(model.placed):
         for held in held_elements(member.strip):
@@ -124,9 +123,14 @@ def _held_rows(model: Model) -> Iterator[tuple[str, ...]]:
             at = " to ".join(f"({x:z.1f}, {y:z.1f}, {z:z.1f})" for x, y, z in points)
             apart = float(np.linalg.norm(points[-1] - points[0]))
             tied = len(points) > 1
-            noun = f"{held.name} {NOUNS[type(held.action.element)]}"
+            noun = f"{held.name} {held.noun}"
             angle, length = ("", f"{apart:.1f}") if tied else (f"{held.tilt:.1f}", "")
             yield model.single_name_of(i), noun, at, angle, f"{held.force:.2g}", length
+
+
+def _mark(held: HeldElement) -> str:
+    """Return the name of an element, and the force of a load."""
+    return f"{held.name}, {held.force:.2g} N" if held.is_load else held.name
 
 
 def _page(title: str) -> Any:
@@ -199,9 +203,13 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
         for held in held_elements(member.strip):
             points = member.frame.point(held.position) @ screen
             axes.plot(*points.T, color=LEAD, marker="o", markersize=3, linewidth=0.8)
-            axes.annotate(
-                held.name, points[0], xytext=(4, 4), textcoords="offset points", fontsize=6, color=LEAD
-            )
+            name_at = points[0]
+            if held.is_load:
+                name_at = member.frame.point(held.position + ARROW_MM * held.outward)[0] @ screen
+                arrow = {"arrowstyle": "->", "color": LEAD, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
+                axes.annotate("", name_at, points[0], arrowprops=arrow)
+            beside = {"xytext": (4, 4), "textcoords": "offset points", "fontsize": 6, "color": LEAD}
+            axes.annotate(_mark(held), name_at, **beside)
     axes.autoscale_view()
     axes.set_aspect("equal")
     axes.set_axis_off()

@@ -13,8 +13,8 @@ from elastica_cad._values import require_record
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.segments import Line, Spline
-from elastica_cad.mechanics.elements import NOUNS, ElementForce, Rail, Tie
-from elastica_cad.mechanics.loads import End
+from elastica_cad.mechanics.elements import NOUNS, ElementForce, Pin, PointForce, Rail, Tie
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, PointMass
 from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, engravable
@@ -26,6 +26,12 @@ LETTERS_MM = 4.0
 
 CROSS_MM = 8.0
 """Length of the short lines that mark the ends, the axes of holes and the elements, mm."""
+
+ARROW_MM, HEAD_MM = 20.0, 3.0
+"""Length of the arrow of a load, and size of its head."""
+
+LETTERS = {Rail: "R", Pin: "P", Tie: "T", PointForce: "F", PointMass: "M"}
+"""First letters of the names of elements and loads."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,22 +145,22 @@ def hole_places(ends: Sequence[HeldEnd]) -> tuple[FloatArray, FloatArray]:
 
 @dataclass(frozen=True, eq=False)
 class HeldElement:
-    """Rail, pin or tie of a strip, with the dimensions for mounting it.
+    """Rail, pin, tie or load of a strip, with the dimensions for mounting it.
 
     Attributes
     ----------
     name : str
-        Letter for the kind of element and its number, such as R1, P1 or T1.
+        Letter for the kind of element or load and its number, such as R1, P1, T1, F1 or M1.
     action : ElementForce
     position : (k, 2) array
         Points on the strip to which the element is attached, mm, in the plane of the curve.
     outward : (k, 2) array
         Unit normals of the strip at these points. For a rail they point to the side from which the rail pushes,
-        otherwise to the left of the strip.
+        for a pin or tie to the left of the strip. For a load, the direction of its force.
     places : (k, 2) array
         The same points as distances, mm, along the line between the ends and to its left.
     tilt : float
-        Direction of the strip at the first point relative to that line, degrees.
+        Direction of the strip at the first point, or of a load, relative to that line, degrees.
     force : float
         Force of the element on the strip, N.
     """
@@ -173,43 +179,76 @@ class HeldElement:
         if isinstance(self.action.element, Tie):
             length = float(np.hypot(*(self.places[1] - self.places[0])))
             return f"{self.name} {NOUNS[Tie]}: {at}, {length:.1f} mm long, {self.force:.2g} N"
-        noun = NOUNS[type(self.action.element)]
-        return f"{self.name} {noun}: {at}, {self.tilt:.1f} degrees from the line, {self.force:.2g} N"
+        return f"{self.name} {self.noun}: {at}, {self.tilt:.1f} degrees from the line, {self.force:.2g} N"
+
+    @property
+    def noun(self) -> str:
+        """Kind of the element, with the mass of a hung mass."""
+        element: Any = self.action.element
+        mass = f" {element.mass:g} g" if isinstance(element, PointMass) else ""
+        return f"{NOUNS[type(element)]}{mass}"
+
+    @property
+    def is_load(self) -> bool:
+        """True for a known force, which is drawn as an arrow."""
+        return isinstance(self.action.element, PointForce | PointMass)
 
 
 def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
-    """Return the rails, pins and ties of a strip with the dimensions for mounting them."""
+    """Return the rails, pins, ties and loads of a strip with the dimensions for mounting them."""
     rod, counts, held = strip.rod, Counter[str](), []
-    if not rod.between:
+    actions = [*rod.acting, *_hung(strip)]
+    if not actions:
         return ()
     x, y = chord = rod.position[-1] - rod.position[0]
     chord /= np.hypot(x, y) or 1.0
-    for action in rod.between:
-        letter = NOUNS[type(action.element)][0].upper()
+    for action in actions:
+        letter = LETTERS[type(action.element)]
         counts[letter] += 1
         at = rod.curve.at(action.s)
         normal = np.column_stack([-np.sin(at.angle), np.cos(at.angle)])
-        if isinstance(action.element, Rail) and action.force[0] @ normal[0] > 0:
+        direction = at.angle[0]
+        if isinstance(action.element, PointForce | PointMass):
+            direction = np.arctan2(action.force[0, 1], action.force[0, 0])
+            normal = action.force / (action.size or 1.0)
+        elif isinstance(action.element, Rail) and action.force[0] @ normal[0] > 0:
             normal = -normal
         off = at.position - rod.position[0]
         held.append(
             HeldElement(
                 f"{letter}{counts[letter]}", action, at.position, normal,
                 np.column_stack([off @ chord, off @ left_of(chord)]),
-                _turned(np.degrees(at.angle[0]) - np.degrees(np.arctan2(chord[1], chord[0]))),
+                _turned(np.degrees(direction) - np.degrees(np.arctan2(chord[1], chord[0]))),
                 strip.bending_stiffness * action.size,
             )
         )  # fmt: skip
     return tuple(held)
 
 
+def _hung(strip: Strip) -> Iterator[ElementForce]:
+    """Yield the masses that hang on a strip with their forces."""
+    rod = strip.rod
+    if rod.gravity is None or rod.weight is None:
+        return
+    mass: Any  # the forces of a rod have no records of masses
+    for mass in rod.weight.masses:
+        newtons = mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
+        force = newtons / strip.bending_stiffness * np.array([rod.gravity.direction])
+        yield ElementForce(mass, np.array([mass.s]), force)
+
+
 def _element_lines(held: HeldElement, half: float) -> Iterator[list[FloatArray]]:
-    """Yield lines that mark an element: the cord of a tie, a cross for a pin, or a bar on the side of a rail."""
+    """Yield lines that mark an element: the cord of a tie, a cross for a pin, the bar of a rail, or an arrow."""
     if isinstance(held.action.element, Tie):
         yield [*held.position]
         return
     point, normal = held.position[0], held.outward[0]
     along = left_of(normal)
+    if held.is_load:
+        tip = point + ARROW_MM * normal
+        yield [point, tip]
+        yield [tip - HEAD_MM * (normal + along / 2), tip, tip - HEAD_MM * (normal - along / 2)]
+        return
     if isinstance(held.action.element, Rail):
         sides = (1.0,) if held.action.element.one_sided else (1.0, -1.0)
         for side in sides:
@@ -281,7 +320,8 @@ def holding_template(strip: Strip) -> Drawing:
     ]
     texts += [_number(str(name), end) for name, end in zip((1, 2), ends, strict=True)]
     for held in elements:
-        x, y = held.position[0] + (CROSS_MM + LETTERS_MM) * held.outward[0]
+        away = ARROW_MM if held.is_load else CROSS_MM
+        x, y = held.position[0] + (away + LETTERS_MM) * held.outward[0]
         where = (float(x) - LETTERS_MM / 2, float(y) - LETTERS_MM / 2)
         texts.append(Text(where, held.name, LETTERS_MM, 0.0, MARK))
     return Drawing(f"{strip.label or 'strip'} template", tuple(paths), tuple(texts))

@@ -147,6 +147,7 @@ def test_rails_ties_and_loads_by_mouse(tmp_path):
     assert (keeps, rows[2][:3]) == (True, "Pin")
     assert "at = [" in between[2]
     assert "[" not in found["along the curve"][0][2]
+    assert found["hole"][2].endswith("hole = 3.0")
     assert found["removed"][1] == found["closed"] == found["force"][1]
     assert found["undone"][:2] == [["at = 197.0"], []]
     assert found["live"]["stations"] == 4

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Length of the curve to which the places in Between and Loads refer; 0 for the present length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>What is off in sheet, cut and clamps, rad and mm: thickness_wave = 0.01, grain = 0.035, clamps = 0.0087, kerf = 0.05</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2445,6 +2449,22 @@
     </message>
     <message>
         <source>Hung mass in grams; it needs the own weight of the strip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diameter of a hole in the strip for a cord or screw; 0 for none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Width of a notch in each edge of the strip, for two cords; 0 for none</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Length of the curve to which the places in Between and Loads refer; 0 for the present length</source>
+        <translation>Länge der Kurve, auf die sich die Stellen in Between und Loads beziehen; 0 für die jetzige Länge</translation>
+    </message>
+    <message>
         <source>Expected deviation of a real strip from its design, due to the model, its uncertainty and the sheet</source>
         <translation>Erwartete Abweichung eines wirklichen Streifens von seinem Entwurf, durch Modell, dessen Unsicherheit und Platte</translation>
     </message>
@@ -2442,6 +2446,22 @@
     <message>
         <source>Hung mass in grams; it needs the own weight of the strip</source>
         <translation>Angehängte Masse in Gramm; sie braucht das Eigengewicht des Streifens</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>Loch</translation>
+    </message>
+    <message>
+        <source>Diameter of a hole in the strip for a cord or screw; 0 for none</source>
+        <translation>Durchmesser eines Lochs im Streifen für eine Schnur oder Schraube; 0 für keines</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>Kerben</translation>
+    </message>
+    <message>
+        <source>Width of a notch in each edge of the strip, for two cords; 0 for none</source>
+        <translation>Breite einer Kerbe in jeder Kante des Streifens, für zwei Schnüre; 0 für keine</translation>
     </message>
     <message>
         <source>Keep this point</source>

@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Length of the curve to which the places in Between and Loads refer; 0 for the present length</source>
+        <translation>Between 和 Loads 中的位置所对应的曲线长度；0 表示当前长度</translation>
+    </message>
+    <message>
         <source>Expected deviation of a real strip from its design, due to the model, its uncertainty and the sheet</source>
         <translation>实际条带与设计的预期偏差，来自模型、其不确定性和板材</translation>
     </message>
@@ -2442,6 +2446,22 @@
     <message>
         <source>Hung mass in grams; it needs the own weight of the strip</source>
         <translation>悬挂质量，单位克；需要计入条带自重</translation>
+    </message>
+    <message>
+        <source>Hole</source>
+        <translation>孔</translation>
+    </message>
+    <message>
+        <source>Diameter of a hole in the strip for a cord or screw; 0 for none</source>
+        <translation>条带上供拉索或螺钉穿过的孔的直径；0 表示无</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>缺口</translation>
+    </message>
+    <message>
+        <source>Width of a notch in each edge of the strip, for two cords; 0 for none</source>
+        <translation>条带两侧边缘上缺口的宽度，供两根拉索使用；0 表示无</translation>
     </message>
     <message>
         <source>Keep this point</source>

@@ -126,6 +126,10 @@ def work():
     )  # beside the text nothing happens
     until(lambda: "[" not in strip.Between[2])
     answers["along the curve"] = lines(strip)
+    scroll_to(one.form.hole)
+    typed("hole", "3 mm")
+    until(lambda: "hole" in strip.Between[2])
+    answers["hole"] = list(strip.Between)
     scroll_to(one.form.remove)
     click(one.form.remove)
     until(lambda: len(strip.Between) == 2)

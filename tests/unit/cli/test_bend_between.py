@@ -35,6 +35,17 @@ def strip():
     return ec.make_strip(WAVE, SHEET, max_width=40, between=(ec.Rail(200), ec.Tie(40, 310)))
 
 
+def test_holes_and_notches_of_pins_and_ties(desk):
+    line = f"strip wave.dxf --sheet {SHEET} --max-width 40 --no-step --no-pictures -o"
+    run(f"{line} holes --pin 200 --tie 40 310 --hole 0.4cm --json", cwd=desk)
+    between = json.loads((desk / "holes" / "wave.json").read_text())["request"]["between"]
+    assert [row["hole"] for row in between] == [4.0, 4.0]
+    refused = run(f"{line} none --rail 200 --notch 2", cwd=desk, code=2)
+    assert "--notch needs --pin or --tie." in refused.stderr
+    refused = run(f"{line} none --pin 200 --hole 4 --notch 2", cwd=desk, code=2)
+    assert "Leave out --hole or --notch." in refused.stderr
+
+
 def bent(options, folder):
     made = run(f"bend out/wave.json {options} --json --force", cwd=folder)
     return json.loads(made.stdout)

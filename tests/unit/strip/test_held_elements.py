@@ -39,6 +39,26 @@ def test_the_template_has_a_bar_on_the_side_from_which_a_rail_pushes():
     assert {"R1", "T1"} <= set(texts)
 
 
+def test_loads_are_arrows_with_their_force_on_template_and_sheet():
+    loads = (ec.PointMass(100, 20), ec.PointForce(250, (0.3, 0.4)))
+    strip = ec.make_strip(
+        WAVE, SHEET, max_width=40, between=ec.Rail(200), loads=loads, gravity=True, label="A"
+    )
+    _, force, mass = held_elements(strip)
+    assert (mass.name, mass.noun, force.name, force.noun) == ("M1", "point mass 20 g", "F1", "point force")
+    assert mass.force == pytest.approx(0.020 * 9.80665)
+    assert mass.outward[0] == pytest.approx((0, -1))
+    assert (force.force, force.tilt) == pytest.approx((0.5, np.degrees(np.arctan2(0.4, 0.3))))
+    drawing = holding_template(strip)
+    lines = [path.points(0.1) for path in drawing.on("MARK")]
+    hung = WAVE.at([100.0]).position[0]
+    assert any(len(line) == 2 and np.allclose(line, [hung, hung - (0, 20)], atol=1e-6) for line in lines)
+    text = next(text.text for text in drawing.texts if text.text.startswith("M1 "))
+    assert text.endswith("-90.0 degrees from the line, 0.2 N")
+    model = ec.Model([ec.Placed(strip, (0, 0, 100), (1, 0, 0), (0, 0, 1))])
+    assert [row[1] for row in _held_rows(model)] == ["R1 rail", "F1 point force", "M1 point mass 20 g"]
+
+
 def test_the_assembly_sheet_has_a_row_for_each_element():
     strip = strip_of(ec.Pin(200), ec.Tie(40, 310))
     model = ec.Model([ec.Placed(strip, (0, 0, 100), (1, 0, 0), (0, 0, 1))])

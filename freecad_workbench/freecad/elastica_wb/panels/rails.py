@@ -93,7 +93,7 @@ class RailsPanel(Panel):
         self.form.pick.toggled.connect(self._picking)
         self.form.remove.clicked.connect(self._remove)
         self.form.elements.currentRowChanged.connect(self._choose)
-        self.watch("place", "other", "forceX", "forceY", "mass", "fixed")
+        self.watch("place", "other", "forceX", "forceY", "mass", "hole", "notch", "fixed")
         with self.telling():
             self._show()
 
@@ -216,6 +216,8 @@ class RailsPanel(Panel):
 
     def _typed(self, item: Acting) -> Acting:
         """Return an element or load with the numbers in the widgets."""
+        if isinstance(item, Pin | Tie):
+            item = replace(item, hole=self.value("hole"), notch=self.value("notch"))
         if isinstance(item, Tie):
             return replace(item, start=self.value("place"), end=self.value("other"))
         place = self.value("place")
@@ -257,7 +259,8 @@ class RailsPanel(Panel):
         item = self.items[self.chosen] if self.items else None
         kinds = {
             "place": (Rail, Pin, Tie, PointForce, PointMass), "other": (Tie,), "forceX": (PointForce,),
-            "forceY": (PointForce,), "mass": (PointMass,), "fixed": (Rail, Pin), "remove": object,
+            "forceY": (PointForce,), "mass": (PointMass,), "hole": (Pin, Tie), "notch": (Pin, Tie),
+            "fixed": (Rail, Pin), "remove": object,
         }  # fmt: skip
         for name, which in kinds.items():
             used = item is not None and isinstance(item, which)
@@ -276,6 +279,9 @@ class RailsPanel(Panel):
                     set_value(getattr(self.form, name), value)
             if isinstance(item, PointMass):
                 set_value(self.form.mass, item.mass)
+            if isinstance(item, Pin | Tie):
+                set_value(self.form.hole, item.hole)
+                set_value(self.form.notch, item.notch)
 
     def _number(self, place: Any) -> float:
         return self._distance(place) if isinstance(place, tuple) else float(place)
