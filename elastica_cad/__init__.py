@@ -17,7 +17,8 @@ if (
     and not sys.flags.safe_path
     and {"elastica_cad", "-melastica_cad"} & {*sys.orig_argv}
 ):
-    del sys.path[0]  # the working folder, which `python -m elastica_cad` puts before all other folders
+    # remove the working folder, which `python -m elastica_cad` places before all other folders
+    del sys.path[0]
 
 from elastica_cad._exports import exports
 

@@ -1,7 +1,7 @@
-"""Compiled parts of scipy (LAPACK, Brent's method) without their packages.
+"""Access to compiled functions of scipy (LAPACK, Brent's method) without importing their packages.
 
-`scipy.linalg` and `scipy.optimize` import some hundred modules before the first call, which takes a fifth and a
-third of a second. The functions used here are compiled in a single file each, which loads in milliseconds.
+`scipy.linalg` and `scipy.optimize` import some hundred modules, which takes a fifth and a third of a second.
+Each of the functions used here is in a single compiled file, which loads in milliseconds.
 """
 
 from collections.abc import Callable
@@ -16,7 +16,7 @@ from numpy.linalg import LinAlgError
 
 from elastica_cad._types import FloatArray
 
-_ROUNDS = 100  # largest number of steps of Brent's method, which usually needs a dozen
+_ROUNDS = 100  # largest number of steps of Brent's method; a dozen are usual
 
 
 @cache
@@ -26,7 +26,7 @@ def lapack() -> Any:
 
 
 def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return the result of `numpy.linalg.svd`, in a third of the time for a matrix of a few rows.
+    """Return the result of `numpy.linalg.svd`. For a matrix with a few rows, it takes a third of the time.
 
     Examples
     --------
@@ -43,7 +43,9 @@ def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, 
 def crossing(
     function: Callable[[float], float], low: float, high: float, *, absolute: float, relative: float
 ) -> float:
-    """Return the zero between two places of different signs, by Brent's method, to the larger tolerance.
+    """Return the zero of a function between two arguments at which it has opposite signs, by Brent's method.
+
+    The error is at most the larger tolerance.
 
     Examples
     --------
@@ -61,11 +63,14 @@ def _brent() -> Any:
 
 
 def _alone(package: str, name: str, needed: str) -> Any | None:
-    """Return a compiled module of scipy without its package, or None if this build of scipy has another layout.
+    """Import a compiled module of scipy without its package.
+
+    Return None if this build of scipy has another layout.
 
     The module is not added to `sys.modules`, because scipy loads its own copy later.
     """
-    scipy = find_spec("scipy")  # not imported, because it imports network modules and more
+    # only located, because importing it would also import network modules and others
+    scipy = find_spec("scipy")
     places = None if scipy is None else scipy.submodule_search_locations
     spec = PathFinder.find_spec(
         f"scipy.{package}.{name}", [str(Path(path) / package) for path in places or ()]

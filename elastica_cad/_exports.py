@@ -11,7 +11,10 @@ from typing import Any
 
 @contextmanager
 def installed_modules() -> Iterator[None]:
-    """Prevent imports from the working folder in the block; a notebook has this folder in `sys.path` as ""."""
+    """Prevent imports from the working folder during a `with` block.
+
+    In notebooks, `sys.path` contains this folder as "".
+    """
     paths = sys.path.copy()
     sys.path[:] = filter(None, paths)
     try:
@@ -21,10 +24,11 @@ def installed_modules() -> Iterator[None]:
 
 
 def exports(file: str, package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
-    """Return `__getattr__`, `__dir__` and `__all__` of a package, from the stub beside its `__init__.py`.
+    """Return `__getattr__`, `__dir__` and `__all__` of a package, read from the stub file beside its
+    `__init__.py`.
 
-    The stub is for type checkers and for Python. `import elastica_cad` does not load numpy, and a name loads only
-    its own module.
+    Type checkers read the same stub. `import elastica_cad` does not load numpy; using a name loads only the
+    module of that name.
     """
     homes: dict[str, str] = {}
     for node in ast.parse(Path(file).with_suffix(".pyi").read_text(encoding="utf-8")).body:

@@ -1,4 +1,4 @@
-"""Display of records in notebooks: lines as a small SVG, tables as HTML, without other libraries."""
+"""Display of records in notebooks, without other libraries: lines as a small SVG, and tables as HTML."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -8,17 +8,20 @@ from elastica_cad._text import html_text
 from elastica_cad._types import FloatArray
 from elastica_cad.report_rows import Row
 
-# colour that is legible on light and dark backgrounds
+# colours that are legible on light and dark backgrounds
 BLUE, RED, GREY, INK = "#2f6db3", "#c2452d", "#8a8f98", "#3c4658"
 
-WIDTH_PX, TALLEST_PX = 640.0, 420.0  # width of the column of a notebook, and a height below that of a screen
+# width of the column of a notebook, and largest height of a picture, less than the height of a screen
+WIDTH_PX, TALLEST_PX = 640.0, 420.0
 EDGE_PX = 8.0
 LINE_PX = 1.6
 FIGURES = 5  # number of decimals of coordinates in pixels
 
 
 def svg_of_lines(lines: Iterable[tuple[FloatArray, str, bool]], title: str) -> str:
-    """Return an SVG of polylines (points (n, 2) with y up, colour, closed), scaled to the picture.
+    """Return an SVG of polylines, scaled to the size of the picture.
+
+    Each polyline has points (n, 2) with y upward, a colour, and True if it is closed.
 
     Examples
     --------
@@ -47,7 +50,7 @@ def svg_of_lines(lines: Iterable[tuple[FloatArray, str, bool]], title: str) -> s
 
 
 def html_table(title: str, rows: Sequence[Mapping[str, object]]) -> str:
-    """Rows of equal keys as a table with a caption; every text is escaped."""
+    """Return rows with equal keys as an HTML table with a caption. All texts are escaped."""
     if not rows:
         return f"<p>{html_text(title)}</p>"
     head = "".join(f"<th>{html_text(key)}</th>" for key in rows[0])
@@ -58,7 +61,10 @@ def html_table(title: str, rows: Sequence[Mapping[str, object]]) -> str:
 
 
 def rows_table(title: str, rows: Sequence[Row]) -> str:
-    """Labelled rows as a table with a caption; a row that stops the user is marked, details are tooltips."""
+    """Return the rows of a report as an HTML table with a caption.
+
+    Warnings are marked, and details are tooltips.
+    """
     body = "".join(
         f"<tr><th>{'! ' if row.stops else ''}{html_text(row.label)}</th>"
         f'<td style="text-align: left" title="{html_text(" ".join(row.details))}">{html_text(row.text)}</td></tr>'

@@ -1,4 +1,4 @@
-"""Ctrl-C during imports, and the command of a second process of this package."""
+"""Handling of Ctrl-C during imports, and the command that starts a second process of this package."""
 
 import signal
 import sys
@@ -9,11 +9,14 @@ from threading import current_thread, main_thread
 from types import FrameType
 
 PACKAGES = Path(__file__).parents[1]
-"""Folder that contains this package. In a checkout, a new Python does not search this folder by itself."""
+"""Folder that contains this package.
+
+In a checkout, a new Python process does not search this folder by default.
+"""
 
 
 def python_command(module: str, function: str) -> list[str]:
-    """Return the command that calls a function of this package in a new Python.
+    """Return the command that calls a function of this package in a new Python process.
 
     The option -P is needed, because `python` would otherwise search the working folder for modules first.
     """
@@ -23,9 +26,9 @@ def python_command(module: str, function: str) -> list[str]:
 
 @contextmanager
 def interrupts_held() -> Iterator[None]:
-    """Delay Ctrl-C until the end of the block.
+    """Delay Ctrl-C until the end of a `with` block.
 
-    Some libraries catch every exception during imports, so that Ctrl-C would be lost there.
+    Some libraries catch all exceptions during their imports, so that Ctrl-C would be lost.
     """
     before = signal.getsignal(signal.SIGINT)
     if before is None or current_thread() is not main_thread():

@@ -1,4 +1,4 @@
-"""Text for people: foreign text made printable, and commands as a shell takes them."""
+"""Text for people: escaping of text from files, and quoting of commands for a shell."""
 
 import os
 import re
@@ -11,15 +11,15 @@ from pathlib import PurePath, PurePosixPath, PureWindowsPath
 
 _SUSPECT = re.compile(
     r"[^ -~\n\xa0\u1680\u2000-\u200a\u202f\u205f\u3000]"
-)  # all characters except ASCII, line ends and spaces
+)  # matches all characters except printable ASCII, line ends and spaces
 
 
 def printable(text: str) -> str:
-    r"""Return the text with escaped invisible characters: control codes, marks of direction, lone surrogates.
+    r"""Escape invisible characters in a text: control codes, marks of writing direction, lone surrogates.
 
-    These characters could recolour a terminal, write to its clipboard, or reverse a line. Line ends and spaces
-    stay.
-    The escapes are those of JSON, so a JSON record has the same contents.
+    These characters could recolour a terminal, write to its clipboard, or reverse a line. Line ends and
+    spaces are not escaped. The escapes are those of JSON, so that the contents of a JSON record do not
+    change.
 
     Examples
     --------
@@ -49,19 +49,20 @@ def _shown(match: re.Match[str]) -> str:
 
 
 MADE_BY: ContextVar[str] = ContextVar("made_by", default="")
-"""The running command, for the files that it writes; empty in a script."""
+"""The running command, which is noted in the files that it writes; empty in a script."""
 
 _PLAIN = re.compile(r"[^&|<>^()%!]+")
-"""Characters that cmd does not interpret."""
+"""Pattern for characters that the Windows shell cmd does not interpret."""
 
 _NOT_OF_DRAWINGS = {
     "-o": 1, "--output": 1, "--force": 0, "--json": 0, "-v": 0, "--verbose": 0, "-q": 0, "--quiet": 0, "--watch": 0,
 }  # fmt: skip
-"""Options without effect on a drawing, and the number of words that follow each option."""
+"""Options that do not affect a drawing, and the number of values of each option."""
 
 
 def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str:
-    """Return the words as typed, in quotes if the shell of this system, or cmd of Windows, needs quotes.
+    """Return words as a line for the shell of this system, or for the Windows shell cmd; words are quoted if
+    necessary.
 
     Examples
     --------
@@ -78,7 +79,7 @@ def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str
 def command_of_drawings(words: Iterable[str], *, windows: bool = os.name == "nt") -> str:
     """Return the command that makes the same drawings again, from the arguments of the program.
 
-    It omits the output folder, and absolute paths are reduced to the file name, because they may contain user
+    The output folder is omitted. Absolute paths are reduced to the file name, because they may contain user
     names.
 
     Examples

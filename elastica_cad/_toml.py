@@ -1,13 +1,14 @@
-"""TOML that users write, parsed within bounds."""
+"""Parser for TOML from users, with a limit for the memory."""
 
 import re
 import tomllib
 from typing import Any
 
 DEEPEST_KEY = 30
-"""Largest number of keys joined by dots, ten times the need of a design file. The memory of the parser grows with
-its
-square."""
+"""Largest number of parts of a dotted key, ten times as many as a design file needs.
+
+The memory of the parser is proportional to the square of this number.
+"""
 
 _TOO_DEEP = re.compile(
     rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{DEEPEST_KEY}}}"""

@@ -1,4 +1,4 @@
-"""Types of arrays, and of fields of records that accept more types than they keep."""
+"""Types of arrays, and types of fields that accept values of more types than they store."""
 
 from dataclasses import field
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
@@ -18,7 +18,7 @@ Given_contra = TypeVar("Given_contra", contravariant=True)
 if TYPE_CHECKING:
 
     class Takes(Generic[Kept_co, Given_contra]):
-        """Type of a field that keeps one type and accepts another, as `Takes[tuple[Hole, ...], Hole]`."""
+        """Type of a field that stores one type and accepts another, such as `Takes[tuple[Hole, ...], Hole]`."""
 
         def __get__(self, record: object, owner: Any = None, /) -> Kept_co: ...
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 else:
 
     class Takes:
-        """The type that is kept."""
+        """The type that is stored."""
 
         def __class_getitem__(cls, kinds):
             return kinds[0]
@@ -38,5 +38,7 @@ EMPTY: Any = ()
 
 
 def required() -> Any:
-    """Return the default of a field with the type `Takes` that has none; mypy needs a value there."""
+    """Return the placeholder for the missing default of a field with the type `Takes`, because mypy requires
+    a value.
+    """
     return field()

@@ -1,4 +1,4 @@
-"""Units of length in mm, and numbers with fractions, feet and inches."""
+"""Units of length, and parsing of numbers with fractions, feet and inches."""
 
 import re
 
@@ -17,7 +17,7 @@ MILLIMETRES = {
     "px": MM_PER_INCH / 96,
     "pt": MM_PER_INCH / 72,
 }
-"""Size in mm of each unit in files and options; px is the CSS pixel, pt the DTP point."""
+"""Size in mm of each unit in files and options; px is the CSS pixel, and pt is the DTP point."""
 
 
 _WORDS = {
@@ -32,11 +32,11 @@ _WORDS = {
     "pt": "points?|punkte?",
 }
 _UNIT = {unit: re.compile(f"{unit}|{words}", re.IGNORECASE) for unit, words in _WORDS.items()}
-"""Spellings of units: symbols, words and signs."""
+"""Pattern for the spellings of each unit: symbols, words and signs."""
 
 
 def read_unit(text: str) -> str | None:
-    """Return the unit that a word or a sign names, None for other text.
+    """Return the unit that a word or a sign names, or None for other text.
 
     Examples
     --------
@@ -78,7 +78,7 @@ _SIGNS = str.maketrans({"′": "'", "’": "'", "‘": "'", "″": '"', "”": '
 
 
 def read_number(text: str) -> float:
-    """Return the number in a text of digits or a fraction as on a folding rule: "5/16", "1 3/8", "1-3/8".
+    """Parse a number, which may be a fraction such as "5/16", "1 3/8" or "1-3/8".
 
     Raises
     ------
@@ -95,9 +95,11 @@ def read_number(text: str) -> float:
 
 
 def read_offset(text: str) -> float | None:
-    """Return the inches of feet, inches and eighths, as tables of offsets have them, or of marked feet and inches.
+    """Return a length in inches from feet, inches and eighths ("3-4-5", as in tables of offsets), or from
+    feet and inches with signs.
 
-    A plus after the eighths adds a sixteenth, a minus subtracts a sixteenth. The result is None for any other text.
+    A plus sign after the eighths adds a sixteenth, and a minus sign subtracts a sixteenth. The result is None
+    for any other text.
 
     Examples
     --------
@@ -118,5 +120,7 @@ def read_offset(text: str) -> float | None:
 
 
 def is_in_inches(text: str) -> bool:
-    """Return True if the form implies inches: a fraction, feet and inches, or feet, inches and eighths."""
+    """Return True if the notation of a number implies inches: a fraction, feet and inches, or feet, inches
+    and eighths.
+    """
     return _FRACTION.fullmatch(text) is not None or read_offset(text) is not None

@@ -1,4 +1,4 @@
-"""Checks of values that users give, equality of records, and numbers in sentences."""
+"""Checks of values from users, equality of records by value, and formatting of numbers in sentences."""
 
 from collections.abc import Iterable, Sized
 from dataclasses import fields, is_dataclass
@@ -15,11 +15,11 @@ from elastica_cad.errors import InputError, quoted
 from elastica_cad.refusals import note
 
 LARGEST = 1e100
-"""Largest permitted number, so that squares and cubes are finite."""
+"""Largest permitted number; squares and cubes of such numbers are finite."""
 
 
 def is_number(value: object) -> TypeGuard[float]:
-    """Return True if the value is a finite number up to 1e100; texts, booleans and arrays are not numbers.
+    """Return True if the value is a finite number up to 1e100. Strings, booleans and arrays are not numbers.
 
     Examples
     --------
@@ -34,7 +34,7 @@ def is_number(value: object) -> TypeGuard[float]:
 
 
 def is_whole(value: object) -> TypeGuard[int]:
-    """Return True if the value is an integer; fractions, texts and booleans are not integers.
+    """Return True if the value is an integer. Fractions, strings and booleans are not integers.
 
     Examples
     --------
@@ -85,7 +85,9 @@ def require_number(value: object, what: str, unit: str = "") -> float:
 
 
 def as_floats(values: object) -> FloatArray | None:
-    """Return an array of floats, or None for texts, rows of unequal length, or integers larger than all floats."""
+    """Convert values to an array of floats, or return None for strings, rows of unequal length, or integers
+    above the range of floats.
+    """
     try:
         return np.asarray(cast("ArrayLike", values), dtype=float)
     except (TypeError, ValueError, OverflowError):
@@ -93,26 +95,27 @@ def as_floats(values: object) -> FloatArray | None:
 
 
 def numbers(values: object, what: str) -> FloatArray:
-    """Return numbers of any shape as floats; NaN and infinity are accepted.
+    """Return an array of floats of any shape. NaN and infinity are accepted.
 
     Raises
     ------
     InputError
-        Values are texts, None, rows of unequal length, or integers larger than all floats.
+        Values are strings, None, rows of unequal length, or integers above the range of floats.
 
     Examples
     --------
     >>> numbers([1, 2], "the heights").tolist()
     [1.0, 2.0]
     """
-    array = None if values is None else as_floats(values)  # numpy converts None to NaN
+    # None is excluded, because numpy converts it to NaN
+    array = None if values is None else as_floats(values)
     if array is None:
         raise InputError(f"{what} must be numbers, not {quoted(values)}")
     return array
 
 
 def pair(value: object, what: str) -> FloatArray:
-    """Return two finite numbers, such as the coordinates of a point or a range, (2,).
+    """Return two finite numbers (2,), such as the coordinates of a point, or refuse the value.
 
     Raises
     ------
@@ -126,7 +129,7 @@ def pair(value: object, what: str) -> FloatArray:
 
 
 def three(values: object, what: str) -> FloatArray:
-    """Return three finite numbers (3,); refuse other values."""
+    """Return three finite numbers (3,), or refuse the value."""
     row = None if values is None else as_floats(values)
     if row is None or row.shape != (3,) or not np.isfinite(row).all():
         raise InputError("{what} is {given}: give three finite numbers", what=what, given=quoted(values))
@@ -134,7 +137,10 @@ def three(values: object, what: str) -> FloatArray:
 
 
 def direction(values: object, what: str) -> FloatArray:
-    """Return the unit vector (3,) along three finite numbers that are not all 0; refuse other values."""
+    """Return the unit vector (3,) in the direction of a vector (3,).
+
+    Refuse a zero vector, and values that are not finite.
+    """
     row = three(values, what)
     if not row.any():
         raise InputError("{what} is zero: give a direction of three numbers", what=what)
@@ -142,7 +148,8 @@ def direction(values: object, what: str) -> FloatArray:
 
 
 def alike(**values: object) -> tuple[FloatArray, ...]:
-    """Return arrays of compatible shapes by their names, each in its own shape.
+    """Convert named values to arrays, without broadcasting them, and refuse shapes that cannot be broadcast
+    together.
 
     Raises
     ------
@@ -166,7 +173,7 @@ def alike(**values: object) -> tuple[FloatArray, ...]:
 
 
 def require_flag(value: object, what: str) -> bool:
-    """Return the boolean; refuse other values.
+    """Return the value if it is a boolean, or refuse it.
 
     Raises
     ------
@@ -179,18 +186,21 @@ def require_flag(value: object, what: str) -> bool:
 
 
 def is_one_of(value: object, choices: Iterable[object]) -> bool:
-    """Return True if the value is one of these choices; an array, which compares by element, is not."""
+    """Return True if the value equals one of the choices.
+
+    The result is False for arrays, which are compared by element.
+    """
     return not isinstance(value, np.ndarray) and value in choices
 
 
 def is_series(value: object) -> TypeGuard[Iterable[Any]]:
-    """Return True if the value is iterable, except texts and arrays of a single number."""
+    """Return True if the value is iterable. Strings and arrays of dimension 0 are not."""
     alone = isinstance(value, str) or (isinstance(value, np.ndarray) and value.ndim == 0)
     return isinstance(value, Iterable) and not alone
 
 
 def require_record(value: object, record: type[Any] | UnionType, what: str, cure: str) -> None:
-    """Raise InputError unless the value is a record of this class; `cure` is the instruction in the message.
+    """Raise InputError unless the value is a record of a class. In the message, `cure` is the instruction.
 
     Raises
     ------
@@ -202,7 +212,7 @@ def require_record(value: object, record: type[Any] | UnionType, what: str, cure
 
 
 def require_path(path: object) -> Path:
-    """Return the path that a user named.
+    """Return a path that a user has passed.
 
     Raises
     ------
@@ -217,9 +227,9 @@ def require_path(path: object) -> Path:
 def several(
     name: str, values: object, record: type[Any] | UnionType, kind: str, cure: str = ""
 ) -> tuple[Any, ...]:
-    """Return a tuple of records of one type; a single record becomes a tuple.
+    """Return a tuple of records of a class. A single record becomes a tuple of length 1.
 
-    `cure` is the instruction in the message.
+    In the message, `cure` is the instruction.
 
     Raises
     ------
@@ -234,12 +244,15 @@ def several(
     return items
 
 
-_KEPT = "_value_key"  # key of the cached value in the dictionary of a record
-_PLAIN = frozenset({type(None), bool, int, float, str})  # most fields have one of these types
+_KEPT = "_value_key"  # attribute of a record in which its key is cached
+# types whose values are their own keys; most fields have one of them
+_PLAIN = frozenset({type(None), bool, int, float, str})
 
 
 class EqualByValue:
-    """Base of a frozen dataclass (declared with `eq=False`) that is equal, and hashed, by all its fields."""
+    """Base of a frozen dataclass, declared with `eq=False`, whose equality and hash depend on the values of
+    all fields.
+    """
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, type(self)) and _record_key(self) == _record_key(other)
@@ -249,7 +262,7 @@ class EqualByValue:
 
 
 def value_key(value: Any) -> Any:
-    """Return a hashable key that is the same for equal values.
+    """Return a hashable key, which is equal for equal values.
 
     Records are compared by their fields, arrays by their numbers, functions by identity.
 
@@ -271,7 +284,7 @@ def value_key(value: Any) -> Any:
 
 
 def _record_key(record: Any) -> tuple[Any, ...]:
-    """Return the key of a record; frozen records store it, because a curve may be in several requests."""
+    """Return the key of a record. Frozen records cache it, because a curve may be part of several requests."""
     kept = getattr(record, "__dict__", {}) if record.__dataclass_params__.frozen else {}
     if _KEPT not in kept:
         kind: Any = type(record)
@@ -283,21 +296,27 @@ def _record_key(record: Any) -> tuple[Any, ...]:
 
 @cache
 def _compared(kind: type) -> tuple[str, ...] | None:
-    """Return the names of the compared fields of a record class, or None for another class."""
+    """Return the names of the fields by which records of a class are compared, or None for other classes."""
     if not is_dataclass(kind):
         return None
     return tuple(field.name for field in fields(kind) if field.compare)
 
 
 MORE_DIGITS = 9
-"""Largest number of digits in addition to the usual digits; numbers that still look equal count as equal."""
+"""Largest number of digits that are added to distinguish two numbers.
+
+Numbers that still look equal count as equal.
+"""
 
 SEEN_APART = 1e-5
-"""Least relative difference that six digits always show; a figure that is closer to its limit meets the limit."""
+"""Least relative difference that is always visible in six digits.
+
+A value closer to its limit counts as meeting it.
+"""
 
 
 def counted(count: int, noun: str) -> str:
-    """Return the count with its noun.
+    """Return a count with a noun, which is in the plural unless the count is 1.
 
     Examples
     --------
@@ -308,7 +327,7 @@ def counted(count: int, noun: str) -> str:
 
 
 def and_more(items: Sized, noun: str = "") -> str:
-    """Return a text with the number of items after the first, or an empty text for a single item.
+    """Return a text with the number of further items after the first, or "" for a single item.
 
     Examples
     --------
@@ -324,7 +343,7 @@ def and_more(items: Sized, noun: str = "") -> str:
 
 
 def distinct_digits(first: float, other: float, digits: str) -> tuple[float, float]:
-    """Return two numbers rounded to enough digits to differ, with at least the digits of their format.
+    """Round two numbers to the digits of a format, or to as many more digits as distinguish them.
 
     Examples
     --------
@@ -338,7 +357,10 @@ def distinct_digits(first: float, other: float, digits: str) -> tuple[float, flo
 
 
 def round_numbers(value: Any) -> Any:
-    """Round to ten significant digits, because more would be noise, and equal designs must give equal files."""
+    """Round the numbers in a value to ten significant digits.
+
+    Further digits are noise; without them, equal designs result in equal files.
+    """
     array = np.asarray(value, dtype=float)
     if array.ndim == 0:
         return float(f"{float(array):.10g}")

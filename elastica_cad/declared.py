@@ -1,6 +1,6 @@
-"""Declared options. Each field is declared on its record, and all front ends use this declaration.
+"""Declaration of options on the fields of records. All front ends use these declarations.
 
-A field, or a parameter of a function, is declared by its annotation:
+A field, or a parameter of a function, is declared by an annotation:
 `ratio: Annotated[float | None, Option("Largest stiffness ratio.", least=1, common=True)] = None`.
 """
 
@@ -20,17 +20,17 @@ from elastica_cad.errors import InputError, quoted
 from elastica_cad.refusals import note, sentences
 
 Record: TypeAlias = Callable[..., Any]
-"""A dataclass, or a function whose parameters are declared in the same way."""
+"""A dataclass with declared fields, or a function with declared parameters."""
 
 REQUIRED = MISSING
 """Default of a required field."""
 
 
 MOST_ELEMENTS = 10_000
-"""Default limit for the elements of a list, ten times as many as in the longest list of an example."""
+"""Default limit for the number of elements of a list, ten times the length of the longest list in the examples."""
 
 LONGEST_TEXT = 1_000
-"""Largest number of characters of a text if its field has no bound; paths of files are shorter."""
+"""Largest number of characters of a text whose field declares no limit. Paths of files are shorter."""
 
 
 @dataclass(frozen=True)
@@ -40,22 +40,23 @@ class Option:
     Attributes
     ----------
     help : str
-        One English sentence.
+        Help for the option, a sentence in English.
     unit : str
         "mm", "1/mm", "rad", "g" and so on; empty for no unit.
     least, most : float or None
-        Inclusive bounds; for a text, `most` is its largest number of characters.
+        Inclusive bounds of a number. For a text, `most` is the largest number of characters.
     above : float or None
         Exclusive lower bound.
     many : int
         Largest number of elements of a list.
     group : str
-        Heading in the lists of front ends.
+        Heading of the option's group in front ends.
     common : bool
-        True for a separate option and input field; other fields are set by name (`--set`, the property editor).
+        True if the field has its own command-line option and input field. Other fields are set by name
+        (`--set`, property editor).
     written : type or str, optional
-        Type of the value in files and options, if the field has a wider type. For a table also "module:name" of
-        its record, which is imported when the table is read or described.
+        Type of the value in files and options, if the type of the field is wider. For a table it may be
+        "module:name" of its record, which is imported on use.
     """
 
     help: str
@@ -70,7 +71,7 @@ class Option:
 
     @property
     def bounds(self) -> str:
-        """The bounds in words; empty for none."""
+        """The bounds in words; empty if there are none."""
         templates = {
             "from {bound:g}": self.least,
             "above {bound:g}": self.above,
@@ -96,14 +97,14 @@ class Kind:
     Attributes
     ----------
     name : str
-        "number", "count", "flag", "text", "choice", "names" (any names, each with a value), "list", "table" or
-        "either".
+        One of "number", "count", "flag", "text", "choice", "names" (any names, each with a value), "list",
+        "table", "either".
     of : tuple of Kind
-        Kinds of the elements of a list, of the values of names (a single kind), or the alternatives of "either".
+        Kinds of the elements of a "list", kind of the values of "names", or alternatives of "either".
     size : int or None
         Size of a list, or None for any size.
     choices : tuple of str
-        Values of a choice.
+        Permitted values of a "choice".
     source : callable, str or None
         Class or function that makes a record from a table, or its "module:name".
     """
@@ -127,7 +128,7 @@ class Kind:
 
 @dataclass(frozen=True)
 class Field:
-    """One declared field."""
+    """A declared field."""
 
     name: str
     kind: Kind
@@ -136,7 +137,7 @@ class Field:
 
     @property
     def help(self) -> str:
-        """One English sentence."""
+        """Help for the field, a sentence in English."""
         return self.option.help
 
 
@@ -167,7 +168,7 @@ def declared(record: Record) -> tuple[Field, ...]:
 
 
 def require_declared(record: Record, values: Mapping[str, Any], whose: str = "") -> None:
-    """Refuse values of declared fields, given by name, that have another kind or are out of bounds.
+    """Refuse values, given by the names of declared fields, that have another kind or are out of bounds.
 
     Values of other fields are accepted, and None if it is the default.
 
@@ -196,12 +197,12 @@ def require_declared(record: Record, values: Mapping[str, Any], whose: str = "")
 
 
 def require_bounds(entry: Field, value: Any, place: str) -> None:
-    """Refuse a number, text or list of a declared field that is out of its bounds.
+    """Refuse a value of a declared field that is out of bounds: a number, or the length of a text or list.
 
     Raises
     ------
     InputError
-        `place` is where the value is written.
+        In the message, `place` is the name of the value.
     """
     for kind in entry.kind.alternatives:
         numbers = [value] if kind.name in ("number", "count") else []
@@ -216,7 +217,7 @@ def require_bounds(entry: Field, value: Any, place: str) -> None:
 
 
 def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
-    """Return why a value is not valid for a declared field."""
+    """Return the error that a value is not valid for a declared field."""
     return InputError(
         "{field} is {given}: it must be {wanted}",
         field=place, given=quoted(value), wanted=_wanted(entry.kind, entry.option), **where,
@@ -224,7 +225,7 @@ def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
 
 
 def _fits(value: Any, kind: Kind, option: Option) -> bool:
-    """Return True if a value has the kind and is within bounds; kinds that differ only in files are not checked."""
+    """Return True if a value has the kind and is within bounds. Kinds that exist only in files are not checked."""
     match kind.name:
         case "number" | "count":
             return (is_number if kind.name == "number" else is_whole)(value) and option.holds(value)
@@ -276,7 +277,9 @@ def _defaults(record: Record) -> list[tuple[str, Any]]:
 
 
 def kind_of(hint: Any) -> Kind:
-    """Return the kind of values of a type; the alternative None means that the value is not given.
+    """Return the kind of value for a type annotation.
+
+    An alternative None is ignored, because it is the missing value.
 
     Examples
     --------
@@ -303,7 +306,8 @@ def kind_of(hint: Any) -> Kind:
 
 
 def name_of(record: Record) -> str:
-    """Return the title of a record's table on pages: its name in words, without a final "keys" or "table".
+    """Return the title of a record's table in the manual: the name of its class in words, without a final
+    "keys" or "table".
 
     Examples
     --------

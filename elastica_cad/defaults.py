@@ -1,4 +1,4 @@
-"""Default values and usual limits of strips, holders, cutting files and commands. Lengths in mm."""
+"""Default values and usual limits of strips, holders, cutting files and commands. Lengths are in mm."""
 
 SHEET = "birch-plywood-0.8"
 """Sheet of a new strip in FreeCAD and in the notebook."""
@@ -10,40 +10,40 @@ UNKNOWN_WIDTH = 40.0
 """Largest width that is assumed for the check of a drawn curve if the width of the strip is unknown."""
 
 RATIO = 3.5
-"""Largest stiffness ratio (widest to narrowest place) if the curve may be changed."""
+"""Largest stiffness ratio (largest to smallest stiffness along the strip) if the curve may be changed."""
 
 CUTTABLE_RATIO = 9.5
-"""Stiffness ratio of a strip 30 mm wide that can just be cut at its narrowest place."""
+"""Stiffness ratio at which a strip 30 mm wide is barely wide enough for cutting at its narrowest point."""
 
 UNLIMITED_RATIO = 1000.0
-"""Largest stiffness ratio without a given limit: widths of 0.1 and 100 mm, which no machine cuts."""
+"""Largest stiffness ratio if no limit is given. Its widths, such as 0.1 and 100 mm, are beyond any machine."""
 
 TAB_LENGTH = 10.0
 """Length of a tab."""
 
 RING_TAB_LENGTH = 8.0
-"""Length of a tab that is held by a ring: it passes 3 mm of material and leaves room for glue."""
+"""Length of a tab that is held by a ring: it passes through 3 mm of material, and the rest is glued."""
 
 KERF = 0.0
 """Kerf for which cutting files are corrected. It is 0, because many cutting services correct their kerf."""
 
 LASER_KERF = 0.2
-"""Kerf for a part with two rest shapes if its sheet has no kerf."""
+"""Kerf for a two-state part if the kerf of its sheet is unknown."""
 
 CLEARANCE = 0.1
 """Difference between the width of a slot and the thickness of the sheet in it."""
 
 PLAY = 0.3
-"""Clearance beside a tab in its slot on either side; it is small, since tabs may be close to each other."""
+"""Clearance on each side of a tab in its slot. It is small, because tabs may be close to each other."""
 
 BORDER = 8.0
 """Width of material beside slots and seats of a plate."""
 
 BASE_PLAY, BASE_BORDER = 0.5, 12.0
-"""Width of material beside the slots of a base plate."""
+"""Clearance on each side of a tab in a base plate, and width of material beside its slots."""
 
 POCKET_CLEARANCE = 0.15
 """Clearance around a tab in its printed pocket."""
 
 NOT_REALIZABLE, BAD_INPUT, INTERRUPTED, OUTPUT_CLOSED = 1, 2, 130, 141
-"""Exit codes of commands; the last two as shells have them: 128 and the number of the signal."""
+"""Exit codes of commands. The last two follow the convention of shells: 128 plus the number of the signal."""

@@ -1,4 +1,4 @@
-"""Errors of elastica_cad; every message states what is wrong, where (mm), and what to do."""
+"""Errors of elastica_cad. Every message states the problem, its position (mm), and an instruction."""
 
 import re
 import sys
@@ -41,7 +41,7 @@ R = TypeVar("R")
 
 class _Quoted(Repr):
     def repr_date(self, value: date | time, _: int) -> str:
-        """Return a date or time as in a TOML file."""
+        """Format a date or time as in a TOML file."""
         return value.isoformat()
 
     repr_datetime = repr_time = repr_date
@@ -57,20 +57,19 @@ class ElasticaError(Exception):
     Parameters
     ----------
     text : str
-        A complete sentence, or a template with {name} for each value.
-    kind : str, optional
-        Kind of the error for programs; by default the kind of the class.
+        A complete sentence, or a template with {name} for each value. kind : str, optional Identifier of the
+        kind of error, for programs. The default is that of the class.
     where : mapping, optional
-        Places by kind, such as {"field": "end"}.
+        Positions of the problem by kind, such as {"field": "end"}.
     changes : sequence of Change, optional
         Changes of the request that may help.
     **values : object
-        Values of the template; lengths as `Length`.
+        Values of the template. Lengths are passed as `Length`.
 
     Attributes
     ----------
     refusal : Refusal
-        These data as a record.
+        The message and these data as a record.
 
     Examples
     --------
@@ -97,7 +96,7 @@ class ElasticaError(Exception):
             where, changes = {**text.where, **(where or {})}, (*changes, *text.changes)
             values = {**text.values, **values}
             text = text.text
-        # an error among the values is replaced by its text, which can be passed to another process
+        # replace errors among the values by their texts, because only texts can be passed to another process
         values = {
             name: str(value) if isinstance(value, BaseException) else value for name, value in values.items()
         }
@@ -105,19 +104,19 @@ class ElasticaError(Exception):
         super().__init__(str(self.refusal))
 
     def __str__(self) -> str:
-        return self.refusal  # the text is the record itself, so that front ends can translate it
+        return self.refusal  # return the record, which is a str, so that front ends can translate it
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (type(self), str(self)), self.__dict__
 
     def at(self, **where: Any) -> Self:
-        """Return this error after adding places to it: `raise problem.at(strip="A1")`."""
+        """Add positions to this error and return it: `raise problem.at(strip="A1")`."""
         self.refusal = self.refusal.at(**where)
         return self
 
 
 def _restored(kind: type[ElasticaError], message: str) -> ElasticaError:
-    """Return a pickled error, for any signature of its class."""
+    """Restore a pickled error, whatever the signature of its class is."""
     return kind.__new__(kind, message)
 
 
@@ -128,7 +127,7 @@ class InputError(ElasticaError, ValueError):
 
 
 class UnknownOptionError(InputError, TypeError):
-    """The option does not exist; also a `TypeError`, as Python raises for unknown arguments."""
+    """The option does not exist. The error is also a `TypeError`, which Python raises for unknown arguments."""
 
     KIND = "unknown"
 
@@ -140,7 +139,7 @@ class StrainError(InputError):
 
 
 class NotConvergedError(ElasticaError, RuntimeError):
-    """A solver did not reach its tolerance; an inaccurate shape is never returned."""
+    """A solver did not reach its tolerance. Inaccurate results are not returned."""
 
     KIND = "not converged"
 
@@ -158,7 +157,7 @@ class MissingDependencyError(ElasticaError, ImportError, RuntimeError):
 
 
 def quoted(value: object) -> str:
-    """Return a value of a file for a message, with long texts and lists truncated.
+    """Format a value from a file for a message. Long texts and lists are truncated.
 
     Examples
     --------
@@ -169,7 +168,7 @@ def quoted(value: object) -> str:
 
 
 def toml_slip(text: str, error: Exception) -> str:
-    """Return a suggestion for a line with a TOML error.
+    """Return a suggestion how to correct a line with a TOML error.
 
     Examples
     --------
@@ -204,7 +203,7 @@ def how_to_install(package: str) -> str:
 
 
 def missing_library(use: str, library: str) -> MissingDependencyError:
-    """Return the error for a library that is not installed; `use` states what needs it.
+    """Return the error for a library that is not installed. `use` names the operation that needs it.
 
     Examples
     --------
@@ -215,7 +214,9 @@ def missing_library(use: str, library: str) -> MissingDependencyError:
 
 
 def installed_version(package: str) -> str | None:
-    """Return the version of an installed package, or None; elastica_cad itself may run from a checkout."""
+    """Return the version of an installed package, or None. elastica_cad may run from a checkout without being
+    installed.
+    """
     from importlib.metadata import PackageNotFoundError, version
 
     try:
@@ -230,14 +231,14 @@ def refuse_unknown(options: Iterable[str], known: Iterable[str], what: str) -> N
     Parameters
     ----------
     options, known : iterable of str
-        The names to check, and the known names.
-    what : str
-        Name, in the message, of the object with these options.
+        The names to be checked, and the known names. what : str Name, in the message, of the object that has
+        these options.
 
     Raises
     ------
     UnknownOptionError
-        A name is unknown. The message has the known name with the most similar spelling, or else all known names.
+        A name is unknown. The message contains the known name with the most similar spelling, or else all
+        known names.
 
     Examples
     --------
@@ -285,7 +286,7 @@ def _keywords(function: Callable[..., object]) -> tuple[str, ...]:
 
 
 def rounded_up(value: float, figures: int = 4) -> float:
-    """Return a least value rounded up for a message, so that the stated value is sufficient.
+    """Round a minimum up for a message, so that the displayed value is sufficient.
 
     Examples
     --------
@@ -296,7 +297,7 @@ def rounded_up(value: float, figures: int = 4) -> float:
 
 
 def rounded_down(value: float, figures: int = 4) -> float:
-    """Return a largest value rounded down in the same way.
+    """Round a maximum down for a message, so that the displayed value is permitted.
 
     Examples
     --------
@@ -311,5 +312,6 @@ def _rounded(value: float, figures: int, *, up: bool) -> float:
         return value
     step = 10.0 ** (floor(log10(value)) - figures + 1)
     steps = value / step
-    whole = ceil(steps - 1e-9) if up else floor(steps + 1e-9)  # an exactly displayed value stays
+    # the allowance keeps values that are displayed exactly
+    whole = ceil(steps - 1e-9) if up else floor(steps + 1e-9)
     return float(f"{whole * step:.{figures}g}")

@@ -1,4 +1,4 @@
-"""Reading curves from files and saving drawings to files; the suffix determines the format.
+"""Functions that read curves from files and save drawings to files. The suffix determines the format.
 
 Readers and writers are imported on first use, because a command usually reads a single file.
 """
@@ -40,12 +40,14 @@ def read_curves(
 ) -> CurveList:
     """Read the curves in a file, in mm.
 
-    Splines, arcs and ellipses are kept exactly; polylines and measured points are fitted. Pieces whose ends meet
-    are joined to a curve, except named shapes of an SVG. A closed curve has equal ends. Corners due to rounded
-    decimals are removed, and `PlaneCurve.provenance` has the resulting movement of the curve.
+    Splines, arcs and ellipses are kept exactly; polylines and measured points are fitted. Pieces whose ends
+    meet are joined to a curve, except named shapes of an SVG. The ends of a closed curve are equal. Corners
+    that are caused by rounded decimals are removed; `PlaneCurve.provenance` states the resulting movement of
+    the curve.
 
-    Limits are 256 MB, 20,000 shapes (blocks and clones are counted for each use), 120,000 pieces and 5,000 curves.
-    A curve may have 3,000 pieces and a size of 0.001 mm to 1 km.
+    A file may have at most 20,000 shapes (blocks and clones are counted for each use), 120,000 pieces and
+    5,000 curves. A curve may have at most 3,000 pieces, and a size of 0.001 mm to 1 km. The size of a file is
+    limited, too (at most 256 MB).
 
     Parameters
     ----------
@@ -58,19 +60,20 @@ def read_curves(
     fit_tolerance : float
         Largest distance of measured points from their curve, mm.
     unit : str, optional
-        Unit of the numbers in the file, "mm", "cm", "m", "in", "ft" or "px"; overrides the unit in the file.
+        Unit of the numbers in the file: "mm", "cm", "m", "in", "ft" or "px". It overrides the unit stated in
+        the file.
 
     Returns
     -------
     list of PlaneCurve
-        In the order of the file, never empty. Its `notes` list omitted items: invalid curves, texts, images.
-        `read_drawing` also returns numbers, ids and layers.
+        Curves in the order of the file. The list is not empty. Its `notes` report omitted items: invalid
+        curves, texts, images. `read_drawing` also returns numbers, ids and layers.
 
     Raises
     ------
     InputError
-        The file is missing, a folder, empty, of an unknown type, or has no usable curve; the message names the
-        file.
+        The file is missing, a folder, empty or of an unknown type, or it has no usable curve. The message
+        names the file.
     MissingDependencyError
         The library that reads this format is not installed.
 
@@ -95,9 +98,10 @@ def read_drawing(
     unit: str | None = None,
     corners: bool = True,
 ) -> DrawnFile:
-    """Read the curves of a file individually, with numbers, names and layers, and list omitted items.
+    """Read the curves of a file with their numbers, names and layers, and list omitted items.
 
-    Arguments and errors as in `read_curves`; the problem of a single curve is an attribute of that curve.
+    Arguments and errors are those of `read_curves`. If a single curve is not valid, its attribute `problem`
+    states the reason.
 
     Parameters
     ----------
@@ -141,7 +145,7 @@ def read_drawing(
 
 
 def _kernel_drawing(path: Path, unit: str | None) -> DrawnFile:
-    """Read the curves of a STEP or BREP file with the OCCT of an installed kernel."""
+    """Read the curves of a STEP or BREP file with an installed CAD kernel."""
     try:
         from elastica_cad.kernel.step_files import read_step_drawing
     except ImportError as error:
@@ -155,7 +159,8 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
     Raises
     ------
     InputError
-        The file is missing, unknown or has no surface, or the size of a mesh shows that it needs `unit`.
+        The file is missing, of an unknown type, or has no surface. Or the size of a mesh is unlikely, and
+        `unit` is not given.
     MissingDependencyError
         trimesh (for meshes) or a CAD kernel (for bodies) is not installed.
     """
@@ -183,7 +188,9 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
 
 
 def step_trouble() -> str:
-    """Return why STEP cannot be written, with the command that installs the library, or "" if it can."""
+    """Return the reason why STEP files cannot be written, with the command that installs the library, or ""
+    if they can.
+    """
     if find_spec("OCP") is None:
         return how_to_install("build123d")
     from elastica_cad.kernel.ocp_import import kernel_trouble
@@ -198,15 +205,16 @@ def _no_kernel(path: Path, doing: str = "reading") -> MissingDependencyError:
 def save(made: "Drawing | Strip | Flexure", path: str | Path, **options: Any) -> Path:
     """Write a drawing for cutting, a strip, or a part with two states, in the format of the suffix of `path`.
 
-    All are written as .dxf or .svg. A strip is also written as .step, with the flat and the bent strip as bodies.
-    A part with two states is written as .step unloaded, or in its `state` "first" or "second". Options are as for
-    `formats.write_drawing`: kerf, curves, tolerance, version, layers, force; for STEP only force.
+    All can be written as .dxf or .svg. The .step file of a strip contains the flat and the bent strip as
+    bodies. The .step file of a two-state part contains the unloaded part, or the part in its `state` "first"
+    or "second". The options are those of `formats.write_drawing`: kerf, curves, tolerance, version, layers,
+    force. For STEP, the only option is force.
 
     Raises
     ------
     InputError
-        As in `formats.write_drawing`. A file is complete or not written at all, and it is only overwritten with
-        `force=True`.
+        For the reasons of `formats.write_drawing`. After an error, no incomplete file remains. A file is only
+        overwritten with `force=True`.
     MissingDependencyError
         STEP needs build123d or CadQuery.
 

@@ -1,4 +1,6 @@
-"""Record of a refusal: its English template and values, the place of the problem, and suggested changes."""
+"""Records of refusals and other messages: English template and values, position of the problem, suggested
+changes.
+"""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set
 from contextvars import ContextVar
@@ -13,11 +15,11 @@ from elastica_cad._text import printable
 Severity = Literal["error", "warning", "note"]
 
 PLACES = ("file", "strip")
-"""Kinds of places that are shown before the text, in this order; other places are for programs."""
+"""Kinds of positions that are shown before the text, in this order. Positions of other kinds are for programs."""
 
 
 class _Worded:
-    """Base of values that each front end shows in its own language and units."""
+    """Base of values in messages that each front end formats in its language and units."""
 
     __slots__ = ()
 
@@ -26,7 +28,7 @@ class _Worded:
 
 
 class Length(_Worded, float):
-    """Length in mm, shown with its unit and at least three digits; a template may define a format.
+    """Length in mm. It is shown with its unit and at least three digits, unless the template defines a format.
 
     Examples
     --------
@@ -39,9 +41,9 @@ class Length(_Worded, float):
 
 
 class FieldName(_Worded, str):
-    """The name of a field of a request: its key in design files, with the table that it is in.
+    """Name of a field of a request: its key in design files, preceded by the name of its table.
 
-    Each front end shows it in its own spelling: see `Wording.field` and `SPELLING`.
+    Each front end replaces it by the name that its users see; see `Wording.field` and `SPELLING`.
 
     Examples
     --------
@@ -53,9 +55,9 @@ class FieldName(_Worded, str):
 
 
 class MaterialWidth(FieldName):
-    """The name `max_width` if it limits the ligaments or the backing of a strip with a separate outline width.
+    """Name of the field `max_width` where it limits ligaments or a backing, not the outline of the strip.
 
-    FreeCAD has a property for that limit; files and options do not.
+    FreeCAD has a separate property for this limit; files and options do not.
     """
 
     __slots__ = ()
@@ -64,11 +66,14 @@ class MaterialWidth(FieldName):
 MATERIAL_WIDTH = MaterialWidth("max_width")
 
 SPELLING: ContextVar[Callable[[str], str]] = ContextVar("spelling", default=str)
-"""Spelling of a field's name in English messages; the command line replaces it by the spelling of options."""
+"""Function that returns how English messages spell the name of a field.
+
+The command line sets a function that returns options.
+"""
 
 
 class Listed(_Worded, tuple[Any, ...]):
-    """Numbers, lengths or sentences that are listed in a text, at most six.
+    """Numbers, lengths or sentences that are listed in a message; at most six are shown.
 
     Examples
     --------
@@ -92,13 +97,15 @@ class Either(Listed):
 
 
 class Span(Listed):
-    """Range of lengths, or a single length if both ends look the same."""
+    """Range of lengths. It is shown as a single length if both ends have equal digits."""
 
     LAST = "{some} to {last}"
 
     @classmethod
     def of(cls, low: float, high: float, digits: str = ".3g") -> "Span":
-        """Return the range from `low` to `high`, mm; ends with equal digits become a single length.
+        """Return the range from `low` to `high`, mm.
+
+        If both have equal digits, the range contains a single length.
 
         Examples
         --------
@@ -112,7 +119,7 @@ class Span(Listed):
 
 
 class Point(_Worded, tuple[float, ...]):
-    """A place in the plane or in space, mm.
+    """A point in the plane or in space, mm.
 
     Examples
     --------
@@ -122,7 +129,7 @@ class Point(_Worded, tuple[float, ...]):
 
 
 class Wording(Formatter):
-    """Formatter of records as sentences in English, with lengths in mm; front ends override methods.
+    """Formatter that converts records to English sentences with lengths in mm. Front ends override its methods.
 
     Attributes
     ----------
@@ -137,22 +144,25 @@ class Wording(Formatter):
     unit, size, point = "mm", 1.0, "."
 
     def template(self, text: str) -> str:
-        """Return the template in the reader's language."""
+        """Return the template in the language of the reader."""
         return text
 
     def sentence(self, message: str) -> str:
-        """Return the sentence of a record for the reader; a plain text is its own template."""
+        """Return the message as a sentence in the language of the reader.
+
+        A plain text is treated as a template.
+        """
         if not isinstance(message, Refusal):
             return self.template(message)
         text = self.template(message.text)
         return _with_places(self.vformat(text, (), message.values) if message.values else text, message.where)
 
     def field(self, name: str) -> str:
-        """Return a field's name in the spelling of the front end."""
+        """Return the name of a field as the front end spells it."""
         return SPELLING.get()(name)
 
     def format_field(self, value: Any, spec: str) -> str:
-        """Return a value as displayed in a text."""
+        """Format a value of a template."""
         match value:
             case FieldName():
                 return self.field(str(value))
@@ -171,7 +181,7 @@ class Wording(Formatter):
 
     @property
     def _separator(self) -> str:
-        return ", " if self.point == "." else "; "  # the numbers contain commas
+        return ", " if self.point == "." else "; "  # numbers with decimal commas are separated by semicolons
 
     def _in_unit(self, mm: float, spec: str) -> str:
         if self.size != 1:
@@ -179,7 +189,7 @@ class Wording(Formatter):
         return self._digits(mm, spec or (".0f" if 999.5 <= abs(mm) < 1e9 else ".3g"))
 
     def _digits(self, value: float, spec: str) -> str:
-        """Return the digits, without an exponent for numbers of usual size and without the sign of 0."""
+        """Format a number without an exponent if it has a usual size, and without a sign if it is rounded to 0."""
         text = float.__format__(float(value), spec)
         text = text if text.strip("-0.") else text.lstrip("-")
         if "e" in text:
@@ -188,7 +198,7 @@ class Wording(Formatter):
         return text if self.point == "." else text.replace(".", self.point)
 
     def _joined(self, items: Listed, spec: str) -> str:
-        """Join the items; if all are lengths, omit their unit."""
+        """Join the items with commas. If all are lengths, their units are omitted."""
         lengths = _are_lengths(items)
         texts = [
             self._joined(item, spec) if lengths and isinstance(item, Listed) else
@@ -225,10 +235,10 @@ class Change:
     Attributes
     ----------
     field : str
-        Name as in a design file: "max_width", "smooth"; "nearest" permits a change of the curve within the limits
-        of sheet and widths; "join" closes gaps between the drawn edges up to a width.
+        Name of the field, as in a design file: "max_width", "smooth". "nearest" permits a change of the curve
+        within the limits of sheet and widths. "join" closes gaps between drawn edges up to a width.
     value : object
-        Suggested value; lengths in mm.
+        Suggested value. Lengths are in mm.
     """
 
     field: str
@@ -236,11 +246,10 @@ class Change:
 
 
 class Refusal(str):
-    """Reason for an error, or message about an answer: an English sentence with its data.
+    """Message of an error, or message about a result: an English sentence with its data.
 
-    Its `str` is the places followed by the sentence. Front ends format the sentence in another language or unit
-    from
-    the template and the values. No code parses the sentence.
+    Its `str` contains the positions, followed by the sentence. Front ends format the sentence in another
+    language or unit, from the template and the values. No code parses the sentence.
 
     Parameters
     ----------
@@ -251,9 +260,10 @@ class Refusal(str):
     values : mapping
         Values by name; a value may be a Refusal.
     where : mapping
-        Places by kind: "file", "strip", "field" (or several fields of the request), "at" (mm along the curve).
+        Positions of the problem by kind: "file", "strip", "field" (one or several fields of the request),
+        "at" (mm along the curve).
     changes : sequence of Change
-        Alternative changes that may help; they are untested.
+        Alternative changes that may help. Whether they help was not checked.
     severity : "error", "warning" or "note"
 
     Examples
@@ -284,7 +294,7 @@ class Refusal(str):
         values, where = dict(values or {}), dict(where or {})
         sentence = ENGLISH.template(text)
         sentence = ENGLISH.vformat(sentence, (), values) if values else sentence
-        # a traceback prints the text on a terminal
+        # control codes are escaped, because a traceback prints the text on a terminal
         record = super().__new__(cls, printable(_with_places(sentence, where)))
         record.kind, record.text, record.severity = kind, text, severity
         record.values, record.where, record.changes = values, where, tuple(changes)
@@ -294,7 +304,7 @@ class Refusal(str):
         return self.kind, self.text, self.values, self.where, self.changes, self.severity
 
     def at(self, **where: Any) -> "Refusal":
-        """Return the same refusal with more places."""
+        """Return the same refusal with additional positions."""
         return Refusal(
             self.kind, self.text, self.values, {**self.where, **where}, self.changes, self.severity
         )
@@ -313,7 +323,7 @@ class Refusal(str):
 
     @property
     def record(self) -> dict[str, Any]:
-        """Data for programs, as in JSON: kind, values, where, changes, severity, and the message."""
+        """Return the data of the refusal for JSON: kind, values, where, changes, severity, and the message."""
         return {
             "kind": self.kind,
             "severity": self.severity,
@@ -326,14 +336,14 @@ class Refusal(str):
 
 
 def is_reported(message: str) -> bool:
-    """Return True for an error or warning; notes are only for verbose output."""
+    """Return True for an error or warning. Notes are only reported in verbose output."""
     return not isinstance(message, Refusal) or message.severity != "note"
 
 
 def note(
     text: str, /, *, severity: Severity = "note", changes: Sequence[Change] = (), **values: Any
 ) -> Refusal:
-    """Return a message about an answer: a complete sentence, or a template with {name} for each value.
+    """Return a message about a result. The text is a complete sentence, or a template with {name} for each value.
 
     Examples
     --------
@@ -345,7 +355,7 @@ def note(
 
 
 def sentences(parts: Iterable[str], between: str = "; ", end: str = "") -> str:
-    """Join sentences to one message that front ends can still separate; a single sentence is returned unchanged.
+    """Join sentences to a message that front ends can still separate. A single sentence is returned unchanged.
 
     Examples
     --------
@@ -369,7 +379,7 @@ def _with_places(text: str, where: Mapping[str, Any]) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Return a value for JSON."""
+    """Convert a value to plain data for JSON."""
     if isinstance(value, bool | str) or value is None:
         return value
     if isinstance(value, int | float):

@@ -1,4 +1,4 @@
-"""Labelled rows of reports, for text, notebook, the panel of FreeCAD and the page."""
+"""Labelled rows of reports, which text output, notebooks, FreeCAD and the web page display."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -16,13 +16,12 @@ class Row:
     Attributes
     ----------
     label : str
-        One word that names the subject.
-    text : str
-        The line. A warning states the problem and one instruction.
+        Word that names the subject. text : str Text of the line. A warning states the problem and one
+        instruction.
     details : sequence of str
         Sentences for verbose output.
     severity : "error", "warning" or "note"
-        A warning is marked, and printed before the notes.
+        A warning is marked, and is printed before the notes.
     """
 
     label: str
@@ -42,12 +41,14 @@ def warning_row(text: str, label: str = "Warning") -> Row:
 
 
 def in_order(rows: Sequence[Row]) -> tuple[Row, ...]:
-    """Return the rows with those that stop the user first."""
+    """Return the rows, with the rows on which the user has to act at the front."""
     return tuple(sorted(rows, key=lambda row: not row.stops))
 
 
 def printed_row(row: Row) -> str:
-    """Return a row as a line of text: the label in a column, marked with "!" if it stops the user.
+    """Return a row as a line of text, with the label in a column.
+
+    A row on which the user has to act is marked with "!".
 
     Examples
     --------

@@ -1,8 +1,9 @@
-"""Writes the folder that a user of FreeCAD puts into Mod: `make addon`.
+"""Script behind `make addon`: write the folder that users of FreeCAD copy to `Mod`.
 
-It holds metadata, licence, README, and `freecad/` with the core inside it, without the page of `elastica studio`,
-compiled loops and the sources of translations. Maintainer and repository go into the metadata if they are given;
-without them the folder serves this computer and cannot be published.
+The folder contains metadata, licence, README, and `freecad/` with the core package. The page of
+`elastica studio`, compiled loops and sources of translations are left out. Maintainer and repository are
+added to the metadata if they are given. Without them, the folder can be used on this computer, but not
+published.
 """
 
 import argparse
@@ -27,7 +28,7 @@ PAGES = {
 
 
 def _maintainer(text: str) -> tuple[str, str]:
-    """Return name and e-mail address of "Name <address>"."""
+    """Split "Name <address>" into name and e-mail address."""
     match = re.fullmatch(r"\s*([^<>]*[^<>\s])\s*<([^<>@\s]+@[^<>@\s]+)>\s*", text)
     if not match:
         raise argparse.ArgumentTypeError(
@@ -37,7 +38,7 @@ def _maintainer(text: str) -> tuple[str, str]:
 
 
 def _repository(text: str) -> str:
-    """Return the address of a repository without a slash at its end."""
+    """Return the address of a repository without a final slash."""
     if not re.fullmatch(r"https://[\w.-]+/[\w./-]+", text):
         raise argparse.ArgumentTypeError(
             f'"{text}" is no web address. Write REPOSITORY=https://HOST/OWNER/NAME.'
@@ -46,7 +47,9 @@ def _repository(text: str) -> str:
 
 
 def _metadata(maintainer: tuple[str, str] | None, repository: str | None) -> ElementTree.ElementTree:
-    """Return package.xml of the checkout with the places in the folder, today's date and what was given."""
+    """Return package.xml of the checkout, adapted to the paths in the folder, with today's date, maintainer
+    and repository.
+    """
     ElementTree.register_namespace("", SPACE)
     tree = ElementTree.parse(ROOT / "package.xml")
     package = tree.getroot()
@@ -73,7 +76,10 @@ def _metadata(maintainer: tuple[str, str] | None, repository: str | None) -> Ele
 
 
 def _readme(repository: str | None) -> str:
-    """Return the workbench's page; its links and pictures are absolute if there is a repository, else removed."""
+    """Return the README of the workbench.
+
+    Its links and pictures become absolute if a repository is given, else they are removed.
+    """
     text = (ROOT / "freecad_workbench" / "README.md").read_text(encoding="utf-8")
     if repository:
         text = re.sub(r"!\[([^]]*)\]\(\.\./", rf"![\1]({repository}/raw/main/", text)
@@ -83,7 +89,7 @@ def _readme(repository: str | None) -> str:
 
 
 def write_addon(folder: Path, maintainer: tuple[str, str] | None, repository: str | None) -> None:
-    """Write the folder anew."""
+    """Write the folder; an existing folder is replaced."""
     shutil.rmtree(folder, ignore_errors=True)
     inside = folder / WORKBENCH
     shutil.copytree(ROOT / "freecad_workbench" / WORKBENCH, inside, ignore=LEFT_OUT)
@@ -95,7 +101,7 @@ def write_addon(folder: Path, maintainer: tuple[str, str] | None, repository: st
 
 
 def _no_page(folder: str, names: list[str]) -> Iterable[str]:
-    """Return the names to leave out of the core."""
+    """Return the names in a folder of the core that are not copied."""
     return {*LEFT_OUT(folder, names), *(["web"] if Path(folder) == ROOT / "elastica_cad" else [])}
 
 

@@ -1,4 +1,4 @@
-"""Strips in build123d: sketch and part objects, and an operation on pending edges."""
+"""Strips in build123d: sketch objects, part objects, and an operation on pending edges."""
 
 from importlib import import_module
 

@@ -1,4 +1,6 @@
-"""Sketch and part objects of strips: flat, bent, placed, with sliding ends, and the blocks that hold them."""
+"""Sketch and part objects of strips (flat, bent, placed), joints for moving their ends, and blocks that hold
+them.
+"""
 
 from collections.abc import Iterable, Sequence
 from copy import copy
@@ -34,37 +36,40 @@ if TYPE_CHECKING:
 
 
 def make_solids(records: Sequence[BodyRecord | PrismSolid]) -> list[bd.Solid]:
-    """Return the solids of a body: the sheets of a strip, or a single block."""
+    """Return the solids of a body: one for each sheet of a strip, or a single block."""
     return [bd.Solid(solid) for solid in occt.make_sheets(records)]
 
 
 def add_joints(shape: Any, record: BodyRecord | PrismSolid) -> None:
-    """Give a shape the rigid joints of a record, by their names."""
+    """Add the joints of a record to a shape, as rigid joints with the same names."""
     for name, frame in record.joints.items():
         bd.RigidJoint(name, shape, bd.Location(occt.make_location(frame)))
 
 
 def _read_frame(location: bd.Location) -> Frame:
-    """Return a build123d location as a frame."""
+    """Convert a build123d location to a frame."""
     plane = bd.Plane(location)
     return Frame(tuple(plane.origin), tuple(plane.x_dir), tuple(plane.y_dir))
 
 
 def _numbered(name: str, number: int) -> str:
-    """Return the name of a joint on a copy."""
+    """Return the name of a joint on copy `number` of a body."""
     return name if number == 1 else f"{name}:{number}"
 
 
 Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable[bd.Edge]
-"""Drawn curve, or a finished strip, which is used without a new solution."""
+"""Drawn curve, or a finished strip, which is not computed again."""
 
 
-COLOR = "_color"  # the attribute in which shapes of build123d store their joints
+COLOR = "_color"  # private attribute in which shapes of build123d store their colour
 
 
 class _Pickled:
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state for `pickle`, with colours as numbers, because kernel colours cannot be pickled."""
+        """Return the state for `pickle`.
+
+        Colours are stored as numbers, because colours of the kernel cannot be pickled.
+        """
         color = self.__dict__.get(COLOR)
         return self.__dict__ | {COLOR: None if color is None else tuple(color)}
 
@@ -78,7 +83,7 @@ class Layer(_Pickled, bd.Solid):
 
 
 class _Jointed(_Pickled):
-    """Shape whose joints are moved, turned and mirrored with it."""
+    """Shape whose joints are moved, rotated and mirrored with it."""
 
     def _apply_transform(self, transformation: Any) -> Any:
         """Return the moved or mirrored shape with its joints."""
@@ -94,7 +99,7 @@ class _Jointed(_Pickled):
 
 
 class _Made(_Jointed, StripBody):
-    """Strip of a shape, shared by copies of the shape. Its properties return the other bodies."""
+    """Shape of a strip. Copies share the strip, and properties return its other bodies."""
 
     def _start(self) -> Frame | None:
         if self._parts:
@@ -107,13 +112,13 @@ class _Made(_Jointed, StripBody):
 
     @property
     def _parts(self) -> list[bd.Compound]:
-        """Parts made from the body at several `Locations`; empty for a single location."""
+        """Parts that were made from the body at several `Locations`; empty for a single location."""
         body: Any = self
         return [part for part in body if isinstance(part, bd.Compound)]
 
     @property
     def copies(self) -> "bd.ShapeList[Self]":
-        """Bodies at several `Locations`, each with its own joints; for a single location the body itself."""
+        """Bodies at several `Locations`, each with separate joints; for a single location, the body itself."""
         body: Any = self
         parts = self._parts
         shapes = bd.ShapeList([] if parts else [self])
@@ -127,8 +132,11 @@ class _Made(_Jointed, StripBody):
         return shapes
 
     def _publish_to_context(self, object_scope: Any) -> None:
-        """As in build123d; copies at several `Locations` have their own joints, numbered from the second copy
-        on."""
+        """Add the body to its builder.
+
+        Copies at several `Locations` have separate joints; from the second copy on, their names are
+        numbered.
+        """
         body: Any = self
         bd.BaseObject._publish_to_context(body, object_scope)
         occt.lock(body.wrapped)
@@ -160,9 +168,9 @@ class _Made(_Jointed, StripBody):
     def slider(self, end: Point | None = None, *, angle: float) -> "AngleSlider": ...
 
     def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider | AngleSlider":
-        """Return a joint for the travel of the strip's end to a point (mm) or its rotation to an angle (degrees).
+        """Return a joint that moves the end of the strip to a point (mm), or rotates it to an angle (degrees).
 
-        A point is in space, or two numbers in the body's `frame`; an angle is in this frame.
+        A point is in space, or two numbers in the `frame` of the body. An angle is measured in this frame.
         """
         return Slider(self, end) if angle is None else AngleSlider(self, angle, end)
 
@@ -199,11 +207,11 @@ class _Made(_Jointed, StripBody):
 
     @lists(BlockOptions)
     def fixture(self, end: StripEnd = "start", **sizes: Unpack[BlockOptions]) -> "EndFixture":
-        """Return the block that holds an end of the bent strip, in place."""
+        """Return the block that holds an end of the bent strip, at its position."""
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
 
     def _apply_transform(self, transformation: Any) -> Any:
-        """Return the moved or mirrored shape with its joints; the strip of a mirror image is turned over."""
+        """Return the moved or mirrored shape with its joints. In a mirror image, the strip is turned over."""
         image = super()._apply_transform(transformation)
         if transformation.IsNegative():
             image._made = self._made.mirrored()
@@ -228,7 +236,7 @@ class _Made(_Jointed, StripBody):
 
 @dataclass(frozen=True)
 class _Kept:
-    """Axis or vector of a pickled joint."""
+    """Axis or vector of a joint as numbers, for `pickle`."""
 
     kind: Any
     numbers: tuple[Any, ...]
@@ -239,13 +247,16 @@ class _Kept:
 
 
 class _Travelled:
-    """Data of the strip and its travel for joints on a strip's end."""
+    """Base of the joints at the end of a strip: the strip and its path of movement."""
 
     travel: "Travel"
     parent: Any
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state for `pickle`, with axes and vectors as numbers, because these cannot be pickled."""
+        """Return the state for `pickle`.
+
+        Axes and vectors are stored as numbers, because they cannot be pickled.
+        """
         state = dict(self.__dict__)
         for name, value in self.__dict__.items():
             if isinstance(value, bd.Axis):
@@ -266,21 +277,24 @@ class _Travelled:
     def write_glb(
         self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
     ) -> None:
-        """Write the path forth and back as an animation; an existing file is only overwritten with `force`."""
+        """Write an animation of the movement, forward and backward.
+
+        An existing file is only overwritten with `force`.
+        """
         moved, color = replace(self.travel, frame=self._frame), self.parent._changed_color
         moved.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
 
     @property
     def _frame(self) -> Frame:
-        """Present plane of the strip, which moves when the body is joined to other bodies."""
+        """Current plane of the strip. It changes when the body is joined to other bodies."""
         return self.parent.frame if isinstance(self.parent, _Made) else self.travel.frame
 
 
 class Slider(_Travelled, bd.LinearJoint):
-    """Linear joint "slider": a strip's end that moves straight to another point, with its direction held.
+    """Linear joint "slider": the end of a strip moves straight to another point, and its direction is constant.
 
-    `connect_to(joint, position=...)` moves the part on the end; `bent(position)` returns the strip for this
-    position.
+    `connect_to(joint, position=...)` moves the part that is attached to the end. `bent(position)` returns the
+    strip for this position.
 
     Parameters
     ----------
@@ -292,7 +306,7 @@ class Slider(_Travelled, bd.LinearJoint):
     Attributes
     ----------
     travel : Travel
-        Shapes on the path, and its length.
+        Shapes on the path, and the length of the path.
 
     Raises
     ------
@@ -321,17 +335,19 @@ class Slider(_Travelled, bd.LinearJoint):
 
 
 class AngleSlider(_Travelled, bd.RevoluteJoint):
-    """Revolute joint "slider": a strip's end that rotates in place.
+    """Revolute joint "slider": the end of a strip rotates about its position.
 
-    `connect_to(joint, angle=...)` rotates the part on the end, with its x axis along the strip; `bent(angle)`
-    returns the strip for this angle. Angles are measured from the initial direction of the end, degrees.
+    `connect_to(joint, angle=...)` rotates the part that is attached to the end, with the x axis of the part
+    along the strip. `bent(angle)` returns the strip for this angle. Angles are in degrees from the initial
+    direction of the end.
 
     Parameters
     ----------
     rib : BentStrip or PlacedStrip
         Body with the joint.
     angle : float
-        Final direction of the end in the rib's `frame`, degrees, counted along the strip.
+        Final direction of the end in the `frame` of the rib, degrees. It is accumulated along the strip, so
+        it may exceed a full turn.
 
     Attributes
     ----------
@@ -368,7 +384,10 @@ class AngleSlider(_Travelled, bd.RevoluteJoint):
         )
 
     def relative_to(self, other: bd.RigidJoint, *, angle: float | None = None) -> bd.Location:
-        """Return the location of a joint on the end; the base class does not define the zero of the angle."""
+        """Return the location of a joint on the end.
+
+        The base class is not used, because it does not define the direction of angle 0.
+        """
         require_record(other, bd.RigidJoint, "the other joint", "a RigidJoint")
         if angle is not None and not 0 <= require_number(angle, "the angle", "degrees") <= self.travel.length:
             raise InputError(f"the angle is {angle:g} degrees. Use 0 to {self.travel.length:g} degrees.")
@@ -387,7 +406,7 @@ class StripOutline(_Made, bd.BaseSketchObject):
     rotation : float
         Rotation about the z axis, degrees.
     align, mode
-        As in every sketch object of build123d.
+        The same as for every sketch object of build123d.
 
     Raises
     ------
@@ -421,7 +440,7 @@ class StripOutline(_Made, bd.BaseSketchObject):
 
 
 class _StripPart(_Made, bd.BasePartObject):
-    """A strip as a part."""
+    """Base of the strips that are part objects."""
 
     def __init__(
         self,
@@ -484,10 +503,10 @@ class BentStrip(_StripPart):
 
 @lists(BlockOptions, StripOptions, drawn=True)
 class EndFixture(_Made, bd.BasePartObject):
-    """Part object: the block that holds one end of the bent strip, in its place at `BentStrip` of the same path.
+    """Part object: the block that holds an end of the bent strip, positioned for the `BentStrip` of the same path.
 
-    Its rigid joint "tab" is at the end of the free part, with x out of the strip; connect it to the joint of this
-    end.
+    Its rigid joint "tab" is at the end of the free part, with x out of the strip. Connect it to the joint of
+    this end.
 
     Parameters
     ----------
@@ -500,8 +519,8 @@ class EndFixture(_Made, bd.BasePartObject):
     Raises
     ------
     InputError
-        The end has no tab, sizes do not fit, or the floor is not perpendicular to the curve's plane; also the
-        errors of `StripOutline`.
+        The end has no tab, sizes do not fit, or the floor is not perpendicular to the plane of the curve.
+        Errors of `StripOutline` are passed on.
     """
 
     _is_strip = False
@@ -530,15 +549,16 @@ class EndFixture(_Made, bd.BasePartObject):
 class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
     """Part object: a part with two states, unloaded or in one of them.
 
-    The unloaded part begins at the origin along x; in a state it is on the drawn curve. Rigid joints "start" and
-    "end" are on the inner edges of the pads, with x outward; "hole1" to "hole4" are the holes from start to end.
+    The unloaded part begins at the origin in direction x. In a state, the part is on the drawn curve. Rigid
+    joints "start" and "end" are on the inner edges of the pads, with x outward. "hole1" to "hole4" are at the
+    holes, from start to end.
 
     Parameters
     ----------
     flexure : Flexure
         The part, as `ec.Flexure` or `FlexureSpec(...).make()`.
     state : "first" or "second", optional
-        None for the unloaded part, as it is cut.
+        State of the part. None is the unloaded part, as it is cut.
     color : Color, name or numbers, optional
         Colour on screen, by default that of the sheet.
     rotation : (float, float, float)
@@ -580,7 +600,7 @@ class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
         self.label, self.color = made.name, bd.Color(*made.color)
 
     def in_state(self, state: "State | None") -> "FlexurePart":
-        """Return the part in another state, with its first pad at the first pad of this body."""
+        """Return the part in another state. Its first pad is where the first pad of this body is."""
         part = FlexurePart(self.flexure, state, color=self.color, mode=bd.Mode.PRIVATE)
         part.label = self.label
         part.locate(self.joints["start"].location * part.joints["start"].relative_location.inverse())
@@ -588,7 +608,7 @@ class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
 
 
 class PlacedStrip(_Made, bd.Part):
-    """Bent strip of a model, in its place, with properties `strip`, `rod`, `check` and `warnings`."""
+    """Bent strip at its position in a model, with properties `strip`, `rod`, `check` and `warnings`."""
 
 
 def _jointed(records: Sequence[BodyRecord]) -> bd.Solid | bd.Part:

@@ -1,4 +1,4 @@
-"""The line of a bent strip, an operation on pending edges, strips of sections, and models as compounds."""
+"""Line objects of bent strips, an operation on pending edges, strips along sections, and models as compounds."""
 
 from collections.abc import Iterable, Sequence
 from contextlib import nullcontext
@@ -79,14 +79,14 @@ def elastic_strip(
     mode: bd.Mode = bd.Mode.ADD,
     **options: Unpack[StripOptions],
 ) -> Any:
-    """Operation: the strip of a curve, by default of the builder's pending edges.
+    """Operation: make the strip of a curve. By default the curve is the pending edges of the builder.
 
     Parameters
     ----------
     form : "bent", "flat" or "outline"
-        The bent strip (`BentStrip`), the flat strip (`FlatStrip`, also available as `.flat` of a bent strip), or
-        its flat pattern (`StripOutline`). A bent strip is at the pending edges in their place; a flat strip is
-        placed at each active location.
+        The bent strip (`BentStrip`), the flat strip (`FlatStrip`, also available as `.flat` of a bent strip),
+        or its flat pattern (`StripOutline`). A bent strip is made at the position of its edges. A flat strip
+        is placed at each active location.
     mode : Mode
         Combination with the builder's part or sketch.
 
@@ -98,7 +98,8 @@ def elastic_strip(
     Raises
     ------
     InputError
-        There is neither a path nor pending edges, or the form is unknown; also the errors of `StripOutline`.
+        There is neither a path nor pending edges, or the form is unknown. Errors of `StripOutline` are passed
+        on.
     """
     forms: dict[str, Any] = {"flat": FlatStrip, "bent": BentStrip, "outline": StripOutline}
     if not isinstance(form, str) or form not in forms:
@@ -118,7 +119,8 @@ def elastic_strip(
             )
         context.pending_edges = bd.ShapeList()
         path = list(bd.Wire.combine(path)) if len(path) > 1 else path
-        # the builder has placed pending edges at its active locations already
+        # a bent strip is not placed again, because the builder has placed the pending edges at its active
+        # locations
         drawn = bd.LocationList([bd.Location()]) if form == "bent" else nullcontext()
         with drawn:
             strips: list[Any] = [
@@ -144,7 +146,7 @@ def section_strips(
     ----------
     body : Face, Shell or Solid
     planes : Plane, planes, or SectionSpec
-        A `SectionSpec` also splits closed lines, keeps the longest line and smooths lines.
+        A `SectionSpec` also splits closed lines, selects the longest line and smooths lines.
     sheet : Sheet or str
         The sheet, or the name of a built-in sheet.
     max_width : float
@@ -162,7 +164,7 @@ def section_strips(
     Raises
     ------
     InputError
-        No section is suitable for a strip; also the errors of `StripOutline`.
+        No section is suitable for a strip. Errors of `StripOutline` are passed on.
 
     Warns
     -----
@@ -184,18 +186,20 @@ def section_strips(
 
 
 class Elastica(bd.BaseLineObject):
-    """Line object: the curve of a strip of given length between two clamps, or from a clamp to its free end.
+    """Line object: the curve of a strip of given length between two clamped ends, or between a clamped and a
+    free end.
 
     `side` and `buckling` select one of several shapes; `branch` describes the shape.
 
     Parameters
     ----------
     start, end : point
-        Points in the plane of the workplane, mm; with `end=None` the end is free and the start clamped.
+        Points in the plane of the workplane, mm. With `end=None`, the end is free and the start is clamped.
     length : float
-        Length of the strip, mm, more than the distance between its ends.
+        Length of the strip, mm. It must exceed the distance between the ends.
     angles : pair of float or None
-        Directions of the tangents at start and end, degrees, without whole turns, or None for an end that rotates.
+        Directions of the tangents at start and end, degrees, without full turns. None is an end that rotates
+        freely.
     stiffness : float, sequence or Profile
         Widths of a tapered strip at equally spaced stations, in any unit.
     gravity : Gravity, optional
@@ -203,7 +207,7 @@ class Elastica(bd.BaseLineObject):
     force : pair of float, optional
         Force at a free end, N, divided by the strip's least bending stiffness in N mm2 (`Sheet.bending_stiffness`).
     side : {+1, -1}
-        Bulge to the left or right of the line from start to end.
+        Side of the bulge: +1 is left of the line from start to end, -1 is right.
     buckling : int
         Buckling mode; shapes with a mode above 1 are usually unstable.
     mode : Mode
@@ -250,7 +254,7 @@ class Elastica(bd.BaseLineObject):
 
 
 def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Compound:
-    """Return the bent strips of a model as an assembly: a compound whose children have the names of the parts.
+    """Return the bent strips of a model as an assembly: a compound whose children are named after the parts.
 
     Equal strips share a body. Every child has the joints of `BentStrip` and a property `strip`. The sheets of a
     laminate are children of the strip.
@@ -264,7 +268,7 @@ def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Com
     Returns
     -------
     Compound
-        Compound with the name of the model and one `PlacedStrip` per strip.
+        Compound with the name of the model. Its children are a `PlacedStrip` for each strip, and the holders.
 
     Raises
     ------
@@ -277,14 +281,14 @@ def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Com
 
 
 def _child(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
-    """Return a part of an assembly in its place; a part that is a strip has the property `strip`."""
+    """Return a part of an assembly at its position. A strip has the property `strip`."""
     child: Any = bd.Part(solids[0].wrapped)
     if part.strip is not None:
-        child = PlacedStrip(bd.Compound(solids).wrapped, label=part.name)  # the strip keeps its name
+        child = PlacedStrip(bd.Compound(solids).wrapped, label=part.name)  # name the strip as its part
         base: Any = part.solids[0]
         child._made = MadeStrip(part.strip, Frame(), home=base.joints["start"])
         if len(solids) > 1:
-            # new wrappers: equal strips share shapes, but a child has one parent
+            # make new objects, because equal strips share shapes, but a child can have only one parent
             layers = [Layer(solid.wrapped) for solid in solids]
             for layer, name, color in zip(layers, part.names, part.colors, strict=True):
                 layer.label, layer.color = name, bd.Color(*color)

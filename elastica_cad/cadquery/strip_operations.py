@@ -1,4 +1,6 @@
-"""The curve of a bent strip, strips of a body's sections, models as assemblies, and the methods `elasticStrip`."""
+"""The curve of a bent strip, strips along sections of a body, models as assemblies, and the methods
+`elasticStrip`.
+"""
 
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, Unpack, get_args
@@ -48,16 +50,17 @@ def elastica(
     side: int = 1,
     buckling: int = 1,
 ) -> cq.Edge:
-    """Return the curve of a strip of given length between two clamps or with a free end, as an edge in xy.
+    """Return the curve of a strip of given length, between two clamped ends or with a free end, as an edge in xy.
 
     Parameters
     ----------
     start, end : (x, y) or Vector
-        mm; with `end=None` the end is free and the start clamped.
+        Ends, mm. With `end=None`, the end is free and the start is clamped.
     length : float
-        Length of the strip, mm, more than the distance between its ends.
+        Length of the strip, mm. It must exceed the distance between the ends.
     angles : pair of float or None
-        Directions of the tangents at start and end, degrees, without whole turns, or None for an end that rotates.
+        Directions of the tangents at start and end, degrees, without full turns. None is an end that rotates
+        freely.
     stiffness : float, sequence or Profile
         Widths of a tapered strip at equally spaced stations, in any unit.
     gravity : Gravity, optional
@@ -65,7 +68,7 @@ def elastica(
     force : pair of float, optional
         Force at a free end, N, divided by the strip's least bending stiffness in N mm2 (`Sheet.bending_stiffness`).
     side : {+1, -1}
-        Bulge to the left or right of the line from start to end.
+        Side of the bulge: +1 is left of the line from start to end, -1 is right.
     buckling : int
         Buckling mode; shapes with a mode above 1 are usually unstable.
 
@@ -109,7 +112,7 @@ def section_strips(
     ----------
     body : Face, Shell, Solid, or Workplane with such a shape
     planes : Plane, planes, or SectionSpec
-        A `SectionSpec` also splits closed lines, keeps the longest line and smooths lines.
+        A `SectionSpec` also splits closed lines, selects the longest line and smooths lines.
     sheet : Sheet or str
         The sheet, or the name of a built-in sheet.
     max_width : float
@@ -127,7 +130,7 @@ def section_strips(
     Raises
     ------
     InputError
-        No section is suitable for a strip; also the errors of `strip_outline`.
+        No section is suitable for a strip. Errors of `strip_outline` are passed on.
 
     Warns
     -----
@@ -148,10 +151,10 @@ def section_strips(
 
 
 def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Assembly:
-    """Return the bent strips of a model as an assembly with names, colours and places.
+    """Return the bent strips of a model as an assembly with names, colours and positions.
 
-    Constraints on the end faces fix the strips, so that `solve()` moves only parts that are added and constrained
-    to them. Equal strips share a body.
+    Constraints fix the end faces of the strips, so that `solve()` moves only parts that are added later.
+    Equal strips share a body.
 
     Parameters
     ----------
@@ -162,9 +165,10 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
     Returns
     -------
     Assembly
-        Assembly with the name of the model. Its children have the names of the parts, with "_" for characters that
-        queries do not permit. The end faces of each strip have the tags "start" and "end", and its metadata "strip"
-        is the `Strip`. For a laminate this is the base, and the backing is its child.
+        Assembly with the name of the model. Its children are named after the parts; "_" replaces characters
+        that CadQuery's queries do not permit. The end faces of each strip have the tags "start" and "end",
+        and its metadata "strip" is the `Strip`. For a laminate, this child is the base, and the backing is a
+        child of the base.
 
     Raises
     ------
@@ -196,7 +200,7 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
 
 
 def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
-    """Return a body, or the sheets of a strip; the base has the property `strip`."""
+    """Return the body of a holder, or the sheets of a strip. The base of a strip has the property `strip`."""
     base, *glued_on = map(cq.Solid, occt.make_sheets(part.solids))
     if part.strip is not None:
         home = part.solids[0].joints["start"]
@@ -209,16 +213,16 @@ Form: TypeAlias = Literal["flat", "bent", "outline"]
 
 METHOD = "elasticStrip"
 Work = TypeVar("Work", bound=cq.Workplane)
-CHAIN = 1e-4  # distance, mm, of ends of pending edges that are intended to meet
+CHAIN = 1e-4  # largest distance, mm, between ends of pending edges that count as meeting
 
 
 def register() -> None:
-    """Add `elasticStrip` to cq.Workplane and cq.Sketch; calling it again does no harm.
+    """Add the method `elasticStrip` to cq.Workplane and cq.Sketch. Further calls have no effect.
 
     Raises
     ------
     InputError
-        The class has an `elasticStrip` of another library.
+        A class already has a method `elasticStrip` of another library.
     """
     methods: dict[type, Callable[..., Any]] = {cq.Workplane: _workplane_strip, cq.Sketch: _sketch_strip}
     for owner, method in methods.items():
@@ -251,11 +255,11 @@ def _workplane_strip(
     max_width : float
         Largest width of the free part, mm; alternatively pass `min_width`, the least width.
     form : "bent", "flat" or "outline"
-        A flat strip (also available as `.flat` of a bent strip) is on the workplane, with the start of its free
-        part at the origin. The outline is in the same place; it is a face for extrusion. A bent strip is at the
-        edges, which are moved to the points of the stack, if there are any.
+        A flat strip (also available as `.flat` of a bent strip) is on the workplane, with the start of its
+        free part at the origin. The outline, a face that can be extruded, has the same position. A bent strip
+        is at its edges, which are first moved to the points of the stack, if there are any.
     combine, clean
-        As in `Workplane.eachpoint`; for solids only.
+        The same as in `Workplane.eachpoint`. They apply to solids only.
 
     Returns
     -------
@@ -281,10 +285,11 @@ def _workplane_strip(
             continue
         records = FlatSolid.layers(made.strip) if form == "flat" else BentSolid.layers(made.strip, made.frame)
         bodies.append(make_body(records, made))
-    tidy = clean and bool(combine)  # clean() would return a new body without the rod of the strip
+    # clean() is done separately, because it would return a body without the data of the strip
+    tidy = clean and bool(combine)
     points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
     places = points or [cq.Location()]
-    local = form != "bent" or bool(points)  # a bent strip at its drawn place is not changed
+    local = form != "bent" or bool(points)  # a bent strip at the position of its curve is not moved
     if local and form == "bent":
         bodies = [body.moved(self.plane.location.inverse) for body in bodies]
     left = iter([body for body in bodies for _ in places])
@@ -301,7 +306,7 @@ def _workplane_strip(
 
 
 class Workplane(cq.Workplane):
-    """CadQuery's Workplane with the method `elasticStrip`, which editors and type checkers find."""
+    """CadQuery's Workplane with the method `elasticStrip`, declared for editors and type checkers."""
 
     elasticStrip = _workplane_strip
 
@@ -320,7 +325,7 @@ def _sketch_strip(
     tag: str | None = None,
     **options: Unpack[StripOptions],
 ) -> cq.Sketch:
-    """Add the flat pattern of the strip that bends into the sketch's edges, and remove the edges.
+    """Replace the edges of the sketch by the flat pattern of the strip that bends into them.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Faces, solids and compounds of strips in CadQuery, their functions, and blocks that hold the strips."""
+"""Faces, solids and compounds of strips in CadQuery, functions that make them, and blocks that hold the strips."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -33,18 +33,18 @@ if TYPE_CHECKING:
 
 
 def _read_frame(location: cq.Location) -> Frame:
-    """Return a CadQuery location as a frame."""
+    """Convert a CadQuery location to a frame."""
     plane = cq.Plane(location)
     return Frame(plane.origin.toTuple(), plane.xDir.toTuple(), plane.yDir.toTuple())
 
 
 def make_location(frame: Frame) -> cq.Location:
-    """Return a frame as a CadQuery location."""
+    """Convert a frame to a CadQuery location."""
     return cq.Location(occt.make_location(frame))
 
 
 def _plain_name(name: str) -> str:
-    """Return the name with characters that CadQuery's queries permit."""
+    """Return the name with "_" for characters that CadQuery's queries do not permit."""
     plain = re.sub(r"\W", "_", name, flags=re.ASCII)
     return plain if plain[:1].isalpha() else f"strip_{plain}"
 
@@ -57,7 +57,7 @@ def free_name(name: str, assembly: cq.Assembly) -> str:
 
 
 Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Strip | StripBody | Iterable[cq.Edge]
-"""Drawn curve, or a finished strip, which is used without a new solution."""
+"""Drawn curve, or a finished strip, which is not computed again."""
 
 KEPT = ("_made", "_joints", "_label", "label", "color")
 
@@ -85,26 +85,26 @@ class _Layer(_Pickled, cq.Solid):
 
 
 class _Moved(_Pickled):
-    """Shape with a record and joints, which copies and moved shapes keep."""
+    """Shape with the data of a strip and joints, which copies and moved shapes also have."""
 
     _joints: Mapping[str, cq.Location] = MappingProxyType({})
 
     def moved(self, *args: Any, **options: Any) -> Any:
-        """As `Shape.moved`; a single copy has the same record."""
+        """Do the same as `Shape.moved`. A single copy has the data of this shape."""
         return self._with_record(super().moved(*args, **options))
 
     def located(self, loc: cq.Location) -> Self:
-        """As `Shape.located`; the copy has the same record."""
+        """Do the same as `Shape.located`. The copy has the data of this shape."""
         made: Self = self._with_record(super().located(loc))
         return made
 
     def copy(self, mesh: bool = False) -> Self:
-        """As `Shape.copy`; the copy has the same record."""
+        """Do the same as `Shape.copy`. The copy has the data of this shape."""
         made: Self = self._with_record(super().copy(mesh))
         return made
 
     def clean(self) -> Self:
-        """As `Shape.clean`; the result has the same record."""
+        """Do the same as `Shape.clean`. The result has the data of this shape."""
         made: Self = self._with_record(super().clean())
         return made
 
@@ -148,9 +148,10 @@ class _Made(StripBody, _Moved):
         return bent_strip(self._bent_anew(moved), plane=self.frame, color=self.color)
 
     def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider":
-        """Return the travel of the strip's end to a point (mm) or its rotation to an angle (degrees).
+        """Return the movement of the end of the strip to a point (mm), or its rotation to an angle (degrees).
 
-        A point is in space, or two numbers in the strip's `frame`; an angle is in this frame.
+        A point is in space, or two numbers in the `frame` of the strip. An angle is measured in this
+        frame.
         """
         return Slider(self, end, angle=angle)
 
@@ -185,11 +186,11 @@ class _Made(StripBody, _Moved):
 
     @lists(BlockOptions)
     def fixture(self, end: "StripEnd" = "start", **sizes: Unpack[BlockOptions]) -> "FixtureSolid":
-        """Return the block that holds an end of the bent strip, in place."""
+        """Return the block that holds an end of the bent strip, at its position."""
         return end_fixture(self, end=end, **sizes)
 
     def scale(self, factor: float) -> cq.Shape:
-        """As `Shape.scale`; the result is a plain body, because a strip of another size has other properties."""
+        """Return a scaled plain body, because a strip of another size has other properties."""
         plain = cq.Shape.cast(super().scale(factor).wrapped)
         plain.label = self.label
         return plain
@@ -197,7 +198,11 @@ class _Made(StripBody, _Moved):
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
-            """CadQuery returns rounded or hollowed bodies as objects of the same class, but they are not strips."""
+            """Refuse properties of a strip on a changed body.
+
+            CadQuery returns filleted or shelled bodies as objects of the same class, but they are not
+            strips.
+            """
             if "_made" in self.__dict__ or name.startswith("__"):
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
             raise AttributeError(
@@ -212,7 +217,8 @@ class _Made(StripBody, _Moved):
 
 
 class Slider:
-    """Path of a strip's end: straight to another point with constant direction, or a rotation in place.
+    """Path of the end of a strip: straight to another point with constant direction, or a rotation about its
+    position.
 
     Parameters
     ----------
@@ -221,13 +227,13 @@ class Slider:
     end : point, or (2,) array_like
         Final position of the end: a point in space, or two numbers in the rib's `frame`, mm.
     angle : float
-        Instead of `end`: final direction of the end in this frame, degrees, counted along the strip. Positions are
-        then also in degrees.
+        Final direction of the end in this frame, degrees, instead of `end`. It is accumulated along the
+        strip, so it may exceed a full turn. Positions on the path are then in degrees.
 
     Attributes
     ----------
     travel : Travel
-        Shapes on the path, and its length.
+        Shapes on the path, and the length of the path.
 
     Raises
     ------
@@ -258,7 +264,8 @@ class Slider:
     def place(self, position: float) -> cq.Location:
         """Return the frame of the end at a position on the path, mm or degrees.
 
-        The x axis is along the path, or along the strip if the end turns; z is across the strip.
+        The x axis is along the path, or along the strip if the end rotates. The z axis is across the
+        strip.
         """
         if self.travel.angle is None:
             return make_location(self.travel.place) * cq.Location((position, 0, 0))
@@ -270,7 +277,9 @@ class Slider:
         return bent_strip(strip, plane=self.travel.frame, color=self._rib.color)
 
     def constrain(self, assembly: cq.Assembly, name: str, position: float) -> cq.Assembly:
-        """Constrain a child, or a tagged face of it ("carriage?foot"), to the strip's end for `solve()`."""
+        """Constrain a child of the assembly, or a tagged face of it ("carriage?foot"), to the end of the
+        strip for `solve()`.
+        """
         at, turn = self.place(position).toTuple()
         child, _, _ = name.partition("?")
         return assembly.constrain(name, "FixedPoint", at).constrain(child, "FixedRotation", turn)
@@ -278,7 +287,10 @@ class Slider:
     def write_glb(
         self, path: str | PathLike[str], *, frames: int = 25, seconds: float = 4.0, force: bool = False
     ) -> None:
-        """Write the path forth and back as an animation; an existing file is only overwritten with `force`."""
+        """Write an animation of the movement, forward and backward.
+
+        An existing file is only overwritten with `force`.
+        """
         color = self._rib._changed_color
         self.travel.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
 
@@ -294,13 +306,15 @@ class _Jointed(_Made):
 
     @property
     def joints(self) -> Mapping[str, cq.Location]:
-        """Locations for joining other parts.
+        """Locations at which other parts are joined.
 
-        A strip has "start" and "end" of the free part and "hole1", "hole2", ... at half the thickness, with z away
-        from the strip and x along it (outward at the ends). A fixture has "tab" at the strip's start or end.
+        A strip has "start" and "end" at the ends of its free part, and "hole1", "hole2", ... They are at half
+        the thickness, with z away from the strip and x along it (outward at the ends). A fixture has "tab" at
+        the strip's start or end.
         """
         here = self.location()
-        # a dict of this name would be taken for build123d's joints by viewers that show both libraries
+        # not a dict, because viewers for both libraries would interpret a dict of this name as joints of
+        # build123d
         return MappingProxyType({name: here * place for name, place in self._joints.items()})
 
 
@@ -310,7 +324,7 @@ class _Ended(_Jointed):
         if end not in ENDS:
             raise InputError(f'A strip has no end {end!r}. Use "start" or "end".')
         tab = self.strip.ends[0 if end == "start" else 1].length
-        # in the bent state, the lap is a separate body
+        # in a closed bent strip, the lap is a separate body
         if self.strip.is_closed and self._made.home is not None:
             tab = 0.0
         tip = cq.Vector(*(self.joints[end] * cq.Location((tab, 0, 0))).toTuple()[0])
@@ -322,9 +336,10 @@ class StripSolid(_Ended, cq.Solid):
 
 
 class Sheets(cq.Compound):
-    """Sheets that are a single argument of boolean operations.
+    """Compound of sheets that is passed to boolean operations as a single argument.
 
-    A plain compound passes each solid as a separate argument, and OpenCASCADE then also intersects the sheets.
+    A plain compound passes each solid as a separate argument; OpenCASCADE would then also intersect the
+    sheets with each other.
     """
 
     def _bool_op(self, args: Iterable[cq.Shape], *others: Any) -> cq.Shape:
@@ -332,13 +347,13 @@ class Sheets(cq.Compound):
         return Sheets(result.wrapped) if isinstance(result, cq.Compound) else result
 
     def fuse(self, *toFuse: cq.Shape, **options: Any) -> cq.Compound:
-        """As `Compound.fuse`."""
+        """Do the same as `Compound.fuse`."""
         fuse = cq.Shape.fuse if toFuse else cq.Compound.fuse
         return fuse(self, *toFuse, **options)
 
 
 class StripCompound(_Ended, Sheets):
-    """The sheets of a laminated strip, flat or bent; otherwise as `StripSolid`."""
+    """The sheets of a laminated strip, flat or bent, with the properties of `StripSolid`."""
 
 
 class FixtureSolid(_Jointed, cq.Solid):
@@ -352,12 +367,14 @@ class FlexureSolid(FlexureBody, _Moved, cq.Solid):
 
     @property
     def joints(self) -> Mapping[str, cq.Location]:
-        """Locations "start" and "end" of the pads' inner edges, with x outward, and "hole1" to "hole4"."""
+        """Locations "start" and "end" on the inner edges of the pads, with x outward, and "hole1" to "hole4"
+        at the holes.
+        """
         here = self.location()
         return MappingProxyType({name: here * place for name, place in self._joints.items()})
 
     def in_state(self, state: "State | None") -> "FlexureSolid":
-        """Return the part in another state, with its first pad at the first pad of this body."""
+        """Return the part in another state. Its first pad is where the first pad of this body is."""
         part = flexure_solid(self.flexure, state, color=self.color)
         part.label = self.label
         moved: FlexureSolid = part.moved(self.joints["start"] * part.joints["start"].inverse)
@@ -367,14 +384,14 @@ class FlexureSolid(FlexureBody, _Moved, cq.Solid):
 def flexure_solid(flexure: "Flexure", state: "State | None" = None, *, color: Any = None) -> FlexureSolid:
     """Return a part with two states, unloaded or in one of them.
 
-    The unloaded part begins at the origin along x; in a state it is on the drawn curve.
+    The unloaded part begins at the origin in direction x. In a state, the part is on the drawn curve.
 
     Parameters
     ----------
     flexure : Flexure
         The part, as `ec.Flexure` or `FlexureSpec(...).make()`.
     state : "first" or "second", optional
-        None for the unloaded part, as it is cut.
+        State of the part. None is the unloaded part, as it is cut.
     color : Color, name or numbers, optional
         Colour on screen, by default that of the sheet.
 
@@ -441,7 +458,7 @@ def flat_strip(
     max_width: float | None = None,
     **options: Unpack[StripOptions],
 ) -> StripSolid | StripCompound:
-    """Return the strip as cut, from z = 0 upward; errors and axes as in `strip_outline`."""
+    """Return the strip as cut, from z = 0 upward. Errors and axes are those of `strip_outline`."""
     made = make_strip_of(path, sheet, max_width=max_width, **options)
     return make_body(FlatSolid.layers(made.strip), made)
 
@@ -472,7 +489,7 @@ def end_fixture(
     floor: cq.Plane | None = None,
     **options: Unpack[FixtureOptions],
 ) -> FixtureSolid:
-    """Return the block that holds one end of the bent strip, in its place at `bent_strip` of the same path.
+    """Return the block that holds an end of the bent strip, positioned for `bent_strip` of the same path.
 
     Parameters
     ----------
@@ -481,8 +498,8 @@ def end_fixture(
     Raises
     ------
     InputError
-        The end has no tab, sizes do not fit, or the floor is not perpendicular to the curve's plane; also the
-        errors of `strip_outline`.
+        The end has no tab, sizes do not fit, or the floor is not perpendicular to the plane of the curve.
+        Errors of `strip_outline` are passed on.
     """
     edges, drawn_on = _drawn(path)
     made, block = make_fixture_on(
@@ -501,13 +518,13 @@ def _drawn(path: Drawn) -> tuple[Any, dict[str, Any]]:
 
 
 def make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> MadeStrip:
-    """Return the strip of the drawn shapes, in the plane of a Workplane."""
+    """Make the strip of the drawn shapes. For a Workplane, its plane is the plane of the curve."""
     edges, drawn_on = _drawn(path)
     return make_strip_on(edges, sheet, **(drawn_on | options))
 
 
 def make_body(records: Sequence[BodyRecord | PrismSolid], made: MadeStrip) -> StripSolid | StripCompound:
-    """Return the body of a strip, a compound for several sheets, with the property `strip`."""
+    """Return the body of a strip with the property `strip`. For several sheets it is a compound."""
     solids = occt.make_sheets(records)
     shape: StripSolid | StripCompound
     if len(solids) == 1:
@@ -520,7 +537,7 @@ def make_body(records: Sequence[BodyRecord | PrismSolid], made: MadeStrip) -> St
 
 
 def dress(shape: S, joints: Mapping[str, Frame], made: MadeStrip) -> S:
-    """Return the shape with its strip, joints, name and colour."""
+    """Set the strip, joints, name and colour of a shape, and return the shape."""
     shape._made = made
     shape._joints = {name: make_location(frame) for name, frame in joints.items()}
     shape.label = made.name

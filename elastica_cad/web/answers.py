@@ -1,4 +1,4 @@
-"""Requests of the page and their answers, both as JSON records; each request has a function."""
+"""Requests of the page and their answers, which are JSON records. Each kind of request has a function."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -60,22 +60,22 @@ from elastica_cad.web.saved_design import (
 Record = dict[str, Any]
 
 LEAST_STEP = 1e-3
-"""Least accuracy of the border of what can be made, mm."""
+"""Smallest tolerance, mm, to which the last possible position of a dragged point is searched."""
 
 PLACE_DIGITS = 6
-"""Decimals of a place along the curve, mm; the end of the curve must stay on it."""
+"""Decimals of a position along the curve, mm. With fewer decimals, the rounded end could be beyond the curve."""
 
 DRAWN_NODES = 160
-"""Largest number of nodes of a strip that are sent; more are not visible on a screen."""
+"""Largest number of nodes of a strip that are sent, because more would not be visible on a screen."""
 
 CHORD_MM = 0.05
-"""Accuracy of lines on the screen compared with the cut outline, mm."""
+"""Largest distance, mm, between the cut outline and the lines on the screen."""
 
 DROPPED = (".svg", ".dxf", ".csv", ".txt", ".json", ".toml")
 """Kinds of files that may be dropped on the page."""
 
 DOWNLOADS = ("dxf", "svg", "pdf", "step", "stl", "kit")
-"""Files that the page offers, besides the design."""
+"""Kinds of files that can be downloaded, in addition to the design."""
 
 FILE_KEYS = ("file", "mesh", "sheets_file")
 CURVE_KEYS = ("curve", "first", "second")
@@ -83,13 +83,18 @@ CURVE_KEYS = ("curve", "first", "second")
 CHANGED = "{name} was changed since this page read it"
 
 BENT_STEPS, PRESSED_STEPS = 32, 12
-"""Number of shapes from the design to flat, and of shapes while the ends are pressed further together."""
+"""Number of shapes between the flat strip and the design, and of shapes with the ends pressed further together."""
 
 SLACK = 5e-3
-"""Safety distance of a nearest curve from a limit, as a fraction of the limit; its spline must not exceed it."""
+"""Distance that the nearest curve keeps from a limit, as a fraction of the limit, so that its spline does not
+exceed it.
+"""
 
 NEARLY_FLAT = 0.9999
-"""Distance of a strip's ends pulled apart, as a fraction of its length; a straight strip has no side to bend to."""
+"""Largest distance of the ends of a strip, as a fraction of its length.
+
+At the full length, the strip could bend to either side.
+"""
 
 PRESSED_SHARE = 0.4
 """Largest reduction of the distance between the pressed ends, as a fraction of this distance."""
@@ -97,14 +102,14 @@ PRESSED_SHARE = 0.4
 
 @dataclass(frozen=True)
 class Download:
-    """A file that the page offers to save."""
+    """A file that the user can download."""
 
     name: str
     content: bytes
 
 
 def answer(request: Mapping[str, Any], saved: FilePath | None = None) -> Record | Download:
-    """Return the answer to a request; an error is a record under "refused".
+    """Return the answer to a request. After an error, the answer has a record "refused".
 
     Parameters
     ----------
@@ -136,7 +141,7 @@ def answer(request: Mapping[str, Any], saved: FilePath | None = None) -> Record 
 
 
 def refused(problem: ElasticaError) -> Record:
-    """Return the record of an error, with the message to be translated."""
+    """Return the record of an error, with its message, which is translated later."""
     return {"refused": problem.refusal.record | {"message": problem.refusal}}
 
 
@@ -182,7 +187,10 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 
 def _strip(request: Mapping[str, Any]) -> Record:
-    """Return what the page shows of a strip, whose dragged point stops at the border if the request says so."""
+    """Return the data of a strip that the page shows.
+
+    On request, a dragged point stops at its last possible position.
+    """
     record = _shown_strip(request)
     if "hold" not in request or "refused" not in record:
         return record
@@ -191,7 +199,10 @@ def _strip(request: Mapping[str, Any]) -> Record:
 
 
 def _shown_strip(request: Mapping[str, Any]) -> Record:
-    """Return check, shape, flat part and numbers of a strip; requested at every move of the pointer."""
+    """Return the check, shape, flat part and numbers of a strip.
+
+    The page requests them at every move of the pointer.
+    """
     spec, kept = _with_kept_fractions(request)
     check, drawn = spec.rod_spec.check, spec.rod_spec.drawn or spec.rod_spec.curve
     path = {"points": _rounded(drawn.sample(DRAWN_NODES + 1).position, 3), "length": drawn.length}
@@ -213,10 +224,10 @@ def _shown_strip(request: Mapping[str, Any]) -> Record:
 
 
 def _stopped(request: Mapping[str, Any], hold: Mapping[str, Any]) -> tuple[list[float], Record]:
-    """Return the position of a dragged control point at the border of what can be made, and its request.
+    """Return the last position of a dragged control point for which a strip is possible, and the request with it.
 
-    `hold` has the index of the point, its last possible position `from`, and the accuracy `step`, mm. The point
-    goes from there towards the requested position as far as possible, and then along x or y.
+    `hold` has the index of the point, its last possible position `from`, and the tolerance `step`, mm. The
+    point moves from there towards the requested position as far as possible, and then along x or y.
     """
     design, k, step = request["design"], request.get("strip", 0), max(float(hold["step"]), LEAST_STEP)
     strip = design["strips"][k]
@@ -258,10 +269,10 @@ def _is_possible(request: Mapping[str, Any]) -> bool:
 
 
 def _with_kept_fractions(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
-    """Return the request for a strip, and its ties and loads if they moved with the curve.
+    """Return the request for a strip, and its ties and loads if their positions were scaled with the curve.
 
-    If the page edits the curve, it sends the length (mm) to which the places of ties and loads refer. They keep
-    their fractions of the length.
+    When the curve is edited, the page sends the previous length (mm), to which the positions of ties and
+    loads refer. Their positions as fractions of the length are unchanged.
     """
     design, k, before = request["design"], request.get("strip", 0), request.get("length")
     spec = requested_spec(design, k)
@@ -276,7 +287,9 @@ def _with_kept_fractions(request: Mapping[str, Any]) -> tuple[StripSpec, Record]
 
 
 def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
-    """Return the elements and loads between the ends with their places, and their forces in N if they are known."""
+    """Return the rails, pins, ties and loads with their positions, and with their forces in N if these are
+    known.
+    """
     curve = spec.rod_spec.check.curve
     drawn = spec.rod_spec.drawn or spec.rod_spec.curve
     loads = () if isinstance(spec.loads, Weight) else spec.loads
@@ -289,7 +302,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
         for k, record in enumerate(records):
             mass = record.mass if isinstance(record, PointMass) else None
             element = PointForce(record.at, (0, 0)) if isinstance(record, PointMass) else record
-            with suppress(InputError):  # the verdict states which place is not on the curve
+            with suppress(InputError):  # the check reports a position that is not on the curve
                 places = curve.at(PlacedElement.on(element, drawn, curve).s).position
                 force = forces.get(id(record))
                 found.append({
@@ -301,7 +314,9 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
 
 
 def _thrust_line(rod: Rod) -> list[Any]:
-    """Return the sides of the thrust line, as pairs of points, up to one size of the curve around it."""
+    """Return the sides of the thrust line, as pairs of points, clipped to the box of the curve enlarged by
+    its size.
+    """
     low, high = rod.position.min(axis=0), rod.position.max(axis=0)
     size = max(high - low)
     return [_rounded(side, 3) for side in thrust_sides(rod, low - size, high + size)]
@@ -312,7 +327,9 @@ def _drawn(spec: StripSpec) -> Record:
 
 
 def _theorem(check: EquilibriumCheck) -> Record:
-    """Return inflections with their numbers, their line, and its inadmissible contacts with the curve."""
+    """Return the data of Theorem 1: numbered inflections, their line, and its inadmissible contacts with the
+    curve.
+    """
 
     def places(s: Sequence[float]) -> list[Any]:
         return _rounded(check.curve.at(s).position, 3) if len(s) else []
@@ -328,7 +345,7 @@ def _theorem(check: EquilibriumCheck) -> Record:
 
 
 def _shape(strip: Strip, rod: Rod | None = None) -> Record:
-    """Return places along a strip from tab to tab, with position, width, curvature and strain."""
+    """Return stations along a strip from tab to tab, with position, width, curvature and strain."""
     rod = rod or strip.rod
     k = np.unique(np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int))
     s, kappa = rod.s[k], rod.curvature[k]
@@ -356,7 +373,7 @@ def _rows(rows: Iterable[Row]) -> list[Record]:
 
 
 def _flat(drawings: Iterable[Drawing]) -> list[Record]:
-    """Return the loops of each cut or engraved layer, mm, one drawing below another."""
+    """Return the loops, mm, of each cut or engraved layer. Drawings are placed one below another."""
     drawn: list[Record] = []
     below = 0.0
     for drawing in drawings:
@@ -373,7 +390,9 @@ def _flat(drawings: Iterable[Drawing]) -> list[Record]:
 
 
 def _nearest(request: Mapping[str, Any]) -> Record:
-    """Return the nearest possible curve that is stable and does not break, or within the design's limits."""
+    """Return the nearest possible curve: within the limits of the design, or else stable and within the
+    strain limit.
+    """
     spec = _spec(request)
     if not spec.may_change:
         strain = (1 - SLACK) * spec.material.max_strain
@@ -381,7 +400,7 @@ def _nearest(request: Mapping[str, Any]) -> Record:
             limits=Limits(margin=(1 + 4 * SLACK) * SAFE_MARGIN, sheet=spec.material, strain=strain),
             keep=Keep(),
         )
-        limits = spec.rod_spec.limits  # the ratio of these limits also follows from the widths
+        limits = spec.rod_spec.limits  # limits with the stiffness ratio, which may follow from the widths
         if isinstance(limits, Limits) and limits.ratio is not None:
             spec = spec.changed(limits=replace(limits, ratio=max(1.0, (1 - SLACK) * limits.ratio)))
     near = solve_rod(spec.rod_spec)
@@ -389,7 +408,7 @@ def _nearest(request: Mapping[str, Any]) -> Record:
     assert isinstance(near, NearestRod)
     try:
         curve = near.curve
-    except NotConvergedError:  # this kind has no short description
+    except NotConvergedError:  # raised if the rest shape has no spline with few control points
         curve = near.rod.curve
     return {
         "curve": curve_table(curve),
@@ -401,7 +420,10 @@ def _nearest(request: Mapping[str, Any]) -> Record:
 
 
 def _cures(request: Mapping[str, Any]) -> Record:
-    """Return the changes that make a refused strip possible, each with the tables of its strips."""
+    """Return the changes that make a refused strip possible.
+
+    Each change has the tables of the resulting strips.
+    """
     spec = _spec(request)
     try:
         spec.make()
@@ -440,7 +462,7 @@ def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[
 
 
 def _sheets(request: Mapping[str, Any]) -> Record:
-    """Return, for each sheet, the strain as a fraction of the limit, or why the strip is impossible."""
+    """Return, for each sheet, the strain as a fraction of its limit, or the reason why the strip is impossible."""
     spec, rows = _spec(request), []
     for name in sheet_names():
         row: Record = {"name": name, "fits": False}
@@ -456,7 +478,9 @@ def _sheets(request: Mapping[str, Any]) -> Record:
 
 
 def _bend(request: Mapping[str, Any]) -> Record:
-    """Return the shapes of the strip from flat to its design and beyond, with end forces and snap-through."""
+    """Return the shapes of a strip from flat to its design and beyond, with end forces and the positions of
+    snaps.
+    """
     spec = _spec(request)
     strip = spec.make()
     if strip.rod.acting:
@@ -480,7 +504,7 @@ def _bend(request: Mapping[str, Any]) -> Record:
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
     pulled = bend_strip(strip, [led(part, flat, 1.0) for part in parts])
     frames = [_frame(strip, pulled, k, 1 - parts[k]) for k in range(len(parts))][::-1]
-    # if the strip cannot be pressed further, only the shapes from flat to the design are shown
+    # raised if the strip cannot be pressed further; then only the shapes from flat to the design are shown
     with suppress(ElasticaError):
         more = np.arange(1, PRESSED_STEPS + 1) / PRESSED_STEPS
         pressed = bend_strip(strip, [led(part, end - PRESSED_SHARE * chord, 0.0) for part in more])
@@ -500,7 +524,7 @@ def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
 
 
 def _model(request: Mapping[str, Any]) -> Record:
-    """Return every strip in its place, with its holders."""
+    """Return all strips and holders of the model, placed in space."""
     design = _design(request)
     kit = kit_contents(design.model(), design.kit, entries=design.entries, effects=True)
     messages = list(dict.fromkeys((*kit.notes, *kit.model.reports)))
@@ -555,14 +579,14 @@ def _plates(solids: Sequence[object]) -> Iterator[FlatSolid]:
 
 
 def _matrix(frame: Frame) -> list[float]:
-    """Return the matrix of a frame column by column, as graphics libraries expect."""
+    """Return the matrix (4, 4) of a frame as a list of columns, as graphics libraries expect."""
     rows = np.eye(4)
     rows[:3, :3], rows[:3, 3] = frame.axes.T, frame.origin
     return [round(float(x), 6) for x in rows.T.ravel()]
 
 
 def _pair(request: Mapping[str, Any]) -> Record:
-    """Return both states of a part with two rest shapes, its flat pattern, holders and numbers."""
+    """Return the data of a two-state part: both rest shapes, its flat pattern, holder and numbers."""
     part = _pair_spec(request).make()
     pair, limit, places = part.pair, part.sheet.max_strain, []
     for rod, strain in zip((pair.first, pair.second), part.strain, strict=True):
@@ -591,7 +615,7 @@ def _pair_spec(request: Mapping[str, Any]) -> FlexureSpec:
 
 
 def _edit(request: Mapping[str, Any]) -> Record:
-    """Return the curve of the strip with an added control point and the same shape, or with one point removed."""
+    """Return the curve of the strip with a control point added, which does not change the shape, or removed."""
     if "pair" in request["design"]:
         spec = _pair_spec(request)
         curve = spec.second if request.get("strip") else spec.first
@@ -604,7 +628,7 @@ def _edit(request: Mapping[str, Any]) -> Record:
 
 
 def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
-    """Return the same curve with an added knot, and thus control point, at its place nearest to a point.
+    """Insert a knot, and so a control point, at the point of a curve nearest to `point`. The shape is unchanged.
 
     Examples
     --------
@@ -675,14 +699,16 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
 
 
 def _open(_: Mapping[str, Any], saved: FilePath | None) -> Record:
-    """Return the present design file and its mark."""
+    """Return the design file as it is on the disk, and its digest."""
     mark = file_mark(saved)
     return {"mark": mark, "design": open_design(saved) if saved and mark else None}
 
 
 def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
-    """Return the text of the design file for the server to write, or a changed file that the page does not have
-    yet."""
+    """Return the text that the server writes to the design file.
+
+    If another program has changed the file, its new contents are returned instead.
+    """
     before, mark = "", file_mark(saved)
     if saved is not None and not request.get("copy"):
         if request.get("mark") != mark:
@@ -697,7 +723,7 @@ def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
 
 
 def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
-    """Return a file, or all files of a model in a zip."""
+    """Return a file for download, or a zip of all files of a model."""
     kind = request.get("kind")
     if kind not in DOWNLOADS:
         raise InputError("{file!r} is not a file of this page. Load the page again.", file=kind)
@@ -759,10 +785,10 @@ QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "open": _open,
     "save": _save,
 }
-"""Functions for the requests of the page, by kind."""
+"""Function that answers each kind of request."""
 
 WITH_FILES = (_read, _file)
-"""Requests that get a separate folder and read only from this folder."""
+"""Functions that get a temporary folder, and read only from this folder."""
 
 OF_THE_FILE = (_open, _save)
-"""Requests that get the design file of the studio."""
+"""Functions that get the path of the studio's design file."""

@@ -1,4 +1,4 @@
-"""The studio in a notebook: the same page, with answers from the kernel of the notebook."""
+"""The studio in a notebook: the same page, whose requests are answered by the kernel of the notebook."""
 
 import json
 from collections.abc import Mapping
@@ -24,20 +24,22 @@ MODULES = (
     "channel.js", "colors.js", "design.js", "drawing.js", "flat.js", "forms.js", "vendor/three.module.min.js",
     "space.js", "starts.js", "studio.js",
 )  # fmt: skip
-"""Files of the page; imported files are first."""
+"""Script files of the page. A file comes after the files that it imports."""
 
 
 @installed_modules()
 def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
-    """Return the studio as a widget of a notebook (Jupyter, with anywidget), to draw a curve and use it in the
-    notebook.
+    """Return the studio as a widget of a notebook, in which a curve is drawn and used by later cells.
+
+    It requires anywidget.
 
     Parameters
     ----------
     curve : PlaneCurve, optional
         Initial curve; by default the drawing is empty.
     **keys
-        Keys of a strip in a design file: `sheet="pom-1"`, `max_width=20`, `limits={"ratio": 3}`; lengths in mm.
+        Keys of a strip, as in a design file: `sheet="pom-1"`, `max_width=20`, `limits={"ratio": 3}`. Lengths
+        are in mm.
 
     Returns
     -------
@@ -79,7 +81,7 @@ def _widget() -> type["AnyWidget"]:
     texts = {f"./{name}": page.joinpath(name).read_text(encoding="utf-8") for name in MODULES}
 
     class Studio(AnyWidget):
-        """Page whose requests are answered in this process."""
+        """Widget that shows the page and answers its requests in this process."""
 
         _esm = (
             f"const MODULES = {json.dumps(texts)};\n{page.joinpath('widget.js').read_text(encoding='utf-8')}"

@@ -1,4 +1,4 @@
-"""Design file that the studio reads and saves, as tables for the page."""
+"""Conversion between a design file and the tables that the page of the studio edits."""
 
 from collections.abc import Mapping
 from hashlib import sha256
@@ -20,10 +20,10 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 Tables = dict[str, Any]
 
 OF_MODELS = ("patterns", "interlock", "base", "rings", "frame", "fixtures", "stand", "extras", "revolution")
-"""Tables of a design that a single strip does not need."""
+"""Tables of a design that only models of several strips need."""
 
 STARTS = ("pavilion", "revolution")
-"""Designs of `elastica new` without other files, which are templates for the page."""
+"""Designs of `elastica new` that need no other files; the page offers them as templates."""
 
 
 def open_design(path: Path) -> Tables:
@@ -32,14 +32,15 @@ def open_design(path: Path) -> Tables:
     Raises
     ------
     InputError
-        As `read_design`; or the design has strips along sections of a mesh, which the page cannot edit.
+        For the reasons of `read_design`, or because the design has strips along sections of a mesh, which the
+        page cannot edit.
     """
     with read_below(path.parent, Path()):
         return drawable(parse_design(path), path, read_curves)
 
 
 def file_mark(path: Path | None) -> str:
-    """Return the digest of a file's contents, which changes with them; empty without a file.
+    """Return a digest of the contents of a file, by which changes are detected. It is empty if there is no file.
 
     Raises
     ------
@@ -58,7 +59,9 @@ def start_designs() -> dict[str, Tables]:
 
 
 def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
-    """Return the tables of a design at `path` with its curves as splines; `read_curves` reads curve files.
+    """Convert the curves in the tables of a design to splines.
+
+    Its files are relative to `path`; `read_curves` reads curve files.
 
     Raises
     ------
@@ -87,7 +90,7 @@ def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
 
 
 def _is_drawn(curve: object) -> bool:
-    """Return True if the curve is a spline with numbers as control points, which can be moved."""
+    """Return True if the curve is a spline whose control points are numbers, so that the page can move them."""
     points = curve.get("spline") if isinstance(curve, Mapping) and "reshape" not in curve else None
     return isinstance(points, list) and all(
         isinstance(x, int | float) for point in points if isinstance(point, list) for x in point
@@ -95,7 +98,7 @@ def _is_drawn(curve: object) -> bool:
 
 
 def curve_table(curve: PlaneCurve) -> Tables:
-    """Return a curve as a table of a design file, exactly.
+    """Return a curve as a table of a design file, without rounding.
 
     Examples
     --------
@@ -111,7 +114,7 @@ def curve_table(curve: PlaneCurve) -> Tables:
 
 
 def compose_design(tables: Mapping[str, Any], before: str = "") -> str:
-    """Return the text of a design file with these tables; comments of the previous text are kept if possible.
+    """Return the text of a design file with these tables. Comments of the previous text are preserved if possible.
 
     Examples
     --------

@@ -1,4 +1,7 @@
-"""Server of the page. It answers only this computer, requests with its token, and its own pages."""
+"""Server of the page.
+
+It answers only requests from this computer that have its token and come from its own pages.
+"""
 
 import asyncio
 import hmac
@@ -49,23 +52,26 @@ NO_ENTRY = "This page is for the person who started it: open the address that `e
 
 @dataclass(frozen=True)
 class Entrance:
-    """Admits requests that carry the token, name this computer as host, and come from no other site."""
+    """Check of requests.
+
+    It admits requests that have the token, name this computer as host, and do not come from another site.
+    """
 
     port: int
     token: str = field(default_factory=lambda: secrets.token_urlsafe(24))
 
     @property
     def address(self) -> str:
-        """The address of the page, with the token, to be opened in a browser."""
+        """Address of the page for a browser; it contains the token."""
         return f"http://{HOST}:{self.port}/?token={self.token}"
 
     @property
     def cookie(self) -> str:
-        """Name of the cookie, with the port, because ports of one host share their cookies."""
+        """Name of the cookie. It contains the port, because all ports of a host share their cookies."""
         return f"elastica-studio-{self.port}"
 
     def refusal(self, seen: HTTPConnection) -> str:
-        """Return the reason why a request is refused, or an empty text if it is permitted."""
+        """Return the reason why a request is refused, or "" if it is permitted."""
         host = seen.headers.get("host", "")
         if host not in (f"{HOST}:{self.port}", f"localhost:{self.port}"):
             return "This server answers to its own name only.\n"
@@ -77,7 +83,7 @@ class Entrance:
 
 
 class Guard:
-    """Application layer that checks host and token of each request with `Entrance`.
+    """ASGI middleware that checks each request with `Entrance`.
 
     It adds the security policy to each response.
     """
@@ -86,7 +92,7 @@ class Guard:
         self.app, self.entrance = app, entrance
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer or refuse."""
+        """Pass a permitted request to the application, and refuse any other request."""
         if scope["type"] == "lifespan":
             await self.app(scope, receive, send)
             return
@@ -115,19 +121,19 @@ class Guard:
 
 
 class Studio:
-    """Server of the page, its requests, and the file that it may save.
+    """Server of the page, of its requests, and of the design file that it may save.
 
     Parameters
     ----------
     entrance : Entrance
     path : Path, optional
-        Design file that is opened, and saved on request of the user.
+        Design file that is opened, and that is saved if the user requests it.
     """
 
     def __init__(self, entrance: Entrance, path: Path | None = None) -> None:
         self.path = path
         if path is not None and path.exists():
-            open_design(path)  # an invalid design is refused in the terminal, before the page opens
+            open_design(path)  # raises an error in the terminal for an invalid design, before the page opens
         file = None if path is None else path.name
         self._hello = page_words() | {
             "do": "hello",
@@ -151,7 +157,7 @@ class Studio:
         await self._workers.stop()
 
     async def _talk(self, talk: WebSocket) -> None:
-        """Receive the requests of a page and send the answers as they become available."""
+        """Receive the requests of a page, and send each answer when it is available."""
         page = next(self._pages)
         await talk.accept()
 
@@ -165,7 +171,7 @@ class Studio:
             self._workers.request(page, {"do": "open"}, b'{"do": "open"}', greet)
             while True:
                 await self._take(page, await talk.receive_text(), send)
-        # the page is closed, or sent bytes, which this page never does
+        # the page was closed, or another program sent bytes
         except (WebSocketDisconnect, KeyError):
             with suppress(RuntimeError):
                 await talk.close()
@@ -184,14 +190,17 @@ class Studio:
             await send(kind, content if path is None else _written(path, content))
 
         saves = request.get("do") == "save" and not request.get("copy")
-        # line feeds in JSON are spaces, but would end the line for a worker
+        # replace line feeds, which are only white space in JSON, because a worker reads a request as a line
         line = text.replace("\n", " ").encode()
         if not self._workers.request(page, head_of(request), line, written if saves else send):
             await send(b"text", refused_answer(request, InputError(TOO_MUCH)))
 
 
 def _written(path: Path, content: bytes) -> bytes:
-    """Write the text that a worker composed, unless the file has changed since; return the answer to the page."""
+    """Write the text that a worker composed, unless the file has changed in the meantime.
+
+    Return the answer for the page.
+    """
     answer = json.loads(content)
     if "refused" in answer:
         return content
@@ -207,19 +216,19 @@ def _written(path: Path, content: bytes) -> bytes:
 
 
 def bound_socket(port: int) -> socket.socket:
-    """Return a socket for this computer only, on the port, or on any free port for 0.
+    """Return a listening socket for connections from this computer only. Port 0 selects any free port.
 
     Raises
     ------
     InputError
-        The port is taken.
+        Another program uses the port.
     """
     bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-    if os.name == "posix":  # without it, recently ended connections block the port for a minute
+    if os.name == "posix":  # otherwise recently closed connections would block the port for a minute
         bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         bound.bind((HOST, port))
-        bound.listen()  # if the browser is ready before the server, it waits
+        bound.listen()  # a browser that connects before the server is ready has to wait
     except (OSError, OverflowError) as problem:
         bound.close()
         raise InputError(
@@ -232,7 +241,7 @@ def bound_socket(port: int) -> socket.socket:
 
 
 def serve(studio: Studio, bound: socket.socket) -> None:
-    """Answer requests until Ctrl-C."""
+    """Run the server until Ctrl-C."""
     import uvicorn
 
     settings = uvicorn.Config(

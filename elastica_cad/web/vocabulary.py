@@ -14,7 +14,7 @@ from elastica_cad.words import catalogue
 
 
 def page_words() -> dict[str, Any]:
-    """Return fields, sheets and kinds of file for the page, as plain data for JSON."""
+    """Return the fields, sheets and kinds of files for the page, as plain data for JSON."""
     without = set() if can_draw() else {"pdf"}
     without |= {"step", "stl"} if step_trouble() else set()
     fields = described(SharedKeys)
@@ -22,7 +22,7 @@ def page_words() -> dict[str, Any]:
     return {
         "fields": fields,
         "pair_fields": pair_fields,
-        "words": {  # templates are left out, because the page cannot fill them in
+        "words": {  # templates with values are left out, because the page cannot insert values
             language: {text: translation for text, translation in catalogue(name).items() if "{" not in text}
             for language, name in CATALOGUES.items()
         },

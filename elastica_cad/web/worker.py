@@ -1,7 +1,7 @@
-"""Process that answers requests of the page, lines of JSON, one after another.
+"""Worker process that answers requests of the page one after another. Each request is a line of JSON.
 
-An answer is its kind, `text` or `file`, its size in bytes, and its bytes. A worker that needs too much memory
-returns an error. The server replaces a worker that takes too long.
+An answer consists of its kind (`text` or `file`), its size in bytes, and its contents. A worker that needs
+too much memory returns an error. The server replaces a worker that takes too long.
 """
 
 import json
@@ -18,14 +18,14 @@ from elastica_cad.web.answers import Download, answer, refused
 from elastica_cad.words import Translated
 
 MOST_MEMORY = 3 * 2**30
-"""Bytes of address space; a CAD kernel takes a third of that."""
+"""Largest address space of a worker, bytes. A CAD kernel needs a third of it."""
 
 CATALOGUES = {"de": "de", "zh": "zh-CN"}
-"""Catalogues by the languages of the page besides English."""
+"""Catalogue of translations for each language of the page, except English."""
 
 
 def read_question(text: str | bytes) -> dict[str, Any]:
-    """Return a request of the page from its JSON.
+    """Parse a request of the page from JSON.
 
     Raises
     ------
@@ -49,17 +49,17 @@ def _refuse_constant(name: str) -> None:
 
 
 def head_of(question: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the keys with which the page matches an answer with its request."""
+    """Return the keys of a request that are repeated in the answer, so that the page can match them."""
     return {name: question[name] for name in ("id", "do", "kind") if name in question}
 
 
 def refused_answer(question: Mapping[str, Any], problem: ElasticaError) -> bytes:
-    """Return the answer to a request that no worker can answer."""
+    """Return the answer, an error, to a request that no worker can answer."""
     return json.dumps(head_of(question) | refused(problem)).encode()
 
 
 def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
-    """Return kind and content of the answer to a request; errors become sentences.
+    """Return the kind and contents of the answer to a request. Errors are answered by their messages.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
         response = refused(problem)
     except MemoryError:
         response = refused(InputError("There is not enough memory. Request less, such as fewer strips."))
-    # the request of a page of another version, or an invalid text; later requests are still answered
+    # raised for an invalid request, for example from a page of another version; the worker continues
     except Exception:
         traceback.print_exc()
         response = refused(
@@ -88,7 +88,7 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
 
 
 class _PageWords(Translated):
-    """Sentences in a language of the page, with fields called as the page labels them."""
+    """Wording of messages in a language of the page. Fields have the names that the page displays."""
 
     def __init__(self, language: str) -> None:
         super().__init__(CATALOGUES.get(language, "en"))
@@ -103,7 +103,7 @@ class _PageWords(Translated):
 
 
 def _worded(value: Any, words: Wording) -> Any:
-    """Return the answer with every message as a sentence in the user's language."""
+    """Return the answer with every message translated to the language of the user."""
     if isinstance(value, Refusal):
         return words.sentence(value)
     if isinstance(value, dict):
@@ -114,18 +114,21 @@ def _worded(value: Any, words: Wording) -> Any:
 
 
 def _limit_memory() -> None:
-    with suppress(ImportError, OSError, ValueError):  # Windows has no limit of address space
+    with suppress(ImportError, OSError, ValueError):  # on Windows, the address space cannot be limited
         import resource
 
         resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
 
 
 def main() -> None:
-    """Read requests line by line and answer them until the input ends; the argument is the design file."""
+    """Read requests line by line and answer them until the input ends.
+
+    The argument of the process is the design file.
+    """
     _limit_memory()
     saved = Path(sys.argv[1]) if sys.argv[1:] else None
     out = sys.stdout.buffer
-    sys.stdout = sys.stderr  # the output of a library must not be taken for an answer
+    sys.stdout = sys.stderr  # keep the output of libraries separate from the answers
     for line in sys.stdin.buffer:
         kind, content = reply(line, saved)
         out.write(b"%s %d\n" % (kind, len(content)) + content)

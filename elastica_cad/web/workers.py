@@ -1,4 +1,7 @@
-"""Worker processes and their queue; only the newest of equal requests from a page is answered."""
+"""Worker processes and the queue of requests.
+
+Of waiting requests of the same kind from a page, only the newest is answered.
+"""
 
 import asyncio
 from collections.abc import Awaitable, Callable
@@ -13,19 +16,22 @@ from elastica_cad.web.worker import refused_answer
 WORKERS = 2
 
 LONGEST_S = {"file": 180.0, "model": 60.0, "nearest": 60.0, "sheets": 60.0, "bend": 30.0, "cures": 60.0}
-"""Time limits of kinds of requests; other requests have `USUAL_S`."""
+"""Time limits, s, of some kinds of requests. The time limit of other requests is `USUAL_S`."""
 
 USUAL_S = 15.0
 
 MOST_WAITING = 12
-"""Largest number of different waiting requests from a page; the page itself sends fewer."""
+"""Largest number of different waiting requests from a page. The page of the studio sends fewer."""
 
 Send = Callable[[bytes, bytes], Awaitable[None]]
-"""Type of functions that receive kind and content of an answer."""
+"""Type of functions that send an answer, given its kind and contents."""
 
 
 class Workers:
-    """Two worker processes, and a queue that answers pages in the order of their first requests."""
+    """Two worker processes, and a queue of requests.
+
+    Pages are served in the order of their oldest waiting requests.
+    """
 
     def __init__(self, saved: Path | None) -> None:
         self._saved = saved
@@ -44,7 +50,7 @@ class Workers:
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
     def request(self, page: int, head: dict[str, Any], line: bytes, send: Send) -> bool:
-        """Queue a request, and drop an equal waiting request from the same page.
+        """Queue a request, and drop a waiting request of the same kind from the same page.
 
         Return False if too many other requests from the page are waiting.
         """
@@ -80,7 +86,7 @@ class Workers:
                     reason = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
                     refusal = InputError(f"The request {reason}. Use fewer strips, samples or holes.")
                     kind, content = b"text", refused_answer(head, refusal)
-                with suppress(Exception):  # the page was closed while its request was computed
+                with suppress(Exception):  # raised if the page was closed while its request was computed
                     await send(kind, content)
         finally:
             if process is not None:
@@ -88,14 +94,14 @@ class Workers:
 
 
 async def _nobody(_: bytes, __: bytes) -> None:
-    """Receive an answer without a waiting page."""
+    """Discard an answer for which no page is waiting."""
 
 
 async def _started(saved: Path | None) -> asyncio.subprocess.Process:
-    """Start a worker."""
+    """Start a worker process."""
     command = [*python_command("elastica_cad.web.worker", "main"), *([str(saved)] if saved else [])]
     pipe = asyncio.subprocess.PIPE
-    # in a separate session, because Ctrl-C must not reach a worker; the server ends it
+    # start it in a separate session, because Ctrl-C must not reach a worker; the server ends it
     return await asyncio.create_subprocess_exec(*command, stdin=pipe, stdout=pipe, start_new_session=True)
 
 
