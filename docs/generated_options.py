@@ -22,14 +22,14 @@ FILE = Path(__file__).resolve().parents[1] / "elastica_cad" / "kernel" / "strip_
 OWN = ("curve", "sheet", "max_width")
 """Fields that every function has as arguments of its own."""
 
-HEAD = '''"""Typed options of the CAD libraries: made by `make generate` from the fields of `StripSpec`."""
+HEAD = '''"""Typed options for the CAD libraries, generated from the fields of `StripSpec` by `make generate`."""
 
 {imports}
 
 class StripOptions(TypedDict, total=False):
-    """Options of every function besides path, sheet and max_width; see `StripSpec`.
+    """Options of every function in addition to path, sheet and max_width: see `StripSpec`.
 
-    `gravity` may also be a vector of the library, a direction in space.
+    `gravity` may also be a vector of the CAD library, which is a direction in space.
     """
 
     plane: Annotated[
@@ -41,7 +41,7 @@ class StripOptions(TypedDict, total=False):
 {strip}
 
 class FixtureSizes(TypedDict, total=False):
-    """Sizes of an end fixture; see `model.EndFixture`."""
+    """Sizes of an end fixture: see `model.EndFixture`."""
 
 {fixture}'''
 

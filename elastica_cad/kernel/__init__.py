@@ -1,1 +1,1 @@
-"""OpenCASCADE: records become shapes and STEP files, edges and solids become curves."""
+"""Conversion between records of this package and shapes of OpenCASCADE, in both directions."""

@@ -1,4 +1,4 @@
-"""OpenCASCADE: edges of a drawing become plane curves."""
+"""Conversion of edges and wires of OpenCASCADE to plane curves."""
 
 from collections import Counter
 from collections.abc import Iterable
@@ -17,23 +17,23 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.occt import sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
-OFFSET = 1e-6  # accuracy, mm, of the approximation of offset curves, which are not NURBS
+OFFSET = 1e-6  # tolerance of the approximation of offset curves, mm
 
 
 def plane_curve(
     shape: Shape | Iterable[Shape], plane: Frame | None = None, *, turned: FloatArray | None = None
 ) -> tuple[PlaneCurve, Frame]:
-    """Return the drawn curve of an edge, a wire, or several consecutive edges, and its plane.
+    """Return the curve of an edge, a wire, or several consecutive edges, and the plane of the curve.
 
-    NURBS, lines, circles, ellipses and other conics stay exact. Offset curves are approximated to 1e-6 mm.
-    Direction and axes are as in `placed_curve`. If no plane is given, its side follows the drawn edges and the
-    later movements of the shapes.
+    NURBS, lines and conics are converted exactly, and offset curves are approximated to 1e-6 mm. The direction of
+    the curve and the axes of the plane are chosen as in `placed_curve`. Without `plane`, the side of the plane
+    follows from the drawn edges and later rotations of the shapes.
 
     Raises
     ------
     InputError
-        The shape is a face or body; the edges are not plane, have no length, are not connected or form a corner; or
-        the edges are in another plane.
+        The shape is a face or body, or the edges are not in one plane or not in the given plane. Other reasons are
+        edges without length, gaps between edges, and corners.
     """
     if _has_faces(shape):
         raise InputError(
@@ -53,7 +53,7 @@ def _has_faces(shape: Shape | Iterable[Shape]) -> bool:
 
 
 def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
-    """Return the rotation of the first edge's location, or None if it has no rotation."""
+    """Return the rotation matrix (3, 3) of the location of the first edge, or None if it has no location."""
     k = kernel()
     shape = bare(shape)
     if not isinstance(shape, k.TopoDS_Shape):
@@ -67,7 +67,10 @@ def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
 
 
 def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
-    """Return the chains of a shape's edges, without edges of faces, and the number of omitted items."""
+    """Return the chains of the free edges of a shape, and the numbers of omitted items by kind.
+
+    Free edges do not belong to a face.
+    """
     k = kernel()
     kinds = k.TopAbs_ShapeEnum
     edges, skipped = [], Counter[str]()
@@ -83,7 +86,7 @@ def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
 
 
 def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
-    """Return all edges, in order, of a shape, a wrapped shape, or several of these."""
+    """Return all edges of a shape, or of several shapes, in order."""
     k = kernel()
     shape = bare(shape)
     if not isinstance(shape, k.TopoDS_Shape):
@@ -114,7 +117,7 @@ def _drawn_edge(edge: Shape) -> DrawnEdge:
         spline = (
             None if isinstance(basis, k.Geom_OffsetCurve) else k.GeomConvert.CurveToBSplineCurve_s(trimmed)
         )
-    except Exception as error:  # the class of Standard_Failure depends on the binding of the kernel
+    except Exception as error:  # the class of Standard_Failure depends on the Python binding
         raise InputError("The kernel cannot evaluate the curve of an edge. Draw the edge again.") from error
     if spline is None:
         followed = k.GeomConvert_ApproxCurve(trimmed, OFFSET, k.GeomAbs_Shape.GeomAbs_C2, 1000, 9)

@@ -1,4 +1,4 @@
-"""Strip whose end slides along a line or turns: its shapes, the position of its end, and an animation."""
+"""Shapes and animation of a strip whose end slides along a line or rotates."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -27,10 +27,12 @@ from elastica_cad.strip.solids import BentSolid, bent_colors, centred_thickness
 from elastica_cad.strip.strip import Strip
 
 TURN_RAD = 2.5
-"""Angle of the circular arc into which a strip is bent for meshing, rad; the tabs must stay apart."""
+"""Angle of the circular arc into which a strip is bent for meshing, rad. It is so small that the tabs do not
+meet."""
 
 CHORD = 5e-5
-"""Largest distance of triangles from this arc over the strip's length; it gives about eighty triangles along it."""
+"""Largest distance of triangles from this arc, as a fraction of the length. It gives about 80 triangles along the
+strip."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,11 +42,12 @@ class SkinMesh:
     Attributes
     ----------
     places : (n, 3) array
-        x along the strip, y across, and height above the middle surface, mm.
+        Corners: x along the strip, y across it, and height above mid-thickness, mm.
     normals : (n, 3) array
-        Outward, in the same axes.
+        Outward unit normals at the corners, in the same axes.
     triangles : (m, 3) array of int
-        Anticlockwise from outside; faces of the strip do not share corners.
+        Indices of the corners of each triangle, anticlockwise as seen from outside. The faces of the strip have
+        separate corners.
     """
 
     places: FloatArray
@@ -52,7 +55,7 @@ class SkinMesh:
     triangles: IntArray
 
     def bent(self, rod: Rod, frame: Frame) -> tuple[FloatArray, FloatArray]:
-        """Return points and normals (n, 3) in space of the strip bent into the rod's curve in `frame`."""
+        """Return points and normals (n, 3) in space of the strip bent into the curve of a rod in `frame`."""
         from scipy.interpolate import CubicHermiteSpline
 
         x, y, up = self.places.T
@@ -70,7 +73,7 @@ class SkinMesh:
 
 
 def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
-    """Return a mesh of the skin of each sheet of a strip, the base first."""
+    """Return the surface mesh of each sheet of a strip, the base first."""
     radius = strip.rod.length / TURN_RAD
     circle = optimal_rod(PlaneCurve.arc((0.0, 0.0), radius, 0.0, TURN_RAD))
     half = centred_thickness(strip) / 2
@@ -80,7 +83,11 @@ def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
 
 
 def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, float]) -> SkinMesh:
-    """Return the mesh of a layer, made on a circle, where each point determines its place in the flat pattern."""
+    """Return the surface mesh of a flat layer.
+
+    The layer is meshed when bent into a circular arc, because there each point determines its position in the flat
+    pattern.
+    """
     body = make_solid(BentSolid.wrapped(circle, layer.outline, layer.holes, heights=heights))
     places: list[FloatArray] = []
     normals, triangles = [], []
@@ -93,10 +100,13 @@ def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, f
 
 
 def _unrolled(points: FloatArray, radius: float) -> FloatArray:
-    """Return the flat places (along, across, height) of points of a strip bent into a circle about the origin."""
+    """Return the positions in the flat strip of points (n, 3) of a strip that is bent into a circular arc.
+
+    They are (along the strip, across it, height), mm. The centre of the arc is the origin.
+    """
     flat = np.column_stack([points[:, 2]] * 3)
     turn = np.arctan2(points[:, 1], points[:, 0])
-    # points of the straight tabs are at angles below 0 or above the angle of the arc
+    # points on the straight tabs have angles below 0 or above that of the arc
     for end, sign in ((0.0, -1.0), (TURN_RAD, 1.0)):
         along = np.array([-np.sin(end), np.cos(end)])
         beyond = sign * (points[:, :2] @ along)
@@ -112,7 +122,7 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
 
 
 def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
-    """Return the normal at every corner, averaged over its triangles by area."""
+    """Return the unit normals (n, 3) at corners `places` (n, 3), averaged over triangles by area."""
     a, b, c = (places[corners[:, i]] for i in range(3))
     normals = np.zeros_like(places)
     for i in range(3):
@@ -121,29 +131,28 @@ def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
 
 
 STATIONS = 24
-"""Number of shapes along the path that are computed first; other shapes start from the nearest of these."""
+"""Number of shapes along the path that are computed first. They are initial guesses for other shapes."""
 
 
 @dataclass(frozen=True, eq=False)
 class Travel:
-    """Path of a strip's end: straight to another point with constant direction, or a rotation in place.
+    """Path of the end of a strip: a translation along a line, or a rotation about its position.
 
     Parameters
     ----------
     strip : Strip
     frame : Frame
-        Plane of the strip's curve.
+        Plane of the curve of the strip.
     end : (2,) array_like, optional
-        Final position of the end in this plane, mm.
+        Final position of the end after a translation, mm, in this plane.
     angle : float, optional
-        Final direction of the end, which rotates in place, rad, counted along the strip as in `bend`; instead of
-        `end`.
+        Final angle of the end after a rotation, rad, with the full turns along the strip, as in `bend`.
 
     Raises
     ------
     InputError
-        Neither or both are given, the end is there already, or the point is farther from the start than the strip
-        is long.
+        Both or none of `end` and `angle` are given, the end already has this position, or the point is out of
+        reach.
 
     Examples
     --------
@@ -193,22 +202,22 @@ class Travel:
 
     @property
     def length(self) -> float:
-        """Displacement of the end, mm, or its rotation, degrees."""
+        """Distance of the translation, mm, or angle of the rotation, degrees."""
         if self.angle is None:
             return float(np.hypot(*self._way))
-        # rounded, so that the range of a joint includes its end
+        # rounded, so that the final angle is within the range of a CAD joint
         return round(float(abs(np.degrees(self._turn))), 9)
 
     @property
     def unit(self) -> str:
-        """Unit of the length and of positions on the path: "mm" or "degrees"."""
+        """Unit of `length` and of positions on the path: "mm" or "degrees"."""
         return "mm" if self.angle is None else "degrees"
 
     @property
     def place(self) -> Frame:
-        """Frame of the end before the travel, with z across the strip.
+        """Frame of the end before the travel, with the z axis across the strip.
 
-        The x axis is along the travel, or along the strip for a rotation about z.
+        The x axis is along the translation. For a rotation about z, it is along the strip.
         """
         angle = self._rod.angle[-1]
         along = self._way / self.length if self.angle is None else np.array([np.cos(angle), np.sin(angle)])
@@ -216,20 +225,20 @@ class Travel:
         return Frame(self.frame.point(self._rod.position[-1]), x, np.cross(z, x))
 
     def _ends(self, share: float) -> dict[str, Any]:
-        """Return the keywords of `bend` for a fraction of the path."""
+        """Return the keyword arguments of `bend` for a fraction of the path."""
         if self.angle is None:
             return {"end": self._rod.position[-1] + share * self._way}
         return {"angles": (None, float(self._rod.angle[-1] + share * self._turn))}
 
     @cached_property
     def _stations(self) -> tuple[Rod, ...]:
-        """Initial shapes for the solution of other shapes on the path; the first is the designed shape."""
+        """Shapes along the path that are initial guesses for other shapes. The first is the designed shape."""
         return (self.strip.rod_to_bend, *self.rods(STATIONS + 1)[1:])
 
     def rods(self, frames: int) -> tuple[Rod, ...]:
-        """Return `frames` shapes at equal steps of the path, including both ends.
+        """Return `frames` shapes in equal steps of the path, including both ends.
 
-        The solution of each shape starts from the previous shape.
+        Each shape is the initial guess for the next.
         """
         if not isinstance(frames, int) or frames < 2:
             raise InputError(f"frames is {frames}, too few for a motion. Use a whole number, 2 or more.")
@@ -255,18 +264,18 @@ class Travel:
         color: tuple[float, ...] | None = None,
         force: bool = False,
     ) -> None:
-        """Write the path forth and back as an animation, for browsers, phones and Blender.
+        """Write an animation of the path and back as a GLB file, for browsers, phones and Blender.
 
         Parameters
         ----------
         frames : int
-            Number of shapes on the path forth; shapes in between are interpolated.
+            Number of shapes on the path to its end; shapes between them are interpolated.
         seconds : float
-            Duration of the path forth and back.
+            Duration of the path and back, s.
         color : tuple of float, optional
-            Colour of the base sheet, red, green and blue from 0 to 1; by default that of its material.
+            Colour of the base sheet: red, green and blue from 0 to 1. By default it is the colour of its material.
         force : bool
-            Overwrite an existing file.
+            If True, an existing file is overwritten.
 
         Raises
         ------
@@ -290,14 +299,14 @@ class Travel:
 
 
 def travel_of(rib: StripBody, end: Point | None, angle: float | None) -> Travel:
-    """Return the travel of a bent body's end to a point (mm) or to an angle (degrees).
+    """Return the travel of the end of a bent body to a point, mm, or to an angle, degrees.
 
-    A point is in space, or two numbers in the body's `frame`; an angle is in this frame.
+    A point is given in space, or by two coordinates in the `frame` of the body. The angle is in this frame.
 
     Raises
     ------
     InputError
-        The body is not bent, or the point is outside the plane of its curve; also the errors of `Travel`.
+        The body is not bent, or the point is not in the plane of its curve. For other reasons see `Travel`.
     """
     require_record(rib, StripBody, "what slides", "a bent strip")
     if rib._made.home is None:

@@ -1,4 +1,4 @@
-"""Properties of the bodies of parts with two states in every CAD library."""
+"""Properties that bodies of flexures have in every CAD library. A flexure is a part with two stable states."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class MadeFlexure:
-    """Part with two states and the state of a body, shared by the copies of the body."""
+    """Flexure and state of a body; copies of the body share this record."""
 
     flexure: "Flexure"
     state: "State | None"
@@ -22,7 +22,10 @@ class MadeFlexure:
 
     @classmethod
     def of(cls, flexure: "Flexure", state: "State | None", color: Any) -> "MadeFlexure":
-        """Return the record with a colour of a library, its name or numbers, or None for that of the sheet."""
+        """Return the record.
+
+        The colour is a colour of the library, its name, numbers, or None for that of the sheet.
+        """
         from elastica_cad.pairs.flexure import Flexure
 
         require_record(flexure, Flexure, "the part", "a Flexure")
@@ -38,21 +41,21 @@ class MadeFlexure:
 
     @property
     def solid(self) -> FlatSolid:
-        """Body in its state."""
+        """Solid of the flexure in this state."""
         return self.flexure.solid_in(self.state)
 
 
 class FlexureBody:
-    """The properties that a body of a part with two states has in every CAD library."""
+    """Properties that a body of a flexure has in every CAD library."""
 
     _made: MadeFlexure
 
     @property
     def flexure(self) -> "Flexure":
-        """The part: thickness, strain, forces and the path between its states."""
+        """Flexure with its thickness, strain, forces and the path between its states."""
         return self._made.flexure
 
     @property
     def state(self) -> "State | None":
-        """State of the body: "first", "second", or None for the unloaded part."""
+        """State of the body: "first", "second", or None for the unloaded shape."""
         return self._made.state

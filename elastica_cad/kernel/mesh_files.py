@@ -1,4 +1,4 @@
-"""Triangles of bodies, and their files: STL for printing, GLB for browsers and phones."""
+"""Triangle meshes of bodies, and writers of STL files for printing and GLB files for browsers and phones."""
 
 from collections.abc import Iterator, Sequence
 from os import PathLike
@@ -17,18 +17,19 @@ from elastica_cad.kernel.step_files import NamedShape, make_document
 
 
 def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[FloatArray, IntArray]]:
-    """Yield the points (n, 3), mm, and the triangles (m, 3, indices of points) of each face.
+    """Yield for each face the points (n, 3), mm, and the triangles (m, 3) as indices of points.
 
-    Triangles are anticlockwise from outside.
+    Triangles are anticlockwise as seen from outside.
 
     Parameters
     ----------
     body : Shape
-        OpenCASCADE stores the mesh in the body, so a second call with coarser values may return the finer mesh.
+        Body to mesh. OpenCASCADE stores the mesh in it, so a second call with larger tolerances may return the
+        finer mesh.
     chord : float
         Largest distance of triangles from the faces, mm.
     turn : float
-        Largest angle between consecutive triangles along an edge, rad.
+        Largest angle between successive segments of an edge, rad.
     """
     k = kernel()
     k.BRepMesh_IncrementalMesh(body, chord, False, turn)
@@ -44,21 +45,22 @@ def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[
 
 
 PRINTED_MM, SHOWN_MM, TURN_RAD = 0.02, 0.2, 0.4
-"""Accuracy of triangles, finer than a printer's layer or a screen's resolution."""
+"""Largest distances of triangles from faces, mm, for printing and for display, and largest angle between
+triangles, rad."""
 
 HEADING = b"binary STL, mm".ljust(80)
 TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
 def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = None) -> None:
-    """Write a body as binary STL, optionally moved to the printer's bed.
+    """Write a body to a binary STL file, optionally placed on the printer bed.
 
     Parameters
     ----------
     body : Shape
     path : path-like
     bed : Frame, optional
-        Plane that becomes z = 0, with its z axis up; by default the body is not moved.
+        Plane that becomes z = 0, with its z axis upward. By default the body is not moved.
 
     Raises
     ------
@@ -68,7 +70,8 @@ def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = Non
     bed = bed or Frame()
     nets = face_triangles(body, chord=PRINTED_MM, turn=TURN_RAD)
     corners = np.concatenate([bed.local(points)[triangles] for points, triangles in nets]).astype("<f4")
-    # triangles at the pole of a ball have no area, and make programs call the body open
+    # triangles without area, as at the pole of a sphere, are removed, because they make programs report an open
+    # body
     same = [(corners[:, i] == corners[:, i - 1]).all(axis=1) for i in range(3)]
     corners = corners[~np.any(same, axis=0)]
     rows = np.zeros(len(corners), dtype=TRIANGLE)
@@ -79,14 +82,13 @@ def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = Non
 
 
 def _normals(corners: np.ndarray) -> np.ndarray:
-    """Outward unit normals."""
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     across = np.cross((b - a).astype(float), (c - a).astype(float))
     return np.asarray(across / np.maximum(np.linalg.norm(across, axis=1), 1e-30)[:, None])
 
 
 def write_glb(parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str) -> None:
-    """Write parts, each in its place, with names and colours to a GLB file; units are m, and y is up.
+    """Write parts with their positions, names and colours to a GLB file, in metres and with y upward.
 
     Raises
     ------

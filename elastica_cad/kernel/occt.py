@@ -1,4 +1,4 @@
-"""OpenCASCADE: records become its shapes."""
+"""Conversion of records to shapes of OpenCASCADE."""
 
 from collections.abc import Sequence
 from io import BytesIO
@@ -16,25 +16,24 @@ from elastica_cad.strip.solids import BodyRecord, FlatSolid, PrismSolid, glued
 
 
 def make_wire(path: Path, frame: Frame | None = None) -> Shape:
-    """Make a TopoDS_Wire of a path in the plane of `frame`, which is the xy plane unless given."""
+    """Return a path as a TopoDS_Wire in the xy plane of `frame`."""
     return kernel().as_wire(_read(wire_brep(path, frame or Frame())))
 
 
 def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Shape:
-    """Return a plane TopoDS_Face with holes; its normal is the frame's z axis."""
+    """Return a plane TopoDS_Face with holes. Its normal is the z axis of `frame`."""
     k = kernel()
     shell = _read(face_brep(outline, holes, frame or Frame()))
     return k.as_face(sub_shapes(shell, k.TopAbs_ShapeEnum.TopAbs_FACE)[0])
 
 
 def make_boundary(boundary: Boundary) -> Shape:
-    """Make a TopoDS_Solid of a closed boundary, or a TopoDS_Shell of an open boundary."""
+    """Return a closed boundary as a TopoDS_Solid, or an open boundary as a TopoDS_Shell."""
     k = kernel()
     return (k.as_solid if boundary.is_closed else k.as_shell)(_read(boundary_brep(boundary)))
 
 
 def _read(brep: BinaryBrep) -> Shape:
-    """Return the shape of a BREP record."""
     k = kernel()
     shape = k.TopoDS_Shape()
     k.BinTools.Read_s(shape, BytesIO(brep.for_bintools))
@@ -42,18 +41,18 @@ def _read(brep: BinaryBrep) -> Shape:
 
 
 def make_solid(record: BodyRecord | PrismSolid) -> Shape:
-    """Make a locked TopoDS_Solid of a record."""
+    """Return the solid of a record as a locked TopoDS_Solid: see `lock`."""
     return lock(_solid_of(record))
 
 
 def lock(shape: Shape) -> Shape:
-    """Lock a body, so that boolean operations leave it unchanged and change copies of its parts."""
+    """Lock a body, so that boolean operations change copies of its parts and not the body itself."""
     shape.Locked(True)
     return shape
 
 
 def make_sheets(records: Sequence[BodyRecord | PrismSolid]) -> list[Shape]:
-    """Make the solids of a body: the sheets of a strip, or a single block."""
+    """Return the solids of a body: the sheets of a strip, or a single block."""
     return list(map(make_solid, glued(records)))
 
 
@@ -71,7 +70,7 @@ def _solid_of(record: BodyRecord | PrismSolid) -> Shape:
 
 
 def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
-    """Return the result of a boolean operation of a shape with other shapes."""
+    """Return the result of a boolean operation between a shape and other shapes."""
     if not others:
         return shape
     builder = kernel().BOPAlgo_BOP()
@@ -95,7 +94,7 @@ def _with_few_faces(shape: Shape) -> Shape:
 
 
 def _only_solid(shape: Shape) -> Shape:
-    """Return the only solid in a compound."""
+    """Return the solid in a compound that has only one solid."""
     solids = sub_shapes(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
     if len(solids) != 1:
         raise InputError(
@@ -105,7 +104,10 @@ def _only_solid(shape: Shape) -> Shape:
 
 
 def sub_shapes(shape: Shape, *kinds: Any) -> list[Shape]:
-    """Return sub-shapes of the first kind, in order, without those inside sub-shapes of the second kind."""
+    """Return the sub-shapes of the first kind, in order.
+
+    If there is a second kind, sub-shapes inside that kind are omitted.
+    """
     explorer = kernel().TopExp_Explorer(shape, *kinds)
     shapes = []
     while explorer.More():
@@ -115,7 +117,7 @@ def sub_shapes(shape: Shape, *kinds: Any) -> list[Shape]:
 
 
 def make_location(frame: Frame) -> Any:
-    """Return the TopLoc_Location that moves the world's axes to the axes of a frame."""
+    """Return the TopLoc_Location that moves the global axes to the axes of a frame."""
     k = kernel()
     place = k.gp_Trsf()
     place.SetTransformation(plane_axes_of(frame), k.gp_Ax3())
@@ -123,9 +125,9 @@ def make_location(frame: Frame) -> Any:
 
 
 def moved_frame(frame: Frame, motion: Any) -> Frame:
-    """Return the frame after a gp_Trsf that moves, turns or mirrors.
+    """Return the frame after a gp_Trsf: a translation, rotation or reflection.
 
-    After a mirror only the x and z axes are images, because frames are right-handed.
+    After a reflection, only the x and z axes are images of the original axes, because frames are right-handed.
     """
     axes = plane_axes_of(frame).Transformed(motion)
     x, z = (np.array([d.X(), d.Y(), d.Z()]) for d in (axes.XDirection(), axes.Direction()))
@@ -134,7 +136,7 @@ def moved_frame(frame: Frame, motion: Any) -> Frame:
 
 
 def plane_axes_of(frame: Frame) -> Any:
-    """Return the frame's origin, normal and x axis as the kernel's gp_Ax3."""
+    """Return the origin, normal and x axis of a frame as a gp_Ax3."""
     k = kernel()
     origin, z, x = frame.origin.tolist(), frame.z_axis.tolist(), frame.x_axis.tolist()
     return k.gp_Ax3(k.gp_Pnt(*origin), k.gp_Dir(*z), k.gp_Dir(*x))

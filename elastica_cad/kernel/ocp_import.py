@@ -17,10 +17,13 @@ Shape: TypeAlias = Any
 
 
 def bare(shape: Any) -> Any:
-    """Return the OpenCASCADE shape in a wrapper, None for an empty wrapper, or any other object unchanged."""
+    """Return the OpenCASCADE shape in a wrapper, or any other object unchanged.
+
+    Return an empty tuple for an empty wrapper.
+    """
     try:
         inside = getattr(shape, "wrapped", shape)
-    except AssertionError:  # raised by build123d for an empty shape
+    except AssertionError:  # build123d raises this error for an empty shape
         return ()
     return () if inside is None and shape is not None else inside
 
@@ -36,13 +39,13 @@ REMARKS = {
     "7": ("TColStd", "TColStd_IndexedDataMapOfStringString"),
     "8": ("collections", "IndexedDataMap_TCollection_AsciiString_TCollection_AsciiString"),
 }
-"""Module and name of the class for remarks in files, by the release of OCP."""
+"""Module and name of the class for comments in files, by the major version of OCP."""
 
 
 @lru_cache(maxsize=1)
 @interrupts_held()
 def kernel() -> SimpleNamespace:
-    """Import OCP and return its classes by name; the class for remarks in files is `Remarks`.
+    """Import OCP and return its classes by name. The class for comments in files has the name `Remarks`.
 
     Raises
     ------
@@ -80,7 +83,7 @@ def kernel() -> SimpleNamespace:
 
 
 def kernel_trouble() -> str:
-    """Return why bodies cannot be made and what to install, or "" if OpenCASCADE works."""
+    """Return a message why bodies cannot be made and what to install, or "" if OpenCASCADE works."""
     try:
         kernel()
     except MissingDependencyError as error:
@@ -89,15 +92,14 @@ def kernel_trouble() -> str:
 
 
 def library_trouble(library: str, error: ImportError) -> str:
-    """Return the remedy if a library that uses OpenCASCADE cannot be imported: install it, or repair a
-    dependency."""
+    """Return a message what to install if a library that uses OpenCASCADE cannot be imported."""
     if error.name == library:
         return how_to_install(library)
     return kernel_trouble() or note("it cannot be loaded ({error}); install the named package", error=error)
 
 
 def _unsound(error: Exception) -> MissingDependencyError:
-    """Return the error for a broken OCP: two mixed releases, or a missing system library."""
+    """Return the error for an installed OCP that cannot be loaded."""
     reason = note("OpenCASCADE (OCP) is installed but cannot be loaded ({error})", error=error)
     brought = {
         name: version

@@ -1,4 +1,4 @@
-"""Keyword lists for `help` and completion: names, types and units, from the classes that declare the keywords."""
+"""Lists of keyword arguments in docstrings and signatures, for `help` and completion."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -15,15 +15,16 @@ DRAWN = {
     "sheet": ("Sheet or str", "Material, or the name of a built-in sheet; omit it for a finished strip."),
     "max_width": ("float", "Largest width of the free part (mm); or set `min_width`, the least width."),
 }
-"""Type and help of the arguments of every function that makes a strip of a drawn path."""
+"""Type and description of the arguments that all functions for a strip on a drawn path have."""
 
 
 def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
-    """Add the keys of `options` to docstring and signature of a class or function.
+    """Return a decorator that adds the keys of `options` to docstring and signature of a class or function.
 
-    A key is declared as `Annotated["type", "help"]`; if two classes have the same key, the first describes it. Keys
-    that the docstring describes are not repeated. With `drawn`, path, sheet and width are its first parameters. The
-    signature has the keys, with `...` for their defaults, in place of `**options`.
+    A key is declared as `Annotated["type", "help"]` in a typed dictionary. If two classes have the same key, the
+    first describes it. Keys that the docstring already describes are not repeated. With `drawn`, the first
+    parameters are path, sheet and width. In the signature, the keys replace `**options`, with `...` for their
+    defaults.
 
     Examples
     --------
@@ -75,7 +76,7 @@ def _with_first_parameters(text: str) -> str:
 
 
 def _write_signature(thing: Any, keys: dict[str, tuple[str, str]]) -> None:
-    """Replace `**options` in the signature by the keys."""
+    """Replace `**options` in the signature of `thing` by the keys."""
     given = signature(thing.__init__ if isclass(thing) else thing)
     named = [entry for entry in given.parameters.values() if entry.kind is not Parameter.VAR_KEYWORD]
     taken = {entry.name for entry in named}

@@ -1,4 +1,4 @@
-"""Sections of CAD solids and NURBS surfaces by planes, through the installed kernel."""
+"""Plane sections of CAD solids and NURBS surfaces, computed by OpenCASCADE."""
 
 from collections.abc import Sequence
 from itertools import product
@@ -19,33 +19,33 @@ from elastica_cad.kernel.occt import plane_axes_of, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
 POINTS = 120
-"""Number of places on each span of an edge of a section; edges of more than four spans have fewer places on
-each."""
+"""Number of points on each span of an edge of a section. Edges with more than four spans have fewer points on each
+span."""
 
 MOST = 1000
-"""Largest number of points of a line. On lines with more points, those at bends and others at even distances are
-kept."""
+"""Number of points above which a line is thinned: evenly spaced points and points at bends remain."""
 
 BETWEEN = 1e-3
-"""Largest distance of omitted points from the chords between kept points, mm."""
+"""Largest distance of omitted points from the chords between the remaining points, mm."""
 
 
 def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False) -> tuple[PlaneSection, ...]:
-    """Cut an OpenCASCADE body or surface by planes, as `mesh_sections` cuts a mesh.
+    """Return the sections of an OpenCASCADE body or surface by planes.
 
     Parameters
     ----------
     shape : TopoDS_Shape or wrapped shape
-        Solid, shell or face, mm: a build123d object, or `.val()` of a CadQuery workplane.
+        Solid, shell or face, such as a build123d object, or `.val()` of a CadQuery workplane.
     planes : sequence of Frame
     half : bool
-        Keep only x >= 0 of each frame, for half planes about an axis.
+        If True, only the part with x >= 0 in each frame is returned, for half planes about an axis.
 
     Returns
     -------
     tuple of PlaneSection
-        Points are on the surface, a thousand on each line, or as many as keep its chords within 0.001 mm. A plane
-        that misses the shape gives a section without lines.
+        A section for each plane, in order. Points are on the surface. A line has at most 1000 points, or as many
+        as its chords need to be within 0.001 mm of it. A plane that misses the shape gives a section without
+        lines.
 
     Raises
     ------
@@ -59,7 +59,7 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
 
     def cut(frame: Frame) -> Shape:
         section = k.BRepAlgoAPI_Section(shape, k.gp_Pln(plane_axes_of(frame)), False)
-        # without it, a cut through a freeform face is a polyline of ten thousand points
+        # without an approximation, the section of a freeform face is a polyline of ten thousand points
         section.Approximation(True)
         section.Build()
         return section.Shape()
@@ -70,7 +70,10 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
 
 
 def shape_surface(shape: Shape, scale: float = 1.0) -> Surface:
-    """Return a body or surface of OpenCASCADE, all lengths times `scale`, ready to be cut by planes."""
+    """Return a body or surface of OpenCASCADE as a surface for plane sections.
+
+    Lengths are multiplied by `scale`.
+    """
     k = kernel()
     if not isinstance(shape, k.TopoDS_Shape):
         raise InputError(f"A {type(shape).__name__} cannot be cut. Pass a face, shell or solid.")
@@ -95,7 +98,7 @@ def _section(cut: Shape, frame: Frame, half: bool, name: str) -> PlaneSection:
 
 
 def _points(run: Sequence[Edge], frame: Frame) -> FloatArray:
-    """Return the chain's points in the plane, in the standard direction."""
+    """Return the points (n, 2) of a chain of edges in the plane, with the direction of `SectionLine`."""
     parts = [frame.local(_places(edge))[:, :2] for edge in run]
     points = np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
     if np.linalg.norm(points[-1] - points[0]) <= JOIN:
@@ -109,12 +112,13 @@ def _places(edge: Edge) -> FloatArray:
     if edge.degree == 1 and count > 4 * POINTS:
         return edge.points
     stations = edge.stations(max(edge.degree + 2, min(POINTS, 4 * POINTS // count)))
-    rows = max(1, MOST * MOST // len(edge.points))  # the matrix of basis functions is dense
+    # in blocks, because the matrix of basis functions is dense
+    rows = max(1, MOST * MOST // len(edge.points))
     return np.concatenate([edge.at(stations[i : i + rows]) for i in range(0, len(stations), rows)])
 
 
 def _thinned(points: FloatArray) -> FloatArray:
-    """Return points at even distances, with the farthest points added where chords deviate from the line."""
+    """Return fewer points of a line: evenly spaced points, and points where chords would deviate from the line."""
     if len(points) <= MOST:
         return points
     s = lengths_along(points)

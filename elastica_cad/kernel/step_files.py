@@ -1,4 +1,4 @@
-"""STEP files of strips and models written by OpenCASCADE; curves read from STEP and BREP files."""
+"""Writer of STEP files of strips and models, and reader of curves from STEP and BREP files."""
 
 import faulthandler
 import os
@@ -39,36 +39,38 @@ if TYPE_CHECKING:
     from elastica_cad.pairs.flexure import Flexure, State
 
 LEAST_S, S_PER_MB = 5, 5
-"""CPU time limit of a trial, s and s per MB: ten times the time for valid files."""
+"""Limit of the CPU time for reading a file, in s and in s per MB. It is ten times the time for valid files."""
 
 BUSY = 10
-"""Ratio of the wall clock limit to the CPU time limit, for a busy machine."""
+"""Limit of the elapsed time divided by the limit of the CPU time. It allows for a busy machine."""
 
 PR_SET_PDEATHSIG = 1
-"""Linux option of prctl: the signal to a process when its parent ends."""
+"""Option of the Linux function prctl: the signal that a process gets when its parent ends."""
 
 
 def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
-    """Run a task in a copy of this process, if the system supports copies; its exceptions are ignored.
+    """Run a task in a copy of this process, to find out whether it crashes. Exceptions of the task are ignored.
 
-    The copy limits its own time, so that it ends in any case. On Linux it also ends with this process.
+    The copy limits its own time. On Linux it also ends with this process. Nothing is done on systems without fork.
 
     Parameters
     ----------
     task : callable
+        Function to run.
     size : int
         Size of the file that the task reads, bytes.
 
     Raises
     ------
     InputError
-        The system ended the copy, or it ran too long.
+        The copy crashed or exceeded its time limit.
     """
     if not hasattr(os, "fork"):
         return
     seconds = LEAST_S + S_PER_MB * size // 2**20
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)  # about threads: the copy runs only this thread
+        # the warning is about threads, but the copy has only this thread
+        warnings.simplefilter("ignore", DeprecationWarning)
         parent, copy = os.getpid(), os.fork()
     if not copy:
         with suppress(BaseException):
@@ -89,7 +91,10 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
 
 
 def _limit(parent: int, seconds: int) -> None:
-    """Make this copy silent, and end it after a while, also in compiled loops, or with its parent on Linux."""
+    """Suppress the output of this process, and limit its time, also in compiled code.
+
+    On Linux it ends with its parent.
+    """
     import resource
 
     faulthandler.disable()
@@ -106,26 +111,26 @@ def _limit(parent: int, seconds: int) -> None:
         import ctypes
 
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-        if os.getppid() != parent:  # the parent has ended already
+        if os.getppid() != parent:  # the parent ended before `prctl`
             os._exit(1)
 
 
 MANY_WIRES = 32
-"""Least number of holes of a face for which OpenCASCADE's comparison is slow."""
+"""Number of wires of a face above which the comparison of wires in OpenCASCADE is slow."""
 
 
 def _has_many_wires(shape: Shape) -> bool:
-    """Return True if a face has so many holes that OpenCASCADE takes long to compare them."""
+    """Return True if a face has so many wires that OpenCASCADE compares them slowly."""
     k = kernel()
     faces = sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE)
     return any(len(sub_shapes(face, k.TopAbs_ShapeEnum.TopAbs_WIRE)) > MANY_WIRES for face in faces)
 
 
 def _with_wires_apart(shape: Shape) -> Shape:
-    """Give every wire of a face vertices of its own, as OpenCASCADE does when it writes the shape.
+    """Return the shape with separate vertices for every wire of a face, as in the writer of OpenCASCADE.
 
-    OpenCASCADE compares all pairs of wires for this, which takes time in the square of their number. This function
-    copies only wires that share a vertex.
+    For this, OpenCASCADE compares all pairs of wires, in a time proportional to the square of their number. This
+    function changes only wires that share a vertex.
     """
     k = kernel()
     context, is_changed = k.ShapeBuild_ReShape(), False
@@ -145,10 +150,10 @@ def _with_wires_apart(shape: Shape) -> Shape:
 
 
 def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
-    """Convert shapes to STEP entities without the writer's check of their wires.
+    """Convert shapes to STEP entities without the check of their wires.
 
-    The later transfer of the document reuses these entities. OCP cannot switch the check off in a writer, but a
-    controller that no writer has set up does not request it.
+    The later transfer of the document reuses these entities. OCP cannot disable the check in a writer. A new
+    controller does not request it.
     """
     k = kernel()
     session = writer.ChangeWriter().WS()
@@ -159,7 +164,7 @@ def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
 
 
 def _touching(wires: list[Shape]) -> list[int]:
-    """Return the indices of the wires of a face that share a corner with another wire."""
+    """Return the indices of wires of a face that share a vertex with another wire."""
     if len(wires) < 2:
         return []
     k = kernel()
@@ -176,18 +181,20 @@ def _touching(wires: list[Shape]) -> list[int]:
 
 SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
 TRACES = "write.surfacecurve.mode"
-"""Name of the setting for writing edges also in the parameters of their faces.
+"""Name of the setting that also writes edges as curves in the parameters of their faces.
 
 These curves are more than half of a file. Planes, cylinders, cones, spheres and tori do not need them, because
-readers
-compute them exactly."""
+readers compute them exactly."""
 
 ELEMENTARY = ("Plane", "Cylinder", "Cone", "Sphere", "Torus")
 
 
 @dataclass(frozen=True, eq=False)
 class NamedShape:
-    """Shape in an assembly with its name, colour and place; a shared shape is written once."""
+    """Shape in an assembly, with its name, colour and position.
+
+    A shape that occurs several times is written once.
+    """
 
     name: str
     shape: Shape
@@ -196,7 +203,7 @@ class NamedShape:
 
 
 def model_shapes(model: Model, others: Iterable[Holder] = ()) -> list[NamedShape]:
-    """Return the bent strips of a model, each in its place, and their holders; equal strips share one shape."""
+    """Return the bent strips of a model and their holders in their positions. Equal strips have the same shape."""
     parts = assembly_parts(model.placed, (*model.plates, *others))
     return [
         NamedShape(name, shape, color, part.frame)
@@ -208,7 +215,7 @@ def model_shapes(model: Model, others: Iterable[Holder] = ()) -> list[NamedShape
 def write_step(
     parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str | None = None, force: bool = False
 ) -> None:
-    """Write parts to a STEP file: AP214, millimetres, names, colours.
+    """Write parts with names and colours to a STEP file (AP214, millimetres).
 
     Several parts form an assembly with the name `name`, by default the name of the file.
 
@@ -223,7 +230,10 @@ def write_step(
 
 
 def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
-    """Return an OpenCASCADE document of named, coloured parts, mm; several parts form the assembly `name`."""
+    """Return an OpenCASCADE document with parts in mm, their names and colours.
+
+    Several parts form the assembly `name`.
+    """
     k = kernel()
     document = k.TDocStd_Document(k.TCollection_ExtendedString("XmlOcaf"))
     shapes = k.XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
@@ -248,7 +258,7 @@ def make_document(parts: Sequence[NamedShape], *, name: str) -> Any:
 
 
 def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
-    """Return the bytes of a STEP file of the parts; several parts form the assembly `name`."""
+    """Return the content of a STEP file with the parts. Several parts form the assembly `name`."""
     k = kernel()
     shapes = {id(part.shape): bare(part.shape) for part in parts}
     holed = any(map(_has_many_wires, shapes.values()))
@@ -281,7 +291,7 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
 
 
 def _is_elementary(shape: Shape) -> bool:
-    """Return True if all faces are elementary surfaces."""
+    """Return True if all faces of a shape are elementary surfaces."""
     k = kernel()
     known = [getattr(k.GeomAbs_SurfaceType, f"GeomAbs_{name}") for name in ELEMENTARY]
     faces = sub_shapes(bare(shape), k.TopAbs_ShapeEnum.TopAbs_FACE)
@@ -290,10 +300,12 @@ def _is_elementary(shape: Shape) -> bool:
 
 @contextmanager
 def _own_settings(further: Mapping[str, str] = MappingProxyType({})) -> Iterator[None]:
-    """Silence OpenCASCADE and set the format of STEP for the block; the previous settings are restored at the
-    end."""
+    """Suppress the output of OpenCASCADE and set the format of STEP files in a `with` block.
+
+    The previous settings are restored at its end.
+    """
     k, settings = kernel(), {**SETTINGS, **further}
-    k.STEPControl_Writer()  # the first writer creates the settings
+    k.STEPControl_Writer()  # because the first writer creates the settings
     before = {name: k.Interface_Static.CVal_s(name) for name in settings}
     messenger = k.Message.DefaultMessenger_s()
     printers = list(messenger.Printers())
@@ -311,7 +323,6 @@ def _own_settings(further: Mapping[str, str] = MappingProxyType({})) -> Iterator
 
 
 def _set_name(label: Any, name: str) -> None:
-    """Name a label of a document."""
     k = kernel()
     k.TDataStd_Name.Set_s(label, k.TCollection_ExtendedString(name, True))
 
@@ -319,9 +330,9 @@ def _set_name(label: Any, name: str) -> None:
 def write_strip_step(
     strip: Strip, path: str | PathLike[str], *, frame: Frame | None = None, force: bool = False
 ) -> None:
-    """Write a flat and a bent strip to one STEP file; the curve of the bent strip is in the plane of `frame`.
+    """Write a flat and a bent strip to one STEP file.
 
-    The sheets of a laminate are separate parts.
+    The curve of the bent strip is in the plane of `frame`. The sheets of a laminate are separate parts.
     """
     name = strip.label or "strip"
     names, sheets = bent_names(name, strip), bent_sheets(strip)
@@ -346,14 +357,14 @@ def write_flexure_step(
     name: str | None = None,
     force: bool = False,
 ) -> None:
-    """Write the body of a part with two states to a STEP file: unloaded, or in a drawn state."""
+    """Write the body of a flexure to a STEP file, unloaded or in one of its two states."""
     name = name or part.label or "flexure"
     shape = NamedShape(name, make_solid(part.solid_in(state)), sheet_color(part.sheet))
     write_step([shape], path, name=name, force=force)
 
 
 def read_step_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
-    """Read the curves of a STEP (or BREP) file, in mm, and count other items.
+    """Return the curves of a STEP or BREP file, and the numbers of other items.
 
     Edges of faces are ignored.
 
@@ -392,12 +403,12 @@ def _scaled(chain: Run, scale: float) -> PlaneCurve:
 
 
 def read_step_shape(path: Path) -> Shape:
-    """Read all shapes in a STEP or BREP file, mm.
+    """Return all shapes in a STEP or BREP file, in mm.
 
     Raises
     ------
     InputError
-        A file that OpenCASCADE cannot read.
+        OpenCASCADE cannot read the file.
     """
     kernel()
     try_in_a_copy(lambda: _read_shape(path), path.stat().st_size)

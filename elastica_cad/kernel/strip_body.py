@@ -1,4 +1,4 @@
-"""Properties and warnings of strip bodies in every CAD library, and bending them to other ends."""
+"""Properties, warnings and bending of strip bodies, common to all CAD libraries."""
 
 import sys
 import warnings
@@ -36,13 +36,13 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 LEAST_DEGREES = 7.0
-"""Least plausible angle with decimals, degrees; smaller angles are probably radians."""
+"""Least plausible angle with decimals, degrees. Smaller angles with decimals are probably radians."""
 
 LEAST_LEAN_DEGREES = 90 / degrees(1)
-"""Least plausible lean of a slot with decimals, degrees: a quarter turn in radians."""
+"""Least plausible inclination of a slot with decimals, degrees: the number of radians in 90 degrees."""
 
 LIBRARIES = ("elastica_cad", "build123d", "cadquery")
-"""Packages whose frames are skipped when a warning is attributed to the user's line."""
+"""Packages that are skipped when a warning is attributed to a line of the user's script."""
 
 
 class StripWarning(UserWarning):
@@ -52,9 +52,9 @@ class StripWarning(UserWarning):
 def model_parts(
     model: "Model", others: "Iterable[Holder]", make: "Callable[[AssemblyPart], T]"
 ) -> "Iterator[tuple[AssemblyPart, T]]":
-    """Return the parts of a model and further holders, each with its result of `make`, which equal parts share.
+    """Return the parts of a model and further holders, each with the result of `make`.
 
-    Strips that run through each other without a slot cause a warning.
+    Equal parts have the same result. A warning is issued for strips that intersect without a slot.
     """
     from elastica_cad.model.assembly import assembly_parts, require_model, shape_parts
 
@@ -66,14 +66,14 @@ def model_parts(
 
 
 def end_angles(angles: object) -> tuple[float | None, float | None]:
-    """Return the angles at start and end in rad, and warn if the given degrees look like radians."""
+    """Return the angles at start and end, given in degrees, in rad. Issue a warning if they look like radians."""
     pair = angles_in_rad(angles)
     warn_of_radians([degrees(angle) for angle in pair if angle], LEAST_DEGREES)
     return pair
 
 
 def warn_of_radians(angles: Sequence[float], least: float) -> None:
-    """Warn if all angles have decimals and are less than the least plausible angle, degrees."""
+    """Issue a warning if all angles have decimals and are smaller than `least`, degrees."""
     nonzero = [angle for angle in angles if angle]
     if nonzero and all(abs(angle) < least and round(angle, 9) % 1 for angle in nonzero):
         listed = ", ".join(f"{angle:.4g}" for angle in nonzero)
@@ -88,7 +88,7 @@ def warn_of_radians(angles: Sequence[float], least: float) -> None:
 def clamped_wire(
     start: Any, end: Any, length: float, *, angles: object, buckling: int, **others: Any
 ) -> tuple[ElasticaBetween, Shape]:
-    """Return the shape of `elastica_between` for angles in degrees, and its curve as a TopoDS_Wire."""
+    """Return the result of `elastica_between` for angles in degrees, and its curve as a TopoDS_Wire."""
     mode = whole_number(buckling, "buckling", 1)
     rod = elastica_between(start, end, length, angles=end_angles(angles), mode=mode, **others)
     return rod, make_wire(Path([Spline(rod.curve)]))
@@ -103,7 +103,7 @@ def warn(text: str) -> None:
 
 
 def warn_of_strip(strip: Strip) -> None:
-    """Warn of a strip that is strained beyond the limit of its sheet, or that meets itself when it is bent."""
+    """Issue warnings if a strip is strained beyond the limit of its sheet, or intersects itself when bent."""
     for text in strip.strain_warnings[:1]:
         warn(text)
     meeting = self_contact(strip)
@@ -117,43 +117,44 @@ def warn_of_strip(strip: Strip) -> None:
 
 
 OFF_PLANE_MM = 1e-4
-"""Largest distance of a given point from the curve's plane, mm."""
+"""Largest distance of a given point from the plane of the curve, mm."""
 
 
 class TupleLike(Protocol):
-    """Vector with a method `toTuple`, such as a CadQuery vector."""
+    """Interface of a vector with a method `toTuple`, such as a CadQuery vector."""
 
     def toTuple(self) -> tuple[float, float, float]:
         """Return the coordinates."""
 
 
 Point: TypeAlias = Iterable[float] | TupleLike
-"""Point in space, or two numbers in the frame of a body, mm."""
+"""Point in space, or two coordinates in the frame of a body, mm."""
 
 
 def numbers_of(point: Point) -> tuple[float, ...]:
-    """Return the numbers of a sequence, or of a vector of build123d or CadQuery.
+    """Return the coordinates of a sequence, or of a vector of build123d or CadQuery.
 
     Raises
     ------
     TypeError, ValueError
-        The object is neither.
+        The object is neither a sequence of numbers nor a vector.
     """
     numbers: Any = point.toTuple() if hasattr(point, "toTuple") else point
     return tuple(map(float, numbers))
 
 
 COLOR_STEP = 1e-6
-"""Least difference between two colours in a component, above the rounding of the libraries' colours."""
+"""Difference in a component above which two colours are different. It exceeds the rounding errors of the
+libraries."""
 
 
 def color_numbers(color: Any) -> tuple[float, ...]:
-    """Return a colour of a library, its name, or 3 or 4 numbers, as numbers from 0 to 1.
+    """Return a colour as 3 or 4 numbers from 0 to 1. It is given as a colour of a library, its name, or numbers.
 
     Raises
     ------
     InputError
-        The object is not such a colour.
+        The object is not a colour.
     """
     k = kernel()
     named = k.Quantity_Color()
@@ -205,7 +206,7 @@ class BendOptions(TypedDict, total=False):
 
 @dataclass(frozen=True, eq=False)
 class MadeStrip:
-    """Strip and its position, shared by the copies of a shape.
+    """Strip of a body with its position; copies of the body share this record.
 
     Attributes
     ----------
@@ -215,11 +216,11 @@ class MadeStrip:
     deviation : float
         Distance by which limits moved the strip from the drawn curve, mm.
     home : Frame or None
-        Original joint "start" of a bent body, or None for other bodies.
+        Original frame of the joint "start" of a bent body, or None for other bodies.
     color: tuple[float, ...] or None
-        Screen colour that was requested for the body: red, green, blue and possibly opacity, each in 0..1.
+        Requested screen colour of the body: red, green, blue and optionally opacity, each from 0 to 1.
     block : EndFixture or None
-        Block that holds an end, if this is the body; None for a body of the strip.
+        Block that holds an end, if the body is such a block; None for a body of the strip.
     """
 
     strip: Strip
@@ -233,28 +234,28 @@ class MadeStrip:
         return self
 
     def mirrored(self) -> "MadeStrip":
-        """Return the strip of a mirrored body, whose sides across the strip are exchanged."""
+        """Return the record of a mirrored body, whose strip is turned over."""
         return replace(self, strip=self.strip.mirrored())
 
     @property
     def name(self) -> str:
-        """Name of a body of the strip."""
+        """Name of the bodies of the strip."""
         return self.strip.label or "strip"
 
     @property
     def body_color(self) -> tuple[float, ...]:
-        """Screen colour of a body of the strip."""
+        """Screen colour of the bodies of the strip."""
         return self.color or sheet_color(self.strip.sheet)
 
     @property
     def face(self) -> Shape:
-        """The flat pattern as a TopoDS_Face."""
+        """Flat pattern as a TopoDS_Face."""
         outline, *holes = (in_smooth_pieces(loop) for loop in (self.strip.outline, *self.strip.holes))
         return make_face(outline, holes)
 
 
 class StripBody:
-    """The properties that a body of a strip has in every CAD library."""
+    """Properties that a body of a strip has in every CAD library."""
 
     _made: MadeStrip
     _is_strip = True
@@ -263,7 +264,7 @@ class StripBody:
 
     @property
     def label(self) -> str:
-        """Name of the body, and of its strip: a new name also holds for the other bodies of the strip."""
+        """Name of the body and of its strip. It is also the name of bodies that are made from this body."""
         return self._label
 
     @label.setter
@@ -274,12 +275,12 @@ class StripBody:
             self._made = replace(made, strip=made.strip.labelled(label))
 
     def _start(self) -> Frame | None:
-        """Return the present frame of the joint "start", or None if the body has no such joint."""
+        """Return the current frame of the joint "start", or None if the body has no such joint."""
         raise NotImplementedError
 
     @property
     def strip(self) -> Strip:
-        """The strip: widths, outline, strain, mass."""
+        """Strip with its widths, outline, strain and mass."""
         return self._made.strip
 
     @property
@@ -289,35 +290,35 @@ class StripBody:
 
     @property
     def frame(self) -> Frame:
-        """Plane of the bent strip's curve, which moves with a bent body; for other bodies the drawn plane."""
+        """Plane of the curve. It moves with a bent body; for other bodies it is the drawn plane."""
         home, now = self._made.home, self._start()
         return self._made.frame if home is None or now is None else self._made.frame.carried(home, now)
 
     @property
     def rod(self) -> Rod:
-        """The bent rod: shape, stiffness, moment, force."""
+        """Rod with the shape, stiffness, moments and forces of the bent strip."""
         return self.strip.rod
 
     @property
     def check(self) -> EquilibriumCheck | None:
-        """Result of the test of Theorem 1 on the drawn curve, or None if it was not requested."""
+        """Result of the check of the drawn curve by Theorem 1, or None if it was not checked."""
         return self.rod.check
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Sentences that a maker should read before cutting; of a block, also about its pocket that leans."""
+        """Warnings about the strip, and for a block also about its pocket."""
         block = self._made.block
         return (*self.strip.warnings, *(() if block is None else block.warnings))
 
     @property
     def placed(self) -> Placed:
-        """The strip in its place, for `Model`."""
+        """Strip with its position in space, for `Model`."""
         frame = self.frame
         return Placed(self.strip, frame.origin, frame.x_axis, frame.y_axis, self._changed_color)
 
     @property
     def _changed_color(self) -> tuple[float, ...] | None:
-        """Screen colour of the body if it is not the colour of the sheet, which has no opacity."""
+        """Screen colour of the body, or None if it is the colour of the sheet."""
         color = color_numbers(self.color) if self._is_strip and self.color is not None else ()
         usual = (*sheet_color(self.strip.sheet), 1.0)
         return (
@@ -327,7 +328,7 @@ class StripBody:
         )
 
     def _bent_anew(self, moved: BendOptions) -> Strip:
-        """Return the strip bent to other ends."""
+        """Return the strip bent to other positions or angles of its ends."""
         refuse_unknown(moved, BendOptions.__annotations__, "bending a strip")
         led: dict[str, Any] = dict(moved)
         for name in ("start", "end"):
@@ -338,7 +339,7 @@ class StripBody:
         return replace(self.strip, rod=bend(self.strip.rod_to_bend, **led))
 
     def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
-        """Return a point in space in coordinates of the curve's plane; two numbers stay as they are."""
+        """Return a point in coordinates of the plane of the curve. Two coordinates are returned unchanged."""
         try:
             row = numbers_of(point)
         except (TypeError, ValueError):
@@ -359,7 +360,7 @@ class StripBody:
         return x, y
 
     def _layers(self) -> Iterator[tuple[Shape, str, tuple[float, ...]]]:
-        """Return the bent sheets, the base first: TopoDS_Solid, name, colour."""
+        """Yield the bent sheets, the base first, each as a TopoDS_Solid with name and colour."""
         from elastica_cad.model.assembly import bent_names
 
         names = bent_names(self._made.name, self.strip)
@@ -367,7 +368,7 @@ class StripBody:
         yield from zip(make_sheets(records), names, bent_colors(self.strip, self._changed_color), strict=True)
 
     def _engraving(self) -> list[Shape]:
-        """Return the strokes of the engraved text on the upper face of the flat base, as TopoDS_Wire."""
+        """Return the strokes of the engraved text as TopoDS_Wires on the upper face of the flat base."""
         face = Frame((0.0, 0.0, self.strip.layers[0].high))
         strokes = self.strip.drawing().strokes
         return [make_wire(stroke.path, face) for stroke in strokes if stroke.layer == ENGRAVE]

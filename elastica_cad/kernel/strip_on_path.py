@@ -1,4 +1,4 @@
-"""Strip of a curve that is drawn in a CAD kernel, given as numbers, or belongs to a finished strip."""
+"""Strips on paths: curves drawn in a CAD library, plane curves, or finished strips."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
@@ -31,19 +31,20 @@ from elastica_cad.strip.outline import StripEnd
 from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.strip import Strip
 
-# solvers and holders are imported on first use, so that the binding loads quickly
+# imported on first use at run time, so that the package loads quickly
 if TYPE_CHECKING:
     from elastica_cad.forming.section_lines import SectionCurve
     from elastica_cad.model.fixtures import EndFixture
     from elastica_cad.strip.strip_spec import StripSpec
 
 FAR_SHARE = 0.01
-"""Least deviation of a nearest strip from the drawn curve, as a fraction of the length, that is reported."""
+"""Deviation of a strip from the drawn curve above which a warning is issued, as a fraction of the length."""
 
 SHORTEST_MM = 5.0
-"""Length, mm, below which a curve that is shorter than the width of its strip was probably drawn in metres."""
+"""Length of a curve, mm, below which it was probably drawn in metres, if it is also shorter than the width of its
+strip."""
 
-KEPT_REQUESTS = 64  # number of requests whose strips are cached, enough for a few models
+KEPT_REQUESTS = 64  # number of requests whose strips are cached; it is sufficient for a few models
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
 GIVEN_OTHERWISE = {
     "material": 'sheet="mdf-3" or another name of ec.sheet_names()',
@@ -66,15 +67,15 @@ NO_CURVES = {
     "Rod": "ec.Strip(rod, sheet, max_width=...)",
     "NearestRod": "ec.Strip(found.rod, sheet, max_width=...)",
 }
-"""Records from which a strip follows, and the parts of these records that determine its body."""
+"""Records that users pass in place of a curve, with the object to pass instead."""
 
 
 class FixtureOptions(StripOptions, FixtureSizes, total=False):
-    """The options of a strip, with the sizes of an end fixture, mm; see `model.EndFixture`."""
+    """Options of a strip, and sizes of an end fixture, mm: see `model.EndFixture`."""
 
 
 class BlockOptions(FixtureSizes, total=False):
-    """Options for the fixture of a finished strip; see `model.EndFixture`."""
+    """Options of the end fixture of a finished strip: see `model.EndFixture`."""
 
     floor: Annotated["Any", "Plane under the block, of any library; by default perpendicular to the tab."]
     engrave: Annotated[
@@ -86,30 +87,31 @@ class BlockOptions(FixtureSizes, total=False):
 def make_strip_on(
     path: Any, sheet: Sheet | str | None = None, *, workplane: Any = None, **options: Any
 ) -> MadeStrip:
-    """Return the strip that `StripSpec` makes from a path; equal requests share it.
+    """Return the strip for a path, made by `StripSpec`. Equal requests return the same strip.
 
     Parameters
     ----------
     path : PlaneCurve, edges and wires of a kernel, a Strip, or the body of a Strip
-        The plane of drawn edges is determined from the edges; a `PlaneCurve` or `Strip` is in `plane`, by default
-        xy.
+        Path of the strip. Drawn edges determine their plane. A `PlaneCurve` or `Strip` is in the option `plane`,
+        by default the xy plane.
     sheet : Sheet or str
-        None with a strip, which has a sheet.
+        Sheet of the strip; None for a finished strip.
     workplane : Frame, or a plane of build123d or CadQuery, optional
-        Plane of the drawing, which determines the side of a path that is in it or parallel to it.
+        Plane of the drawing. It determines which side of the path is up, if the path is parallel to it.
     **options
         `StripOptions`, and `max_width`.
 
     Raises
     ------
     InputError
-        The edges are not a smooth plane curve or are in another plane; an option is unknown, or cannot change a
-        finished strip; also the errors of `StripSpec.make`.
+        The edges are not a smooth plane curve or are in another plane, or an option is unknown or cannot be used
+        for a finished strip. For other reasons see `StripSpec.make`.
     """
     from elastica_cad.strip.strip_spec import StripSpec, changes_suggested_in_python
 
     drawn = getattr(path, "line", None)
-    path = path if drawn is None or callable(drawn) else drawn  # a line builder is replaced by its line
+    # a `BuildLine` of build123d is replaced by its line
+    path = path if drawn is None or callable(drawn) else drawn
     options = {name: value for name, value in options.items() if value is not None}
     _refuse_unknown(options)
     color = color_numbers(options.pop("color")) if "color" in options else None
@@ -167,7 +169,7 @@ def make_strip_on(
 
 
 def _require_curve(path: Any) -> None:
-    """Refuse a text and points, which users pass in place of a curve."""
+    """Raise InputError for a text or points in place of a curve."""
     if isinstance(path, str | PathLike):
         raise InputError(
             f"{str(path)!r} is not a curve. Pass the curve first; ec.read_curves(file)[0] reads a file."
@@ -181,12 +183,12 @@ def _require_curve(path: Any) -> None:
 
 
 def _is_point(value: Any) -> bool:
-    """Return True for numbers of a point and for a vector of a library."""
+    """Return True for the coordinates of a point and for a vector of a CAD library."""
     return _is_vector(value) or (bare(value) is value and is_series(value) and all(map(is_number, value)))
 
 
 def _require_tabs(ends: Any) -> None:
-    """Refuse the length of a tab in place of the tab."""
+    """Raise InputError for the length of a tab in place of a tab."""
     lengths = [end for end in (ends if is_series(ends) else [ends]) if is_number(end)]
     if lengths:
         raise InputError(
@@ -195,7 +197,10 @@ def _require_tabs(ends: Any) -> None:
 
 
 def _slots_in_rad(slots: Any) -> tuple[Slot, ...]:
-    """Return slots with their lean in rad, and warn if the given degrees look like radians."""
+    """Return slots with their inclinations, given in degrees, in rad.
+
+    Issue a warning if they look like radians.
+    """
     given = several("slots", slots, Slot, "Slot")
     warn_of_radians([slot.lean for slot in given], LEAST_LEAN_DEGREES)
     return tuple(replace(slot, lean=radians(slot.lean)) for slot in given)
@@ -211,10 +216,10 @@ def make_fixture_on(
     workplane: Any = None,
     **options: Any,
 ) -> "tuple[MadeStrip, EndFixture]":
-    """Return the block that holds an end of the strip made by `make_strip_on`, and the strip.
+    """Return the strip made by `make_strip_on`, and the block that holds one of its ends.
 
-    `floor` and `workplane` are planes of any library, and `options` are `FixtureOptions`. Errors are as for
-    `EndFixture` and `make_strip_on`.
+    `floor` and `workplane` are planes of any CAD library, and `options` are `FixtureOptions`. Errors are the same
+    as for `EndFixture` and `make_strip_on`.
     """
     from elastica_cad.model.fixtures import EndFixture
     from elastica_cad.model.model import FIXTURE_COLOR
@@ -230,10 +235,10 @@ def make_fixture_on(
 
 
 def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[SectionCurve, ...]":
-    """Return the section curves of a face or body by planes, each with its plane in space.
+    """Return the curves of the sections of a face or body by planes, each with its plane in space.
 
-    `planes` are planes of any library, or a `SectionSpec`; `half` keeps only the side of their x axes. A warning
-    lists omitted lines.
+    `planes` are planes of any CAD library, or a `SectionSpec`. With `half`, only the parts with x >= 0 are used. A
+    warning is issued for each omitted line.
 
     Raises
     ------
@@ -262,7 +267,10 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
 def section_requests(
     body: Any, planes: Any, options: StripOptions, *, half: bool = False
 ) -> "list[tuple[PlaneCurve, StripOptions]]":
-    """Cut a body by planes; return each curve with the options of its strip: its plane, a numbered label."""
+    """Return the curve of each section of a body by planes, with the options of its strip.
+
+    They include the plane and a numbered label.
+    """
     called = options.get("label") or "strip"
     return [
         (section.curve, {**options, "plane": section.frame, "label": f"{called}-{number}"})
@@ -272,7 +280,7 @@ def section_requests(
 
 @lru_cache(maxsize=KEPT_REQUESTS)
 def _made(spec: "StripSpec") -> tuple[Strip, float]:
-    """Return the strip and its deviation."""
+    """Return the strip for a request, and its deviation from the drawn curve, mm."""
     from elastica_cad.forming.nearest_record import NearestRod
 
     rod = solve_rod(spec.rod_spec)
@@ -281,7 +289,7 @@ def _made(spec: "StripSpec") -> tuple[Strip, float]:
 
 
 def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:
-    """Raise InputError for unknown options; for fields of a style, the message has the replacement."""
+    """Raise InputError for unknown options. For common mistakes, the message has the correct option."""
     from elastica_cad.strip.strip_spec import StripSpec
 
     known = {"plane", "color", *sizes, *(field.name for field in fields(StripSpec))} - {
@@ -296,7 +304,7 @@ def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> No
 
 
 def _frame_of(plane: Any) -> Frame:
-    """Return the frame of a plane of any library."""
+    """Return the frame of a plane of any CAD library."""
     if isinstance(plane, Frame):
         return plane
     for names in (("origin", "x_dir", "y_dir"), ("origin", "xDir", "yDir")):

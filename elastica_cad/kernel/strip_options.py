@@ -1,4 +1,4 @@
-"""Typed options of the CAD libraries: made by `make generate` from the fields of `StripSpec`."""
+"""Typed options for the CAD libraries, generated from the fields of `StripSpec` by `make generate`."""
 
 from typing import TYPE_CHECKING, Annotated, Any, TypedDict
 
@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 
 
 class StripOptions(TypedDict, total=False):
-    """Options of every function besides path, sheet and max_width; see `StripSpec`.
+    """Options of every function in addition to path, sheet and max_width: see `StripSpec`.
 
-    `gravity` may also be a vector of the library, a direction in space.
+    `gravity` may also be a vector of the CAD library, which is a direction in space.
     """
 
     plane: Annotated[
@@ -83,7 +83,7 @@ class StripOptions(TypedDict, total=False):
 
 
 class FixtureSizes(TypedDict, total=False):
-    """Sizes of an end fixture; see `model.EndFixture`."""
+    """Sizes of an end fixture: see `model.EndFixture`."""
 
     clearance: Annotated["float", "Clearance around the tab in its pocket (mm)."]
     wall: Annotated["float", "Thickness around the pocket (mm)."]

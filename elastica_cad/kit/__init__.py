@@ -1,1 +1,1 @@
-"""Kits: folders with all files of a strip or of a whole model."""
+"""Kits: folders with all files of a strip or a model."""

@@ -1,4 +1,4 @@
-"""A kit: the files of a strip, a model or a part with two states, and their report."""
+"""A kit: the files of a strip, a model or a flexure, and their report."""
 
 from collections.abc import Callable
 from contextlib import nullcontext
@@ -20,7 +20,7 @@ from elastica_cad.strip.drawing import Drawing
 
 @dataclass(frozen=True, eq=False)
 class Kit:
-    """Files that are listed but not yet written, and the contents of the report file among them."""
+    """Files that can be written, and the content of the report file among them."""
 
     files: tuple[File, ...]
     report: dict[str, Any]
@@ -33,19 +33,22 @@ class Kit:
         done: Callable[[str, int], None] | None = None,
         process: DrawingProcess | None = None,
     ) -> tuple[Path, ...]:
-        """Write all files, or none of them after any error; see `write_files`. `process` draws the pictures."""
+        """Write all files, or none of them if there is an error: see `write_files`.
+
+        `process` is the process that draws the pictures.
+        """
         with nullcontext(self.files) if process is None else process.drawing(self.files) as files:
             write_files(files, folder, force=force, done=done)
         return tuple(Path(folder, file.name) for file in self.files)
 
 
 def can_draw() -> bool:
-    """Return True if pictures and PDF files can be written, which needs matplotlib."""
+    """Return True if matplotlib is installed, which pictures and PDF files need."""
     return find_spec("matplotlib") is not None
 
 
 def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -> tuple[str, ...]:
-    """Return a sentence for the files of each package that is missing, with how to install it."""
+    """Return a sentence for each missing package: the files that it would write, and how to install it."""
     drawn = " and ".join(kind for wanted, kind in ((paper, "PDF"), (pictures, "pictures")) if wanted)
     missing = [(drawn, "" if can_draw() else how_to_install("matplotlib"))]
     missing += [("STEP", step_trouble())] if step else []
@@ -55,7 +58,7 @@ def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -
 def cutting_files(
     drawing: Drawing, stem: str, cutting: Cutting, sheet: Sheet, description: str = ""
 ) -> tuple[File, ...]:
-    """Return the DXF and SVG file of each part of a drawing; parts after the first are numbered.
+    """Return the DXF and SVG files of each part of a drawing. File names of parts after the first are numbered.
 
     Raises
     ------
@@ -75,7 +78,7 @@ def cutting_files(
 
 
 def save_solid(solid: Any, path: Path, *, bed: Frame | None = None) -> None:
-    """Write a solid to an STL file; `bed` is the plane that becomes z = 0."""
+    """Write a solid to an STL file. `bed` is the plane that becomes z = 0."""
     from elastica_cad.kernel.mesh_files import write_stl
     from elastica_cad.kernel.occt import make_solid
 

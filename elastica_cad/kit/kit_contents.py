@@ -1,4 +1,4 @@
-"""Contents of the kit of a model: pieces, nested sheets, holders and notes."""
+"""Contents of the kit of a model: parts to cut, nested sheets, holders and notes."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -34,29 +34,29 @@ from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults
 
 @dataclass(frozen=True, eq=False)
 class KitContents:
-    """A model with all parts of its kit."""
+    """A model with the contents of its kit."""
 
     model: Model
     spec: KitSpec
     pieces: tuple[Piece, ...]
     nests: tuple[NestedSheet, ...]
     holders: tuple[Holder, ...]
-    """Bases, rails and ribs, and fixtures."""
+    """Holders of the strips: bases, rails, ribs and fixtures."""
     entries: tuple[StripEntry, ...] = ()
-    """Entries of the design from which the strips were made; empty without a design."""
+    """Entries of the design file from which the strips were made; empty without a design file."""
     held: dict[str, HeldShape] = field(default_factory=dict)
-    """Shape of each strip as made and held, by name; empty unless requested."""
+    """Shape of each finished strip in its holders, by name; empty if it was not requested."""
     notes: tuple[str, ...] = ()
-    """Notes on chosen holders, strips that rock or have no rest shape, and parts that cannot be cut."""
+    """Notes on holders, on strips that rock or have no rest shape, and on parts that cannot be cut."""
 
     @cached_property
     def cut_list(self) -> CutList:
-        """All parts to be cut; finding those of equal shape takes longest."""
+        """List of all parts to be cut."""
         return cut_list(self.pieces)
 
     @cached_property
     def report(self) -> dict[str, Any]:
-        """Report as plain data for JSON, without the list of files."""
+        """Report as data for JSON, without the list of files."""
         report = report_model(
             self.model,
             cut_list=self.cut_list,
@@ -71,22 +71,22 @@ class KitContents:
 def kit_contents(
     model: Model, spec: KitSpec | None = None, *, entries: Sequence[StripEntry] = (), effects: bool = False
 ) -> KitContents:
-    """Compute the pieces, nested sheets, base and fixtures of a model.
+    """Return the parts to cut, the nested sheets, the holders and the notes of a model.
 
     Parameters
     ----------
     model : Model
     spec : KitSpec, optional
-        Additional parts of the kit; by default the nested sheets alone.
+        Request for additional parts of the kit. By default there are only the nested sheets.
     entries : sequence of StripEntry
-        Entries from which the strips were made; the report lists the deviation from them.
+        Entries of the design file from which the strips were made. The report lists the deviations from them.
     effects : bool
-        Bend every strip again as it is made and held, to compute its deviation.
+        If True, the shape of every finished strip in its holders is computed, with its deviation.
 
     Raises
     ------
     InputError
-        Parts larger than a sheet; strips, base or frame that cannot be cut and handled, without `ignore_limits`.
+        A part is larger than a sheet, or a part cannot be cut or handled and `ignore_limits` is not set.
     """
     spec = spec or KitSpec()
     requests = {entry.label: entry.spec for entry in entries}
@@ -101,7 +101,7 @@ def kit_contents(
     for request in spec.holders:
         new_holders, sentence = request.made(model, spec.shop, ignore_limits=spec.ignore_limits)
         plates = [holder for holder in new_holders if not isinstance(holder, EndFixture)]
-        often = Counter(plate.name for plate in plates)  # gussets of equal strips have the same name
+        often = Counter(plate.name for plate in plates)  # equal strips have gussets of the same name
         once = {plate.name: plate.piece for plate in reversed(plates)}
         cut = tuple(
             replace(once[name], name=f"{model.name}-{name}", count=count) for name, count in often.items()
@@ -125,7 +125,7 @@ def kit_contents(
 
 
 def _joined(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> Model:
-    """Return the model with plates over the joints of its strips, clear of the slots for neighbours."""
+    """Return the model with plates over the joints of its strips, clear of slots."""
     known = {id(strip): joined_within(strip, _shop_of(strip, spec, requests)) for strip in model.strips}
     if all(known[id(strip)] is strip for strip in model.strips):
         return model
@@ -133,7 +133,7 @@ def _joined(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> M
 
 
 def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> dict[str, Splice]:
-    """Return the spliced strips, by name: those longer than the stock, if the workshop joins pieces."""
+    """Return the strips that are joined from pieces, by name."""
     splices = {
         part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, requests))
         for part in model.parts
@@ -143,12 +143,12 @@ def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
 
 
 def _numbers_ends(model: Model, spec: KitSpec) -> bool:
-    """Return True if the ends are engraved with the numbers of their slots or printed templates."""
+    """Return True if the ends of strips are engraved with numbers, for their slots or printed templates."""
     return bool(spec.holders or model.plates or spec.pages)
 
 
 def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> FabricationLimits:
-    """Return the limits of the workshop, with a stock no larger than the nested sheets without their borders."""
+    """Return the limits of the workshop. The stock is at most as large as a nested sheet without its borders."""
     shop = requests[strip.label].shop if strip.label in requests else spec.shop
     if shop.lap is None:
         return shop
@@ -159,7 +159,7 @@ def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
 
 
 def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
-    """Return the pieces to cut for strips; a spliced strip is replaced by its own pieces."""
+    """Return the parts to cut for strips. A strip that is joined from pieces is replaced by its pieces."""
     parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
     pieces: list[Piece] = []
     for piece in strips:
@@ -168,9 +168,10 @@ def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, 
 
 
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
-    """Return faults that are ignored on request: strips that cannot be cut with the slots for their neighbours."""
+    """Return warnings about strips that cannot be cut or handled, if `ignore_limits` is set."""
     messages: list[str] = []
-    clear: set[tuple[int, FabricationLimits]] = set()  # strips that are cut alike have the same layers
+    # layers and limits without faults; equal strips have the same layers
+    clear: set[tuple[int, FabricationLimits]] = set()
     for part in model.parts:
         request = requests.get(part.strip.label)
         shop, ignore_limits = (spec.shop, False) if request is None else (request.shop, request.ignore_limits)
@@ -196,7 +197,7 @@ def _unstable(model: Model) -> list[str]:
 
 
 def _bent_blanks(model: Model) -> list[str]:
-    """Return notes on how strips are pre-bent, which no cut pattern shows; equal notes are merged."""
+    """Return notes on pre-bent strips, because their drawings do not show the bend. Equal notes are merged."""
     alike = dict[str, list[str]]()
     for part in model.parts:
         alike.setdefault(pre_bend_message(part.strip), []).append(part.name)
@@ -208,7 +209,7 @@ def _bent_blanks(model: Model) -> list[str]:
 
 
 def count_strips(model: Model) -> str:
-    """Return the number of strips in words, and how many different shapes they have."""
+    """Return a text with the number of strips and the number of their different shapes."""
     count = len(model.placed)
     return counted(count, "strip") + (f" ({model.shape_count} different)" if count > 1 else "")
 
@@ -220,7 +221,7 @@ def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -
 
 
 def _bar_messages(spec: KitSpec) -> list[str]:
-    """Return a note if no reference bar is cut because the files are for a cutting service."""
+    """Return a note if the reference bar is omitted, because the files are for a cutting service."""
     if spec.reference_bar is None or not spec.cutting.service:
         return []
     return [
@@ -231,7 +232,7 @@ def _bar_messages(spec: KitSpec) -> list[str]:
 
 
 def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:
-    """Return a note on the strips with an end that no plate, ring or block holds."""
+    """Return a note on the strips with ends that no plate, ring or block holds."""
     if not unheld:
         return []
     names = distinct_names(model.placed)
@@ -248,7 +249,7 @@ def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -
 def _held(
     model: Model, holders: Sequence[Holder], unheld: Mapping[int, object]
 ) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
-    """Return the as-made shape of each held strip, and notes on tabs that rock and strips without rest."""
+    """Return the shape of each strip in its holders, and notes on play of tabs and missing rest shapes."""
     held_shapes = dict[str, HeldShape]()
     names = distinct_names(model.placed)
     free = [k for k, member in enumerate(model.placed) if not member.strip.rod.acting]
@@ -273,7 +274,7 @@ def _held(
 
 
 def _strays(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
-    """Return a note on interlocked strips whose deviation exceeds the clearance of their slots."""
+    """Return a note on interlocked strips that deviate by more than the clearance of slots."""
     names = distinct_names(model.placed)
     locked = {names[k] for joint in model.joints for k in joint.members}
     far = [

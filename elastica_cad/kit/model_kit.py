@@ -1,4 +1,4 @@
-"""The kit of a model: nested sheets, parts, lists, report, assembly and pictures in one folder."""
+"""Kit of a model: nested sheets, parts, lists, report, assembly and pictures in one folder."""
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -28,33 +28,33 @@ from elastica_cad.strip.pieces import Piece, distinct, file_word
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
 
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
-"""Folders of a kit, beside its start page, lists and report."""
+"""Folders in a kit. The start page, the lists and the report are beside them."""
 
 START_PAGE = "index.html"
 
 FRAME_MM = 4.0
-"""Distance, mm, between a printed template and the frame along which it is cut out."""
+"""Distance between a printed template and the cutting line around it, mm."""
 
 LONGEST_TITLE = 90
-"""Largest number of letters of a page title that lists all parts; longer titles name only the first part."""
+"""Largest number of letters of a page title that lists all parts. Longer titles name only the first part."""
 
 CUT_FROM = (".dxf", ".svg", ".stl")
-"""Kinds of files from which workshops make parts."""
+"""Suffixes of files from which parts are made."""
 
 
 @dataclass(frozen=True)
 class SavedKit:
-    """Result of `save_model`; its text is the path and the omitted files.
+    """Result of `save_model`. `str()` returns a summary with the folder and the omitted files.
 
     Attributes
     ----------
     folder : Path
     files : tuple of str
-        Names in the folder.
+        Names of the files, relative to the folder.
     left_out : tuple of str
-        Requested files that could not be written, each with the reason.
+        Sentences on requested files that could not be written, with the reason.
     summary : str
-        Numbers of strips and sheets in one line.
+        Sentence with the numbers of strips and sheets.
     """
 
     folder: Path
@@ -70,12 +70,9 @@ class SavedKit:
 
 
 def check_kit_folder(name: str, folder: str | Path, *, force: bool = False) -> None:
-    """Refuse a folder that the kit of a model of this name cannot be written to, before the model is made.
+    """Raise InputError if the kit of a model with this name cannot be written to the folder.
 
-    Raises
-    ------
-    InputError
-        It cannot be written to, or lists of the kit exist in it, without `force`.
+    It is called before the model is computed. Existing lists of a kit are refused unless `force` is set.
     """
     check_folder(folder, _lists(file_word(name)), force=force)
 
@@ -88,23 +85,24 @@ def model_kit(
     parts: bool = True,
     archives: bool = False,
 ) -> Kit:
-    """Return the report and all files of a model that the installed packages can write.
+    """Return the report and all files of a model for which the required packages are installed.
 
     Parameters
     ----------
     contents : KitContents
     step, pictures : bool
-        List the assembly, and the pictures.
+        If True, include the assembly, or the pictures.
     parts : bool
-        Draw every part in separate files too. A cutting service gets only the parts.
+        If True, include separate files of every part. For a cutting service, they are always included, without
+        nested sheets.
     archives : bool
-        List two ZIP files too. The first has the files to cut or print, each part in one drawing; the second has
-        all other files.
+        If True, include two ZIP files. The first has the files to cut or print, with every part once. The second
+        has all other files.
 
     Raises
     ------
     InputError
-        Two parts whose files have the same name.
+        Two parts have files of the same name.
     """
     model, spec, cutting = contents.model, contents.spec, contents.spec.cutting
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
@@ -150,7 +148,7 @@ def model_kit(
 
 
 def left_behind(kit: Kit, folder: str | Path) -> tuple[str, ...]:
-    """List part and sheet files left over from an earlier run."""
+    """Return part and sheet files in a folder that are left over from an earlier run."""
     known = {file.name for file in kit.files}
     return tuple(
         name
@@ -175,31 +173,32 @@ def save_model(
     shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
 ) -> SavedKit:
-    """Write the kit of a model into a folder.
+    """Write the kit of a model to a folder.
 
-    It has nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures.
+    The kit has nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures.
 
     Parameters
     ----------
     model : Model
     folder : path-like
-        Created if necessary.
+        Folder, which is created if necessary.
     sheet_size : (float, float)
         Size of the sheets, mm.
     margin : float
         Least distance between parts, mm.
     cutting : Cutting
-        Kerf, curves, bridges, guide lines and recipient of the cutting files, from `elastica_cad.design`.
+        Options of the cutting files: kerf, curves, bridges, guide lines and recipient.
     step, pictures, parts : bool
-        Write the assembly (with a CAD kernel), the pictures (with matplotlib), and every part in separate files.
+        If True, write the assembly (needs a CAD kernel), the pictures (need matplotlib), or separate files of
+        every part.
     force : bool
-        Overwrite files that exist.
+        If True, existing files are overwritten.
     done : callable, optional
-        Called for each written file with its name and the total number of files.
+        Function that is called for each written file with its name and the total number of files.
     shop : FabricationLimits
         Limits of the workshop.
     ignore_limits : bool
-        Write strips outside these limits too, and list their faults in the report.
+        If True, strips outside these limits are written too, and the report lists their faults.
 
     Returns
     -------
@@ -209,7 +208,7 @@ def save_model(
     Raises
     ------
     InputError
-        Parts larger than a sheet, strips that cannot be cut and handled, files that exist.
+        A part is larger than a sheet, a strip cannot be cut or handled, or a file exists.
 
     Examples
     --------
@@ -240,14 +239,14 @@ def save_model(
 
 
 def _lists(word: str) -> tuple[str, ...]:
-    """Return the files of every kit: the cut list as a table and as text, the report, the start page."""
+    """Return the file names of the cut list as a table and as text, the report, and the start page."""
     return f"{word}-cut-list.csv", f"{word}-cut-list.txt", f"{word}.json", START_PAGE
 
 
 def _draw_pages(contents: KitContents, path: Path) -> None:
-    """Return pages with every part once at full size and its count; small parts of a sheet share a page.
+    """Write a PDF file with every part once at full size, and its quantity. Small parts share pages.
 
-    If the model has no part that holds its strips, holding templates follow.
+    If the model has no part that holds its strips, holding templates are added.
     """
     from elastica_cad.plot.template_pages import printed_size, save_templates
 
@@ -260,7 +259,7 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
     small, drawings = [], []
     for piece in pieces:
         if np.all(np.sort(piece.size) + 2 * margin <= size):
-            # pages of paper ignore the grain
+            # the grain has no effect on paper
             small.append(replace(piece, count=1, sheet=replace(piece.sheet, grain="none")))
         else:
             drawings.append(replace(piece.drawing, name=called[piece.name]))
@@ -274,7 +273,7 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
 
 
 def _templates(contents: KitContents) -> list[Piece]:
-    """Return the holding template of each strip, in a frame to cut out, for a model without holders."""
+    """Return the holding template of each strip with a cutting line around it, for a model without holders."""
     if contents.holders or contents.model.plates:
         return []
     templates = []
@@ -291,7 +290,7 @@ def _templates(contents: KitContents) -> list[Piece]:
 
 
 def _homes(contents: KitContents, *, parts: bool) -> dict[str, str]:
-    """Return the name of the file from which each piece is cut: its own or its sheet's."""
+    """Return the name of the file from which each piece is cut: that of the part or that of its nested sheet."""
     named = contents.spec.cutting.file_name
     if parts:
         return {piece.name: f"{PARTS}/{named(piece.file_stem, 'dxf')}" for piece in contents.pieces}
@@ -303,7 +302,7 @@ def _homes(contents: KitContents, *, parts: bool) -> dict[str, str]:
 
 
 def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
-    """Return sentences with links on the contents of the kit."""
+    """Return the start page of the kit, with links to its files."""
     listed = contents.cut_list
     lines = [
         f"{count_strips(contents.model)}; {counted(listed.count, 'piece')}, "
@@ -327,7 +326,7 @@ def _taken(pieces: int) -> str:
 
 
 def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
-    """Return the number of printed blocks and their files."""
+    """Return a sentence with the number of printed blocks and their files."""
     count = len(_printed(contents))
     if not count:
         return []
@@ -339,7 +338,10 @@ def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
 
 
 def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]:
-    """Return an archive of the files to cut or print, each part in one drawing, and an archive of the rest."""
+    """Return an archive of the files to cut or print, with every part once, and an archive of other files.
+
+    The second has all files except DXF and STL.
+    """
     names = [file.name for file in files]
     cut = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
     seen = [file for file in names if not file.endswith((".dxf", ".stl"))]
@@ -350,16 +352,17 @@ def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]
 
 
 def _pack(files: Sequence[str], path: Path) -> None:
-    """Write files from the archive's folder into the archive, by their names and without the time."""
+    """Write files in the folder of the archive into the archive, with a fixed date."""
     with ZipFile(path, "w") as archive:
         for name in files:
             entry = ZipInfo(name)
-            entry.external_attr = 0o644 << 16  # without it, only root can read the unpacked files on Unix
+            # without these permissions, only root can read the unpacked files on Unix
+            entry.external_attr = 0o644 << 16
             archive.writestr(entry, (path.parent / name).read_bytes(), ZIP_DEFLATED)
 
 
 def _assemblies(contents: KitContents, stem: str) -> tuple[File, File]:
-    """List the files that a CAD kernel writes; the bodies are made once for both."""
+    """Return the files of the assembly that a CAD kernel writes. The bodies are computed only once."""
     from elastica_cad.kernel.mesh_files import write_glb
     from elastica_cad.kernel.step_files import model_shapes, write_step
 
@@ -376,7 +379,7 @@ def _assemblies(contents: KitContents, stem: str) -> tuple[File, File]:
 
 
 def _blocks(contents: KitContents) -> list[File]:
-    """List the block of each fixture, placed on the printer's bed."""
+    """Return the file of the block of each fixture, placed on the printer bed."""
     blocks = _printed(contents)
     stems = distinct(file_word(block.label) for block in blocks)
     return [

@@ -1,4 +1,4 @@
-"""The kit of a part with two states: cutting files, bodies, picture and report."""
+"""Kit of a flexure: cutting files, bodies, picture and report. A flexure is a part with two stable states."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -20,14 +20,14 @@ from elastica_cad.refusals import FieldName, Length, Refusal, note
 
 @dataclass(frozen=True, eq=False)
 class MadePair:
-    """A part with two states and its request.
+    """A flexure and its request.
 
     Attributes
     ----------
     spec : FlexureSpec
     part : Flexure
     name : str
-        Stem of the names of its files.
+        Stem of the names of the files.
     cutting : Cutting
         Options of the cutting files.
     """
@@ -39,7 +39,7 @@ class MadePair:
 
     @cached_property
     def kit(self) -> Kit:
-        """Report and all files that the installed packages can write."""
+        """Report and all files for which the required packages are installed."""
         name, part = self.name, self.part
         files = [
             file
@@ -63,7 +63,7 @@ class MadePair:
 
     @cached_property
     def warnings(self) -> tuple[Refusal, ...]:
-        """Warnings about the part, its curves and its cutting files."""
+        """Warnings about the flexure, its curves and its cutting files."""
         return (*self._moved_far(), *self._cut_away(), *self.part.warnings)
 
     def _moved_far(self) -> Iterator[Refusal]:
@@ -98,7 +98,7 @@ class MadePair:
         write_flexure_step(self.part, path, name=self.name)
 
     def _picture(self) -> Callable[[Path], object]:
-        """Return the function that draws the picture; it can be pickled."""
+        """Return a function that draws the picture and can be pickled."""
         from elastica_cad.plot.canvas import draw_file
         from elastica_cad.plot.pair_pictures import pair_sheet
 

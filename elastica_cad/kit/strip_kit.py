@@ -1,4 +1,4 @@
-"""The kit of a strip: its cutting files, bodies, picture and report."""
+"""Kit of a strip: cutting files, bodies, picture and report."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
@@ -23,23 +23,24 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
-"""Plane of a curve without a given plane: upright, as on a screen."""
+"""Default plane of a curve in space: upright, as on a screen."""
 
 
 @dataclass(frozen=True)
 class StripFiles:
-    """Files of a strip to write in addition to the cut pattern and the report.
+    """Request for the files of a strip in addition to the cutting files and the report.
 
     Attributes
     ----------
     cutting : Cutting
-        Options of the cut pattern's files.
+        Options of the cutting files.
     paper : str or None
-        Size of a template's pages, such as "A4", or None for no template.
+        Paper size of a printed template, such as "A4", or None for no template.
     glb, stl : bool
-        Write the bent strip for browsers and phones, and for 3D printing.
+        If True, write the bent strip as a GLB file for browsers and phones, or as an STL file for 3D printing.
     step, pictures : bool
-        Write the flat and the bent strip, and its picture, if the libraries for them are installed.
+        If True, write the flat and the bent strip as a STEP file, or a picture, if the required packages are
+        installed.
     """
 
     cutting: Cutting = field(default_factory=Cutting)
@@ -52,20 +53,20 @@ class StripFiles:
 
 @dataclass(frozen=True, eq=False)
 class StripResult:
-    """A strip with its request and its rod.
+    """A strip with its request and the result of the search for its rod.
 
     Attributes
     ----------
     spec : StripSpec
-        The request.
+        Request for the strip.
     found : Rod or NearestRod
-        Rod that its `rod_spec` returned.
+        Result of `solve_rod` for the request.
     strip : Strip
-        Strip that `spec` makes from that rod.
+        Strip that the request makes from this result.
     name : str
-        Stem of the names of its files.
+        Stem of the names of the files.
     joints : (str, str)
-        Names of the corners at which another strip continues; empty elsewhere.
+        Names of the joints at both ends where another strip continues; empty strings for other ends.
     """
 
     spec: StripSpec
@@ -85,9 +86,9 @@ class StripResult:
         return stability(self.strip.rod)
 
     def kit(self, request: StripFiles) -> Kit:
-        """Return the report and all requested files that the installed packages can write.
+        """Return the report and all requested files for which the required packages are installed.
 
-        The description of a file is its kind; "backing dxf" is a layer that is glued on.
+        The description of a file is its kind, such as "dxf", or "backing dxf" for the backing of a laminate.
         """
         strip, name, cutting, files = self.strip, self.name, request.cutting, list[File]()
         pictures, looked_at = request.pictures and can_draw(), cutting.service and can_draw()
@@ -129,7 +130,7 @@ class StripResult:
     def _drawn(
         self, name: str, draw: Callable[[Strip], Drawing], request: StripFiles, *, pdf: bool
     ) -> list[File]:
-        """Return the files of a drawing beside the cut pattern, for each requested format."""
+        """Return the files of a further drawing in each requested format."""
         cutting = request.cutting
         kinds = (*(() if cutting.service else ("dxf", "svg")), *(("pdf",) if pdf else ()))
         return [
@@ -143,7 +144,7 @@ class StripResult:
 
     @cached_property
     def drawings(self) -> tuple[Drawing, ...]:
-        """Cut pattern of each layer; ends at which another strip continues are engraved with the joint's name."""
+        """Drawing of each layer. Ends at which another strip continues are engraved with the name of the joint."""
         strip, joined = self.strip, spliced(self.strip, self.spec.shop)
         if joined is not None:
             return replace(joined, ends=self.joints).drawings
@@ -156,7 +157,7 @@ class StripResult:
 
     @cached_property
     def patterns(self) -> tuple[Drawing, ...]:
-        """Drawing of each layer to be cut, named as its file."""
+        """Drawing of each layer with the name of its file."""
         named = zip(self.drawings, self.strip.layers, strict=True)
         return tuple(replace(drawing, name=layer.called(self.name)) for drawing, layer in named)
 
@@ -173,7 +174,10 @@ class StripResult:
             save(drawing, path, **version)
 
     def _picture(self) -> Callable[[Path], object]:
-        """Return the function that draws the picture; its pickle needs no modules of kits and designs."""
+        """Return a function that draws the picture.
+
+        It can be pickled without importing modules of kits and designs.
+        """
         from elastica_cad.plot.canvas import draw_file
         from elastica_cad.plot.strip_pictures import strip_sheet
 
@@ -181,7 +185,7 @@ class StripResult:
         return partial(draw_file, partial(strip_sheet, self.strip, wish=target))
 
     def _template(self, strip: Strip) -> Drawing:
-        """Return the drawing for paper: the base's pattern, or the side view of glued leaves."""
+        """Return the drawing for printing on paper: the base, or the side view of a stack of plies."""
         if not strip.layout.stack:
             return self.patterns[0]
         from elastica_cad.model.batten import bench_drawing
