@@ -396,7 +396,7 @@ class PanelFunction:
 
     def unresolved(self, tolerance: float) -> BoolArray:
         """Return flags (N,) for panels whose last coefficients exceed `tolerance` times the largest."""
-        size = np.abs(self.coefficients)
+        size = np.abs(self.coefficients).reshape(*self.coefficients.shape[:2], -1).max(axis=2, initial=0.0)
         return np.asarray(size[:, -2:].max(axis=1) > tolerance * size.max(axis=1))
 
     @property

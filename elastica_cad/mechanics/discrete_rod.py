@@ -1,5 +1,6 @@
 """Discrete rod of the paper's section 7.1: equations, energy, second variation, and banded linear algebra."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from math import cos, nan, sin
@@ -175,27 +176,44 @@ def lowest_constrained(
         raise NotConvergedError(f"a rod of {n} edges has fewer than {count} free modes: use more samples")
     if n < _FEW:
         return _dense(diagonal, off, basis, count, terms)
-    from scipy.sparse.linalg import LinearOperator, eigsh
-
     d, e, shift = _factored_below(diagonal, off, min(n, rank + count))
     if terms is not None:  # because terms may lower the lowest eigenvalue
         step = _reach(diagonal, off) / n**2
         while constrained_inertia(diagonal, off, rows, shift, terms):
             shift, step = shift - step, 2 * step
         d, e, _ = lapack().dpttrf(diagonal - shift, off)
+    theta, vectors = largest_of_inverse(lambda x: lapack().dpttrs(d, e, x)[0], n, basis, count, terms)
+    return shift + 1 / theta, vectors
+
+
+def largest_of_inverse(
+    solve: Callable[[FloatArray], FloatArray],
+    n: int,
+    basis: FloatArray,
+    count: int = 1,
+    terms: Terms | None = None,
+) -> tuple[FloatArray, FloatArray]:
+    """Return the largest eigenvalues (count,) and eigenvectors (count, n) of the inverse of a matrix by Lanczos
+    iteration.
+
+    `solve` applies the inverse of the positive definite matrix (n, n) to arrays (n,) or (n, k). `terms` are added
+    to the matrix, which is restricted to the null space of the orthonormal rows `basis` (r, n).
+    """
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
     border, corner = _bordered(basis, terms)
-    solved = lapack().dpttrs(d, e, border.T)[0] if len(border) else border.T
+    solved = solve(border.T) if len(border) else border.T
     inner = np.linalg.inv(border @ solved - corner)
 
     def inverse(x: FloatArray) -> FloatArray:
-        x = lapack().dpttrs(d, e, x - basis.T @ (basis @ x))[0]
+        x = solve(x - basis.T @ (basis @ x))
         x = x - solved @ (inner @ (border @ x))
         return np.asarray(x - basis.T @ (basis @ x))
 
     # fixed start vector without symmetry, so that it has a component along every mode
     start = inverse(np.random.default_rng(0).normal(size=n))
     theta, vectors = eigsh(LinearOperator((n, n), inverse, dtype=float), count, which="LA", v0=start)
-    return shift + 1 / theta[::-1], vectors.T[::-1]
+    return theta[::-1], vectors.T[::-1]
 
 
 def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[FloatArray, FloatArray, float]:

@@ -15,10 +15,12 @@ class Exchange(NamedTuple):
 
     Attributes
     ----------
-    start_rows, most_rounds : int
-        Number of samples in the first round, and largest number of rounds, if rows are added between solutions.
+    most_rounds : int
+        Largest number of rounds if rows are added between solutions.
     first_rows : int
         Number of uniform samples of a long curve from which a program starts.
+    first_step : int
+        Every so many samples of the curve are rows of the first program for a smooth stiffness.
     box : float
         Bound of the scaled unknowns, which are of order 1; the bounds define the first vertex.
     feasible : float
@@ -28,15 +30,21 @@ class Exchange(NamedTuple):
         Least coefficient, as a fraction of the largest, of a condition that may become inactive.
     most : int
         Largest number of exchanges, several times the usual number for four unknowns.
+    most_steps : int
+        Largest number of steps along edges, several times the largest number seen.
+    tilt : float
+        Size of the small shifts of planes, so that no more planes meet in a point than there are unknowns.
     """
 
-    start_rows: int = 9
     first_rows: int = 500
+    first_step: int = 12
     most_rounds: int = 200
     box: float = 1e7
     feasible: float = 1e-10
     pivot: float = 1e-9
     most: int = 200
+    most_steps: int = 2000
+    tilt: float = 1e-9
 
 
 METHOD = Exchange()
@@ -116,11 +124,6 @@ def minimax_ratio(
         if step == 1 or holds or new == before:
             return MinimaxSolution(x, max(ratio, largest), values)
     raise unsettled(ratio)
-
-
-def start_rows(count: int) -> list[int]:
-    """Return the indices of `METHOD.start_rows` evenly distributed samples of `count` samples."""
-    return (np.arange(METHOD.start_rows) * (count - 1) // (METHOD.start_rows - 1)).tolist()
 
 
 def unsettled(ratio: float) -> NotConvergedError:
@@ -248,7 +251,8 @@ def _conditioned(rows: FloatArray) -> FloatArray:
 def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
     """Return (x, R) with the least R subject to rows @ (x, R) >= limits, or None if there is none.
 
-    The solver is HiGHS; in FreeCAD it is the HiGHS of SciPy.
+    The solver is HiGHS; in FreeCAD it is the HiGHS of SciPy. It solves the program again with presolve if it cannot
+    decide whether there is a solution.
     """
     tolerances = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
     count, columns = rows.shape
@@ -257,15 +261,18 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
     except ImportError:
         from scipy.optimize import linprog
 
-        cost, options = np.eye(columns)[-1], {"presolve": False, **tolerances}
-        result = linprog(cost, -rows, -limits, bounds=(None, None), method="highs", options=options)
-        if result.status == 0:
-            return np.asarray(result.x, dtype=float)
-        infeasible = result.status == 2
+        cost = np.eye(columns)[-1]
+        for presolve in (False, True):
+            options = {"presolve": presolve, **tolerances}
+            result = linprog(cost, -rows, -limits, bounds=(None, None), method="highs", options=options)
+            if result.status == 0:
+                return np.asarray(result.x, dtype=float)
+            if result.status == 2:
+                return None
     else:
         # use the base class of Highs, because Highs prints a banner before output can be switched off
         highs = highspy.Highs.__bases__[0]()
-        silent = {"output_flag": False, "presolve": "off", "solver": "simplex", "parallel": "off"}
+        silent = {"output_flag": False, "solver": "simplex", "parallel": "off"}
         for name, value in {**silent, **tolerances}.items():
             highs.setOptionValue(name, value)
         free, entry = np.full(columns, np.inf), np.arange(rows.size, dtype=np.int32)
@@ -274,13 +281,16 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
         highs.addRows(
             count, limits, np.full(count, np.inf), rows.size, entry[::columns], entry % columns, rows.ravel()
         )
-        highs.run()
-        status, known = highs.getModelStatus(), highspy.HighsModelStatus
-        if status == known.kOptimal:
-            return np.array(highs.getSolution().col_value)
-        infeasible = status in (known.kInfeasible, known.kUnboundedOrInfeasible)
-    if infeasible:
-        return None
+        known = highspy.HighsModelStatus
+        for presolve in (False, True):
+            highs.setOptionValue("presolve", "on" if presolve else "off")
+            highs.clearSolver()
+            highs.run()
+            status = highs.getModelStatus()
+            if status == known.kOptimal:
+                return np.array(highs.getSolution().col_value)
+            if status in (known.kInfeasible, known.kUnboundedOrInfeasible):
+                return None
     raise NotConvergedError(
         "no stiffness keeps the curve under this weight, because the ratio of largest to smallest stiffness "
         "would be too large. Use a lighter or stiffer sheet, support the strip, or change the curve"
@@ -293,12 +303,14 @@ def least_variation(
     bends: FloatArray,
     bend_offset: FloatArray,
     largest: float,
+    start: FloatArray,
     sides: tuple[FloatArray, FloatArray] | None = None,
 ) -> FloatArray:
     """Return the x that minimises sum |bends @ x + bend_offset| subject to 1 <= rows @ x + offset <= largest.
 
     If `bends` contain the second derivative K'' of the stiffness times the length of each sample, the sum is the
-    total variation of K' (paper, section 5.3).
+    total variation of K' (paper, section 5.3). A term is 0 on a plane, and a condition is an equation on a plane;
+    m of these planes meet in a vertex. Each step follows the steepest edge of the vertex while the sum decreases.
 
     Parameters
     ----------
@@ -306,47 +318,55 @@ def least_variation(
         The stiffness at the samples is rows @ x + offset.
     bends, bend_offset : (k, m) and (k,) arrays
         Terms of the sum.
+    start : (m,) array
+        Unknowns that meet the conditions.
     sides : (j, m) and (j,) arrays, optional
         Rows and offsets of further conditions rows @ x + offset >= 0.
-    """
-    from scipy.optimize import linprog
 
+    References
+    ----------
+    Barrodale and Roberts, "An improved algorithm for discrete l1 linear approximation", SIAM J. Numer. Anal. 10
+    (1973).
+    """
     side_rows, side_offset = (np.zeros((0, bends.shape[1])), np.zeros(0)) if sides is None else sides
-    if bends.shape[1] == 1 and not len(side_rows):
-        return _least_variation_of_one(rows[:, 0], offset, bends[:, 0], bend_offset, largest)
-    basis = _conditioned(rows)
-    rows, bends = rows @ basis, bends @ basis
-    size = np.abs(bends).max() or 1.0
-    bends, bend_offset = bends / size, bend_offset / size
-    # the dual program has a row for each unknown, and the unknowns are the multipliers of its solution
-    matrix = np.concatenate([bends, -rows, rows, -side_rows @ basis]).T
-    cost = -np.concatenate([bend_offset, 1 - offset, offset - largest, -side_offset])
-    bounds = np.zeros((cost.size, 2))
-    bounds[:, 1] = np.inf
-    bounds[: len(bends)] = -1.0, 1.0
-    result = linprog(cost, A_eq=matrix, b_eq=np.zeros(len(matrix)), bounds=bounds, method="highs",
-                     options={"presolve": False})  # fmt: skip
-    if result.status != 0:
-        raise NotConvergedError(f"the second phase for a smooth stiffness stopped: {result.message}")
-    return np.asarray(basis @ result.eqlin.marginals, dtype=float)
-
-
-def _least_variation_of_one(
-    row: FloatArray, offset: FloatArray, bend: FloatArray, bend_offset: FloatArray, largest: float
-) -> FloatArray:
-    """Return the solution for a single number x.
-
-    It is the weighted median of the zeros of the terms, clipped to the bounds.
-    """
-    counts = bend != 0
-    zeros, steep = -bend_offset[counts] / bend[counts], np.abs(bend[counts])
-    order = np.argsort(zeros)
-    passed = np.cumsum(steep[order])
-    best = float(zeros[order][np.searchsorted(passed, passed[-1] / 2)]) if zeros.size else 0.0
-    moves = row != 0
-    bounds = np.sort([(1 - offset[moves]) / row[moves], (largest - offset[moves]) / row[moves]], axis=0)
-    low, high = float(bounds[0].max()), float(bounds[1].min())
-    return np.array([min(max(best, low), high) if low <= high else (low + high) / 2])
+    basis, terms = _conditioned(rows), len(bends)
+    planes = np.concatenate([bends, rows, -rows, side_rows]) @ basis
+    limits = np.concatenate([bend_offset, offset - 1, largest - offset, side_offset])
+    size = np.linalg.norm(planes, axis=1)
+    size[:terms] = size[:terms].max()
+    size[size == 0] = 1.0
+    planes, limits = planes / size[:, None], limits / size
+    x = np.linalg.lstsq(basis, start, rcond=None)[0]
+    # shift the conditions so that they hold at the start, and all planes so that no more than m meet in a point
+    limits[terms:] += np.maximum(-(planes[terms:] @ x + limits[terms:]), 0.0)
+    limits += METHOD.tilt * np.random.default_rng(0).uniform(1.0, 2.0, limits.size)
+    # the m planes of the start belong to no term and no condition
+    active, normals = np.full(x.size, -1), np.eye(x.size)
+    for _ in range(METHOD.most_steps):
+        values = planes @ x + limits
+        values[active[active >= 0]] = 0.0
+        edges = np.linalg.inv(normals)
+        slopes = np.sign(values[:terms]) @ planes[:terms] @ edges
+        # slopes of the sum along both directions of each edge
+        changes = np.array([slopes, -slopes]) + ((active >= 0) & (active < terms))
+        changes[1, active >= terms] = np.inf
+        steepness = changes / np.linalg.norm(edges, axis=0)
+        back, out = divmod(int(steepness.argmin()), x.size)
+        if steepness[back, out] >= -METHOD.feasible * terms:
+            return np.asarray(basis @ x)
+        step = edges[:, out] * (1 - 2 * back)
+        rates = planes @ step
+        rates[active[active >= 0]] = 0.0
+        meets = (values * rates < 0).nonzero()[0]
+        meets = meets[(np.abs(values[meets] / rates[meets])).argsort()]
+        gains = np.where(meets < terms, 2 * np.abs(rates[meets]), np.inf)
+        turns = (changes[back, out] + gains.cumsum() >= 0).nonzero()[0]
+        if not turns.size:
+            break
+        active[out] = meets[turns[0]]
+        x = x - values[active[out]] / rates[active[out]] * step
+        normals[out] = planes[active[out]]
+    raise NotConvergedError("the second phase for a smooth stiffness did not converge")
 
 
 def largest_number(rows: FloatArray, number: FloatArray, largest: float, side_rows: FloatArray) -> FloatArray:

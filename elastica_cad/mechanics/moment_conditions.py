@@ -59,7 +59,6 @@ from elastica_cad.mechanics.minimax_lp import (
     largest_number,
     least_variation,
     minimax_ratio,
-    start_rows,
     unsettled,
 )
 from elastica_cad.mechanics.moment_curvature import MaterialLaw
@@ -261,7 +260,7 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
 
 _SLOPES_AT_NODES = VANDER @ SLOPES
 
-_SETTLED = 1e-9  # relative change of the least ratio below which the iteration ends
+_SETTLED = 1e-9  # largest relative excess of K over its bounds in the program of least ratio
 
 _SAME = 4 * float(np.finfo(float).eps)
 """Relative difference between two solutions of a program that were computed by different paths to one vertex."""
@@ -271,6 +270,9 @@ _ROUNDING = 16 * float(np.finfo(float).eps)
 
 BOUNDED = 1e-7
 """Largest relative excess of a smooth stiffness over its bounds; it is the accuracy of the linear program."""
+
+CHOSEN = 1e-5
+"""Largest relative excess over bounds that a choice has widened by `SMOOTHING_SHARE`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -336,13 +338,15 @@ class StiffnessFamily:
 
 
 def least_ratio(
-    family: StiffnessFamily, places: tuple[IntArray, FloatArray] | None = None
+    family: StiffnessFamily,
+    places: tuple[IntArray, FloatArray] | None = None,
+    tolerance: float = _SETTLED,
 ) -> tuple[FloatArray, float] | None:
     """Return the numbers y of the least stiffness ratio R, and R; None if no stiffness is positive everywhere.
 
     By default R is the ratio on the continuous curve. With `places` (panels and coordinates x), R is the ratio at
     these samples. Extremes of the stiffness between samples are computed from its polynomials and added to the
-    linear program until R converges.
+    linear program until the stiffness exceeds its bounds by at most the relative `tolerance`.
     """
     if places is not None:
         solution = _sampled(family, *family.at(*places))
@@ -353,7 +357,7 @@ def least_ratio(
         more, more_offset = family.extremes(np.ones(family.freedom))
         solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
     else:
-        return _continuous_ratio(family)
+        return _continuous_ratio(family, tolerance)
     return None if solution is None else (solution.x, solution.ratio)
 
 
@@ -361,14 +365,13 @@ def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> M
     return minimax_ratio(rows, offset=offset, side_rows=family.side_rows, side_offset=family.side_offset)
 
 
-def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | None:
+def _continuous_ratio(family: StiffnessFamily, tolerance: float) -> tuple[FloatArray, float] | None:
     """Return the least ratio on the continuous curve; each iteration adds all local extremes that exceed it."""
     rows, offset = family.dense
     sides = [side.dense for side in family.sides]
     program = MinimaxProgram(
         np.concatenate([rows, *sides]), side_rows=family.side_rows, side_offset=family.side_offset
     )
-    tolerance = _SETTLED
     program.demand(rows, offset, rows, offset)
     for side in sides:
         program.hold(side, np.zeros(len(side)))
@@ -404,14 +407,16 @@ def _continuous_ratio(family: StiffnessFamily) -> tuple[FloatArray, float] | Non
 def _smoothest(
     family: StiffnessFamily,
     ratio: float,
+    start: FloatArray,
     places: tuple[IntArray, FloatArray] | None = None,
-    kept: FloatArray | None = None,
+    *,
+    tolerance: float = BOUNDED,
+    keep_largest: bool = False,
 ) -> FloatArray:
     """Return the numbers y with the least total variation of K' for K between 1 and `ratio` (paper, section 5.3).
 
-    As in `least_ratio`, the stiffness K is bounded on the continuous curve, or at the samples `places`. Where K
-    of the
-    numbers `kept` equals `ratio`, the result has the same value.
+    As in `least_ratio`, the stiffness K is bounded on the continuous curve, or at the samples `places`. K of the
+    numbers `start` is within these bounds. With `keep_largest`, K keeps its value where K of `start` is `ratio`.
     """
     panels = family.panels
     count, order = panels.t.shape
@@ -427,17 +432,21 @@ def _smoothest(
     d = family.freedom
     bend_offset = bends[:, d] if family.offset is not None else np.zeros(len(bends))
     pins, pin_offset = np.zeros((0, d)), np.zeros(0)
-    if kept is not None:
-        pins, pin_offset = family.extremes(kept) if places is None else family.at(*places)
-        pins = pins[pins @ kept + pin_offset > ratio * (1 - BOUNDED)]
-        # 1 <= pins @ y + pin_offset: at these points, K is at least the K of `kept`
-        pin_offset = 1.0 - pins @ kept
+    if keep_largest:
+        pins, pin_offset = family.extremes(start) if places is None else family.at(*places)
+        pins = pins[pins @ start + pin_offset > ratio * (1 - BOUNDED)]
+        # 1 <= pins @ y + pin_offset: at these points, K is at least the K of `start`
+        pin_offset = 1.0 - pins @ start
 
     def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
         rows, offset = np.concatenate([rows, pins]), np.concatenate([offset, pin_offset])
-        return least_variation(rows, offset, bends[:, :d], bend_offset, ratio, family.side_conditions)
+        return least_variation(rows, offset, bends[:, :d], bend_offset, ratio, start, family.side_conditions)
 
-    return smoothest(*family.at(*places)) if places is not None else _bounded(family, ratio, smoothest)
+    return (
+        smoothest(*family.at(*places))
+        if places is not None
+        else _bounded(family, ratio, smoothest, tolerance)
+    )
 
 
 def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) -> FloatArray:
@@ -450,21 +459,22 @@ def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) ->
 
 
 def _bounded(
-    family: StiffnessFamily, ratio: float, best: Callable[[FloatArray, FloatArray], FloatArray]
+    family: StiffnessFamily,
+    ratio: float,
+    best: Callable[[FloatArray, FloatArray], FloatArray],
+    tolerance: float = BOUNDED,
 ) -> FloatArray:
     """Return the best numbers y for a stiffness K between 1 and `ratio` on the continuous curve.
 
     The function `best` computes y for given rows and offsets. The extremes of the resulting K are added to them
-    until K is within its bounds.
+    until K exceeds its bounds by at most the relative `tolerance`.
     """
-    rows, offset = family.dense
-    first = start_rows(len(rows))
-    rows, offset = rows[first], offset[first]
+    rows, offset = (samples[:: METHOD.first_step] for samples in family.dense)
     for _ in range(METHOD.most_rounds):
         y = best(rows, offset)
         more, more_offset = family.extremes(y)
         K = more @ y + more_offset
-        if K.min() >= 1 - BOUNDED and K.max() <= ratio * (1 + BOUNDED):
+        if K.min() >= 1 - tolerance and K.max() <= ratio * (1 + tolerance):
             return y
         rows, offset = np.concatenate([rows, more]), np.concatenate([offset, more_offset])
     raise unsettled(ratio)
@@ -742,7 +752,7 @@ class ConditionedRows:
             family = replace(family, side_rows=sides[0], side_offset=sides[1])
         return StateFamily(family, basis, fixed)
 
-    def ratio(self, numbers: StateFamily) -> tuple[FloatArray, float] | None:
+    def ratio(self, numbers: StateFamily, tolerance: float = _SETTLED) -> tuple[FloatArray, float] | None:
         """Return the free numbers with the least stiffness ratio, and the ratio; None if there are none."""
         if numbers.family.freedom == 0 and numbers.family.offset is None:
             return None
@@ -751,7 +761,7 @@ class ConditionedRows:
             sizes = np.abs(rows).sum(axis=1)
             if not sizes.max() < WIDEST_RATIO * sizes.min():
                 return None
-        return least_ratio(numbers.family, self.places)
+        return least_ratio(numbers.family, self.places, tolerance)
 
     @property
     def places(self) -> tuple[IntArray, FloatArray] | None:
@@ -780,18 +790,21 @@ class ConditionedRows:
         numbers = self.homogeneous(loaded=False)
         # if the smoothest stiffness is not found, any optimum is acceptable
         with suppress(NotConvergedError):
-            return numbers.basis @ _smoothest(numbers.family, float(steps.max()) * (1 + NO_GAIN_SHARE))
+            start = np.asarray(np.linalg.lstsq(numbers.basis, state, rcond=None)[0], dtype=float)
+            y = _smoothest(numbers.family, float(steps.max()) * (1 + NO_GAIN_SHARE), start)
+            return np.asarray(numbers.basis @ y)
         return state
 
     def least(self, numbers: StateFamily, *, smooth: bool = True) -> FloatArray:
         """Return the numbers (m,) of the least ratio; if inflections allow several stiffnesses, the smoothest."""
-        optimum = self.ratio(numbers)
+        choices = numbers.family.freedom - (numbers.family.offset is None)
+        smooth = smooth and bool(self.check.zeros) and choices > 0
+        optimum = self.ratio(numbers, CHOSEN / 2 if smooth else _SETTLED)
         if optimum is None:
             self.refuse(numbers.family)
         y, ratio = optimum
-        choices = numbers.family.freedom - (numbers.family.offset is None)
-        if smooth and self.check.zeros and choices > 0:
-            y = _smoothest(numbers.family, ratio * (1 + SMOOTHING_SHARE), self.places)
+        if smooth:
+            y = _smoothest(numbers.family, ratio * (1 + SMOOTHING_SHARE), y, self.places, tolerance=CHOSEN)
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
     def _offset(self, tau: float) -> FloatArray:
@@ -832,7 +845,7 @@ class ConditionedRows:
         tau, y = trade / (softest * most), y * trade / softest
         numbers = self.at_compliance(tau)
         if trade > 1:
-            y = _smoothest(numbers.family, trade / softest, self.places, kept=y)
+            y = _smoothest(numbers.family, trade / softest, y, self.places, keep_largest=True)
         return numbers.fixed + numbers.basis @ y, tau
 
     def balance(self, state: FloatArray) -> BalancedStiffness:

@@ -72,15 +72,15 @@ def balance_without_weight(request: RodRequest) -> BalancedStiffness:
     for _ in range(REFINEMENTS):
         rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
         problem = ConditionedRows(request, cut.panels, rows)
-        state = problem.least(problem.homogeneous(loaded=False), smooth=bool(request.elements))
-        balance = problem.balance(problem.steadied(state))
+        numbers = problem.homogeneous(loaded=False)
         # beyond an element that is near a zero of the curvature, the moment is another function of arc
         # length
-        finer = cut.for_stiffness(balance.stiffness) if request.elements else None
+        finer = cut.for_stiffness(numbers.family.rows) if request.elements else None
         if finer is None:
             break
         cut = finer
-    return replace(balance, kinks=cut.kinks)
+    state = problem.least(numbers, smooth=bool(request.elements))
+    return replace(problem.balance(problem.steadied(state)), kinks=cut.kinks)
 
 
 def _with_weight(request: RodRequest) -> BalancedStiffness:

@@ -12,7 +12,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bracing import slack_elements
-from elastica_cad.mechanics.discrete_rod import node_weights, tangents
+from elastica_cad.mechanics.discrete_rod import largest_of_inverse, node_weights, orthonormal_rows, tangents
 from elastica_cad.mechanics.elements import Pin, Rail, edge_weights
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.rod import Rod
@@ -216,7 +216,6 @@ RIBBON_SLENDERNESS = 6.0
 """Least ratio of length to width of a strip; shorter strips are plates."""
 
 _POLE_SHARE = 64 * float(np.finfo(float).eps)  # error of an eigenvalue, as a fraction of the largest entry
-_RANK = 1e-9  # least relative singular value of linearly independent constraints
 _SIGN_SHARE = (
     # distance from an eigenvalue, as a fraction of the gap to the next, within which the margin is this
     # eigenvalue
@@ -496,16 +495,17 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
 
 def _lowest_braced(lower: FloatArray, braces: _Braces) -> float:
     """Return the lowest eigenvalue of the band matrix with the added terms, subject to the constraints."""
-    n = lower.shape[1]
-    matrix = braces.terms.T @ braces.terms
-    for k, diagonal in enumerate(lower):
-        at = np.arange(n - k)
-        matrix[at + k, at] += diagonal[: n - k]
-        if k:
-            matrix[at, at + k] += diagonal[: n - k]
-    _, sizes, vt = np.linalg.svd(braces.rows)
-    basis = vt[np.count_nonzero(sizes > _RANK * sizes.max(initial=0.0)) :]
-    return float(np.linalg.eigvalsh(basis @ matrix @ basis.T)[0])
+    first, second = _two_lowest(lower)
+    # constraints and terms raise eigenvalues, so the matrix minus this shift is positive definite
+    shift = first - max(second - first, _POLE_SHARE * float(np.abs(lower).max()))
+    shifted = lower.copy()
+    shifted[0] -= shift
+    factor = lapack().dpbtrf(shifted, lower=1)[0]
+    theta, _ = largest_of_inverse(
+        lambda x: lapack().dpbtrs(factor, x, lower=1)[0], lower.shape[1], orthonormal_rows(braces.rows),
+        terms=(braces.terms, np.eye(len(braces.terms))),
+    )  # fmt: skip
+    return shift + 1 / float(theta[0])
 
 
 def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
@@ -567,20 +567,7 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
 
     It is a zero of <row, (A - mu)^-1 row> between the two lowest eigenvalues of A.
     """
-    if not np.all(np.isfinite(lower)):
-        raise NotConvergedError(
-            "The stability is undecided, because the second variation of the rod has "
-            "numbers that are not finite. Check its stiffness and its load."
-        )
-    result = lapack().dsbevx(
-        lower, 0.0, 0.0, 1, 2, compute_v=0, range=2, lower=1, overwrite_ab=0, abstol=2 * np.finfo(float).tiny
-    )
-    if result[-1]:
-        raise NotConvergedError(
-            "The stability is undecided, because the eigenvalues of the second variation do not converge. "
-            "Compute the rod with more nodes."
-        )
-    first, second = float(result[0][0]), float(result[0][1])
+    first, second = _two_lowest(lower)
     if row is None:
         return first
     full = np.zeros((10, lower.shape[1]))  # LAPACK needs three additional rows
@@ -602,3 +589,21 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
     if along(high) <= 0:
         return second
     return crossing(along, low, high, absolute=1e-13 * abs(first) + 1e-300, relative=1e-12)
+
+
+def _two_lowest(lower: FloatArray) -> tuple[float, float]:
+    """Return the two lowest eigenvalues of the band matrix."""
+    if not np.all(np.isfinite(lower)):
+        raise NotConvergedError(
+            "The stability is undecided, because the second variation of the rod has "
+            "numbers that are not finite. Check its stiffness and its load."
+        )
+    result = lapack().dsbevx(
+        lower, 0.0, 0.0, 1, 2, compute_v=0, range=2, lower=1, overwrite_ab=0, abstol=2 * np.finfo(float).tiny
+    )
+    if result[-1]:
+        raise NotConvergedError(
+            "The stability is undecided, because the eigenvalues of the second variation do not converge. "
+            "Compute the rod with more nodes."
+        )
+    return float(result[0][0]), float(result[0][1])

@@ -138,6 +138,20 @@ def test_the_least_ratio_is_that_of_a_dense_program(seed, count):
     assert agree(seed, count)
 
 
+@pytest.mark.parametrize(("seed", "count"), [(7, 9), (1229, 8)])
+def test_an_impossible_strip_is_found_where_a_first_program_is_undecided(seed, count):
+    points, _, elements = random_case(seed, count)
+    with pytest.raises(ec.NotRealizable):
+        ec.optimal_rod(ec.PlaneCurve.spline(points, degree=5), between=elements)
+
+
+def test_a_stiffness_may_touch_its_bound_along_a_stretch():
+    """The smoothest stiffness then moves along many conditions."""
+    points, dense, elements = random_case(1018, 7)
+    rod = rod_or_none(points, elements)
+    assert HELD[0] * dense.ratio(elements) <= rod.ratio <= HELD[1] * dense.ratio(elements) + 1e-3
+
+
 @pytest.mark.campaign
 def test_least_ratios_of_many_curves():
     assert [seed for seed in range(200) if not agree(seed, 6 + seed % 3)] == []

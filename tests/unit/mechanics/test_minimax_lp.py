@@ -125,11 +125,12 @@ test_sampled_stiffness_refuses_samples_on_inflections = refusal_test(
 @pytest.mark.parametrize("numbers", [1, 2, 3, 4])
 @pytest.mark.parametrize("seed", range(3))
 def test_least_variation_is_that_of_the_program_as_it_is_written(numbers, seed):
-    """Section 5.3: sum |bends x + offset| with slack variables, against the solution by prices or medians."""
+    """Section 5.3: sum |bends x + offset| with slack variables, against the descent along edges."""
     rng = np.random.default_rng(seed)
     rows, bends = rng.normal(size=(200, numbers)), rng.normal(size=(150, numbers))
-    offset, bend_offset = rng.uniform(1.2, 2.8, 200) - rows @ rng.normal(size=numbers), rng.normal(size=150)
-    x = least_variation(rows, offset, bends, bend_offset, 3.0)
+    start, bend_offset = rng.normal(size=numbers), rng.normal(size=150)
+    offset = rng.uniform(1.2, 2.8, 200) - rows @ start
+    x = least_variation(rows, offset, bends, bend_offset, 3.0, start)
     stiffness = rows @ x + offset
     assert stiffness.min() > 1 - 1e-7
     assert stiffness.max() < 3 + 1e-7
