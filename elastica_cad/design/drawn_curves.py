@@ -20,7 +20,7 @@ from elastica_cad.refusals import Length
 Point: TypeAlias = tuple[float, float]
 Handles: TypeAlias = tuple[Point, Point, Point, Point]
 
-_TO = "New place"
+_TO = "New position of the {} corner of the curve's bounding box."
 
 CORNERS = ("bottom_left", "bottom_right", "top_right", "top_left")
 """Names of the corners of the bounding box of the drawn curves, which are handles."""
@@ -75,10 +75,10 @@ class Reshape:
         Both kinds of handles are given, or only one of `handles` and `to`.
     """
 
-    bottom_left: Annotated[Point | None, Option(f"{_TO} of the lower left corner of its box.", "mm")] = None
-    bottom_right: Annotated[Point | None, Option(f"{_TO} of the lower right corner.", "mm")] = None
-    top_right: Annotated[Point | None, Option(f"{_TO} of the upper right corner.", "mm")] = None
-    top_left: Annotated[Point | None, Option(f"{_TO} of the upper left corner.", "mm")] = None
+    bottom_left: Annotated[Point | None, Option(_TO.format("lower left"), "mm")] = None
+    bottom_right: Annotated[Point | None, Option(_TO.format("lower right"), "mm")] = None
+    top_right: Annotated[Point | None, Option(_TO.format("upper right"), "mm")] = None
+    top_left: Annotated[Point | None, Option(_TO.format("upper left"), "mm")] = None
     handles: Annotated[Handles | None, Option("Positions of four handles, instead of corners.", "mm")] = None
     to: Annotated[Handles | None, Option("New positions of the handles.", "mm")] = None
 
@@ -111,7 +111,7 @@ class Reshape:
 
 @dataclass(frozen=True)
 class _Curve:
-    reshape: Annotated[Reshape | None, Option("Pull the curve by four handles.")] = None
+    reshape: Annotated[Reshape | None, Option("Deform the curve by moving four handles.")] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -158,7 +158,8 @@ class CurveOfFormulae(_Curve):
     y: Annotated[Formula, Option("Formula in t.", "mm")]
     t: Annotated[tuple[float, float], Option("Range of t.")]
     breaks: Annotated[
-        tuple[Point, ...], Option("[t, continuity] for each place where pieces of the formulae meet.")
+        tuple[Point, ...],
+        Option("Pairs [t, continuity], one for each parameter t at which pieces of the formulae meet."),
     ] = ()
 
     def drawn(self, _: Reader, where: str, table: Table) -> PlaneCurve:

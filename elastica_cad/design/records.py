@@ -69,7 +69,7 @@ def _leaves(
     sheet: Sheet,
     leaves: Annotated[int, Option("Largest number of plies of the sheet.", least=2)],
     width: Annotated[float, Option("Width of the plies.", "mm", least=0)],
-    fewest: Annotated[int, Option("Number of plies over the whole length.", least=1)] = 1,
+    fewest: Annotated[int, Option("Number of plies that run over the whole length.", least=1)] = 1,
 ) -> LeavesLaw:
     """Leaves of the sheet, glued; some end before others. Needs limits or keep."""
     return LeavesLaw(sheet, leaves, width, fewest)
@@ -78,10 +78,14 @@ def _leaves(
 def _blank(
     stations: Annotated[
         tuple[float, ...],
-        Option("Positions from 0 to the length of the strip; a repeated position is a jump.", "mm"),
+        Option(
+            "Positions along the strip, from 0 to its length. A position that occurs twice marks a jump "
+            "of the curvature.",
+            "mm",
+        ),
     ],
     curvatures: Annotated[
-        tuple[float, ...], Option("Curvature at each station, linear between stations.", "1/mm")
+        tuple[float, ...], Option("Curvature at each of these positions; it is linear between them.", "1/mm")
     ],
 ) -> RestCurvature:
     """A pre-bent strip whose curvature is linear between stations."""

@@ -70,19 +70,23 @@ def pre_bend_message(strip: Strip) -> str:
     same = rest[at] * rod.curvature[at] > 0
     ways = (
         (
-            "Pre-bend it to a radius of {radius} along its whole length, to the same side as its final bend "
-            "{s} from the start. Its widths are designed for this pre-bending.",
-            "Pre-bend it to a radius of {radius} along its whole length, to the side opposite to its final "
-            "bend {s} from the start. Its widths are designed for this pre-bending.",
+            "Before assembly, bend the strip to a radius of {radius} along its whole length. Bend it to the "
+            "same side to which it curves at {s} from the start after assembly. The widths are designed for "
+            "this pre-bending.",
+            "Before assembly, bend the strip to a radius of {radius} along its whole length. Bend it to the "
+            "side opposite to the one it curves to at {s} from the start after assembly. The widths are "
+            "designed for this pre-bending.",
         )
         if even
         else (
-            "Pre-bend it with a smallest radius of {radius} at {s} from the start, to the same side as its "
-            "final bend there. Its widths are designed for this pre-bending. {field} in the report or the "
-            "properties has its curvature along the strip.",
-            "Pre-bend it with a smallest radius of {radius} at {s} from the start, to the side opposite to "
-            "its final bend there. Its widths are designed for this pre-bending. {field} in the report or "
-            "the properties has its curvature along the strip.",
+            "Before assembly, bend the strip; the smallest radius is {radius}, at {s} from the start. "
+            "There, bend it to the same side to which it curves after assembly. {field} in the report or "
+            "the properties lists the curvature along the strip. The widths are designed for this "
+            "pre-bending.",
+            "Before assembly, bend the strip; the smallest radius is {radius}, at {s} from the start. "
+            "There, bend it to the side opposite to the one it curves to after assembly. {field} in the "
+            "report or the properties lists the curvature along the strip. The widths are designed for this "
+            "pre-bending.",
         )
     )
     radius = Length(1 / abs(rest[at]))

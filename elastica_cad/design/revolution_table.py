@@ -108,7 +108,8 @@ class RevolutionTable:
             return ()
         return (
             note(
-                "The meridian deviates from its points by up to {far}. Strips cannot tile a nearer meridian.",
+                "The meridian deviates from its points by up to {far}. Strips cannot cover the surface of a "
+                "nearer meridian without gaps.",
                 far=Length(off),
             ),
         )

@@ -144,15 +144,16 @@ def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> 
     before, after = _widths(drawn), _widths(fitted)
     if before is None or after is None:
         return note(
-            "{file} stores curve {number} within {far:.2g}; a strip cannot take this curve."
+            "The copy of curve {number} in {file} differs from the curve by up to {far:.2g}. No strip can "
+            "take this curve."
             if before is None else
-            "{file} stores curve {number} within {far:.2g}, and a strip cannot take the stored curve. Use "
-            "JSON, which keeps it exactly.",
+            "The copy of curve {number} in {file} differs from the curve by up to {far:.2g}, and a strip "
+            "cannot take this copy. Use JSON, which stores the exact curve.",
             file=file, number=number, far=far, severity="warning",
         )  # fmt: skip
     return note(
-        "{file} stores curve {number} within {far:.2g}; the widths of a strip {widest} wide change by up to "
-        "{change:.2g}.",
+        "The copy of curve {number} in {file} differs from the curve by up to {far:.2g}. This changes the "
+        "widths of a strip {widest} wide by up to {change:.2g}.",
         file=file, number=number, far=far, widest=Length(UNKNOWN_WIDTH),
         change=Length(float(np.abs(after - before).max())), severity="warning",
     )  # fmt: skip

@@ -57,7 +57,8 @@ def read_svg_drawing(
     scale = np.full(2, look_up_unit(unit)) if unit else _scale(tree) * pixel / _PX
     if not (np.all(scale >= _LEAST_UNIT) and np.all(scale <= 1 / _LEAST_UNIT)):
         raise InputError(
-            "has user units of {scale:.3g} by {scale_2}: check width, height and viewBox",
+            "has units of {scale:.3g} by {scale_2}, an unlikely size: check width, height and viewBox of "
+            "the SVG element",
             scale=scale[0],
             scale_2=Length(scale[1]),
         )
@@ -299,7 +300,7 @@ class _Shapes:
             shapes=Listed(self.clipped),
         )] if self.clipped else []  # fmt: skip
         unread = [note(
-            "styles that are not supported: {styles}. Compare the curves with the drawing",
+            "the drawing uses styles that are not supported: {styles}. Compare the curves with the drawing",
             styles=Listed(dict.fromkeys(self.tree.unread)),
         )] if self.tree.unread else []  # fmt: skip
         return (*clipped, *unread)

@@ -77,8 +77,8 @@ class Box:
         Opposite corners, mm.
     """
 
-    lower: Annotated[tuple[float, float], Option("Corner of least x and y.", "mm")]
-    upper: Annotated[tuple[float, float], Option("Corner of largest x and y.", "mm")]
+    lower: Annotated[tuple[float, float], Option("Corner with the smallest x and y.", "mm")]
+    upper: Annotated[tuple[float, float], Option("Corner with the largest x and y.", "mm")]
 
     def __post_init__(self) -> None:
         lower, upper = pair(self.lower, "lower corner of a box"), pair(self.upper, "upper corner of a box")
@@ -113,10 +113,16 @@ Row: TypeAlias = tuple[float, ...]
 
 def _bounds_along_strip(
     lower: Annotated[
-        float | Row | None, Option("Least value, or values at equal distances.", least=1)
+        float | Row | None,
+        Option(
+            "Lower bound: one number for the whole strip, or numbers at equal distances along it.", least=1
+        ),
     ] = None,
     upper: Annotated[
-        float | Row | None, Option("Largest value, or values at equal distances.", least=1)
+        float | Row | None,
+        Option(
+            "Upper bound: one number for the whole strip, or numbers at equal distances along it.", least=1
+        ),
     ] = None,
 ) -> tuple[float | Row | None, float | Row | None]:
     """Bounds of K / min K along the strip, as files store them."""
@@ -179,7 +185,7 @@ class Limits:
     strain: Annotated[
         float | None,
         Option(
-            "Largest strain: true for the limit of the sheet, or a number.",
+            "Largest strain: a number such as 0.005, or true for the largest strain that the sheet allows.",
             above=0,
             group="limits",
             common=True,
@@ -295,13 +301,17 @@ class Keep:
     ends: Annotated[
         bool | tuple[bool, bool],
         Option(
-            "Keep the positions of both ends, or of start and end separately.", group="limits", common=True
+            "Keep the positions of both ends: true or false, or a pair for start and end.",
+            group="limits",
+            common=True,
         ),
     ] = True
     tangents: Annotated[
         bool | tuple[bool, bool],
         Option(
-            "Keep the tangents of both ends, or of start and end separately.", group="limits", common=True
+            "Keep the tangents of both ends: true or false, or a pair for start and end.",
+            group="limits",
+            common=True,
         ),
     ] = False
     length: Annotated[bool, Option("Keep the length.", group="limits", common=True)] = False

@@ -160,7 +160,9 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
             unknown = mended
             curve, off, before = equations.curve(unknown, places), equations.missed(unknown, places), off
     if not (curve.missed < GOOD and off < GOOD):
-        raise NotConvergedError("no meridian was found near these points")
+        raise NotConvergedError(
+            "no meridian was found near these points. Move the points onto a smoother curve"
+        )
     return curve
 
 
@@ -574,7 +576,9 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
     try:
         shape = _search_meridian(data[chosen] / size)
         if not shape.points[0, 0] > 0:
-            raise NotConvergedError("the nearest meridian begins beyond the axis")
+            raise NotConvergedError(
+                "the nearest meridian begins beyond the axis. Move its first point away from the axis"
+            )
         length, start = shape.length * size, float(shape.points[0, 0]) * size
         end = _end(lambda s: size * shape.position(s / size)[:, 0], length, _floor(start, length, ring))
         curve = _curve(shape, size, end)
@@ -588,7 +592,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         gaps = distances(Spline(_curve(shape, size, length)), data)
     if not gaps.max() <= 0.25 * size:
         raise NotConvergedError(
-            "no meridian comes nearer than {most} to point {given}: {hopeless}",
+            "every meridian is at least {most} from point {given}: {hopeless}",
             most=Length(gaps.max()),
             given=int(gaps.argmax()) + 1,
             hopeless=HOPELESS,

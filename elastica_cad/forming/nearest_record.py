@@ -28,7 +28,7 @@ class Status(Enum):
 
     MET = "All limits are met, and no nearer curve was found."
     UNSETTLED = "All limits are met, but the search stopped early: a nearer curve may exist."
-    FAR = "All limits are met, but the result no longer resembles the drawn curve. Relax a limit."
+    FAR = "All limits are met, but the result is far from the drawn curve. Relax a limit."
     NOT_MET = "No curve near the drawn one meets all limits; this is the best one found. Relax a limit."
     FAILED = "No result was computed for this curve: see the message."
 
@@ -235,8 +235,8 @@ def _advise(near: NearestRod) -> Iterator[str]:
         return
     if near.ties:
         yield note(
-            "Rods of other shapes ({count}) are equally near, within 2 %: see `ties`. Draw the curve closer "
-            "to the intended rod.",
+            "Rods of other shapes ({count}) are as near to the drawn curve, within 2 %; `ties` lists them. "
+            "Draw the curve closer to the intended rod.",
             count=len(near.ties),
         )
     named = [(binding, name) for binding in near.binding if (name := _name(near, binding))][:_MOST_ADVICE]

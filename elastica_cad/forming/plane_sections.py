@@ -195,7 +195,7 @@ def _edge_complaints(points: FloatArray, rows: IntArray) -> list[str]:
     border = edges[count == 1]
     if len(border):
         notes.append(note(
-            "the mesh is open along {edges} (near {places}): sections end there",
+            "the mesh is open along {edges} (near {places}), so sections end there",
             edges=_edges(border), places=_places(points, border),
         ))  # fmt: skip
     crowded = edges[count > 2]

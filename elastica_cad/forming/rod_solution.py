@@ -28,8 +28,8 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
     curve, layers, widths = spec.curve_to_bend, spec.layers, spec.widths
     if (spec.between or spec.point_forces) and (spec.may_change or layers is not None):
         raise InputError(
-            "A nearest curve and a laminate do not take rails, pins, ties or point forces into account yet. Leave "
-            "out {limits} and the backing, or these elements.",
+            "A strip with rails, pins, ties or point forces can only be made of one sheet and for the drawn "
+            "curve itself. Leave out the backing and {limits}, or these elements.",
             limits=FieldName("limits"),
         )
     weight = _weight_on(spec.weight, curve.length / spec.curve.length)

@@ -181,7 +181,7 @@ class PlaneSection:
                 if self.reports
                 else note("{name} has {count} lines", name=self.name, count=len(self.lines))
             )
-            raise InputError("{reason}: choose one of its lines", reason=reason)
+            raise InputError("{reason}: choose one line of the section", reason=reason)
         return self.lines[0]
 
 
@@ -517,7 +517,7 @@ def _unfitted(line: SectionLine, tolerance: float) -> str:
         return ""
     return note(
         "no smooth curve stays within the tolerance of {tolerance:g}, because {sharpest}. Split the section "
-        "at its corners, or smooth it",
+        "at its corners, or smooth the section",
         tolerance=Length(tolerance), sharpest=_sharpest(line, turned), changes=(AT_CORNERS,),
     )  # fmt: skip
 
@@ -542,10 +542,10 @@ def _departure(line: SectionLine, place: str, tolerance: float, wavelength: floa
             wavelength=Length(wavelength),
         )
     elif changed:
-        cause = note("small bends to one side and back were removed")
+        cause = note("the curve bent slightly to one side and back; these small bends were removed")
     else:
         cause = note(
-            "no smooth curve comes closer to the section; set a wavelength, which removes smaller waves first"
+            "no smooth curve is closer to the section; set a wavelength to remove shorter waves first"
         )
     return note(
         "{name}: the curve is {off}, more than the tolerance of {tolerance:g}: {cause}",

@@ -287,9 +287,9 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
     curve = cut.curve
     s = float(curve.arc_length(np.array(place)))
     if cut.places is not None:
-        what = note("no strip reaches from there to the next given place: give more places")
+        what = note("no strip can reach from there to the next given place of a support: give more places")
     else:
-        what = note("no strip can start there")
+        what = note("no strip can begin there")
     limit = "" if cut.ratio is None else note(" within a stiffness ratio of {ratio:g}", ratio=cut.ratio)
     reason = note("Supports do not help at {s}: {what}{limit}.", s=Length(s), what=what, limit=limit)
     try:

@@ -87,21 +87,23 @@ class StraightEnds:
         first, last = map(Length, self.lengths)
         if first and last:
             return note(
-                "The straight first {first} and last {last} of the curve are the strip's tabs; places along the "
-                "strip are counted from where it begins to bend.",
+                "The curve is straight over its first {first} and its last {last}; these pieces become "
+                "tabs. Positions along the strip are measured from the end of the first tab.",
                 first=first,
                 last=last,
                 severity="warning",
             )
         if first:
             return note(
-                "The straight first {first} of the curve are the strip's tab; places along the strip are counted "
-                "from where it begins to bend.",
+                "The curve is straight over its first {first}; this piece becomes a tab. Positions along "
+                "the strip are measured from the end of this tab.",
                 first=first,
                 severity="warning",
             )
         if last:
             return note(
-                "The straight last {last} of the curve are the strip's tab.", last=last, severity="warning"
+                "The curve is straight over its last {last}; this piece becomes a tab.",
+                last=last,
+                severity="warning",
             )
         return None

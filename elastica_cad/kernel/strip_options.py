@@ -33,7 +33,8 @@ class StripOptions(TypedDict, total=False):
     min_width: Annotated["float | None", "Width of the narrowest place, or its limit (mm)."]
     style: Annotated["Style", "Style: one sheet, a sheet with holes, or two glued sheets."]
     limits: Annotated[
-        "Limits | None", "Limits that the strip must meet; the curve changes as little as possible for them."
+        "Limits | None",
+        "Limits that the strip must meet; the curve changes as little as possible to meet them.",
     ]
     keep: Annotated["Keep | None", "Properties of the curve that stay when it changes."]
     gravity: Annotated[
@@ -69,12 +70,12 @@ class StripOptions(TypedDict, total=False):
     shop: Annotated["FabricationLimits", "Limits of the workshop."]
     compensate: Annotated[
         "bool | None",
-        "Correct the widths for slots and narrow tabs too; by default only for anticlastic bending.",
+        "Correct the widths for slots and narrow tabs too. By default, they are corrected only for anticlastic bending (curling across the width).",
     ]
     creep: Annotated["float", "Long-term creep factor of the sheet; 0 for no creep."]
     law: Annotated[
         "BoundedLaw | None",
-        "Section law: varies thickness, a rod, a tube, or glued plies instead of the width.",
+        "Section law: varies the thickness, the diameter of a rod or tube, or the number of glued plies instead of the width.",
     ]
     ignore_limits: Annotated["bool", "Make a strip even if it cannot be cut or handled, with a warning."]
     tolerance: Annotated[

@@ -239,8 +239,8 @@ def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -
     (first, ends), *_ = unheld.items()
     return [
         note(
-            "{name}{more}: nothing holds end {ends}, so its rest shape is unknown. Add a holder (stand, "
-            "fixtures), or hold the end as the order of assembly says.",
+            "{name}{more}: nothing holds end {ends}, so the shape of the strip is unknown. Add a holder "
+            "(stand, fixtures), or hold this end at its position on the assembly sheet.",
             name=names[first], more=and_more([*unheld]), ends=" & ".join(str(1 + ENDS.index(end)) for end in ends),
         )
     ]  # fmt: skip
@@ -286,8 +286,8 @@ def _strays(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
         return ()
     return (
         note(
-            "Strips deviate from their design by more than the clearance of slots ({room:g}): {strips}. "
-            "Push them into each other if necessary.",
+            "Strips deviate from their design by more than the clearance of slots ({room:g}): {strips}. If "
+            "their slots do not meet, bend the strips by hand until they do.",
             room=Length(CLEARANCE),
             strips=", ".join(far),
         ),

@@ -556,7 +556,9 @@ def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, 
         return steps
     points = as_floats(path)
     if points is None:
-        raise InputError("a path is a sequence of end positions (x, y), or of mappings with keywords of bend")
+        raise InputError(
+            "a path is a list of end positions (x, y), or of dictionaries with options of `bend`"
+        )
     if points.ndim != 2 or points.shape[1] != 2 or not np.all(np.isfinite(points)):
         raise InputError(f"a path of end positions must be finite with shape (k, 2), got {points.shape}")
     return [{"end": point} for point in points]

@@ -170,8 +170,8 @@ def elastica_between(
     distance = float(np.hypot(*chord))
     if not (is_number(length) and length > distance > 0):
         raise InputError(
-            "a strip of {length:.6g} does not bend between ends that are {distance:.6g} apart: make the "
-            "strip longer than this distance, which must not be 0",
+            "a strip {length:.6g} long does not bend between ends that are {distance:.6g} apart: make the "
+            "strip longer than the distance of its ends, and this distance larger than 0",
             length=Length(length),
             distance=Length(distance),
         )

@@ -36,7 +36,10 @@ def solve_tridiagonal(diagonal: FloatArray, off: FloatArray, right: FloatArray) 
         nudge = np.spacing(np.abs(diagonal).max())
         solution, info = lapack().dgtsv(off, diagonal + nudge, off, right)[-2:]
     if info != 0:
-        raise NotConvergedError("the rod's stiffness matrix is singular: its shape is not isolated")
+        raise NotConvergedError(
+            "the stiffness matrix of the rod is singular, because neighbouring shapes "
+            "are also in equilibrium. Hold one more position or angle of an end"
+        )
     return np.asarray(solution)
 
 

@@ -153,7 +153,7 @@ def _require_cut(element: "Pin | Tie") -> None:
     require_declared(type(element), vars(element), NOUNS[type(element)])
     if element.hole and element.notch:
         raise InputError(
-            "A {element} has either a hole or notches. Leave out {hole} or {notch}.",
+            "A {element} can have a hole or notches, but not both. Leave out {hole} or {notch}.",
             element=noun_of(element), hole=FieldName("hole"), notch=FieldName("notch"),
         )  # fmt: skip
 

@@ -305,7 +305,8 @@ def _check_line(
     if not (force_x or force_y):
         reason = note(
             "With these supports the curve must bend to one side only, because no force can act between the "
-            "ends. It changes sides at {places}. Hold both ends in x or in y.",
+            "ends. The curve bends to the other side after {places}. Hold both ends along x, or both along "
+            "y.",
             places=lengths(z.s for z in check.zeros),
         )
         return _refused(check, reason)

@@ -424,10 +424,10 @@ def _require_load_at_free_end(request: RodRequest) -> None:
         if support.x or support.y or support.angle or hung:
             continue
         reason = note(
-            "The {end} (at {s}) is free, and a drawn curve never bends there exactly as a hanging strip "
-            "does. Use nearest_rod for the nearest curve of a hanging strip, bend(Rod.straight(...)) for a "
-            "given strip, or hang a mass on this end. (The exact curvature at a distance u from the end is "
-            "cos(angle) u^2 / (2 l^3), with the elasto-gravity length l.)",
+            "The {end} (at {s}) is free, and near a free end a drawn curve never has exactly the curvature "
+            "of a hanging strip. Use nearest_rod for the nearest curve of a hanging strip, "
+            "bend(Rod.straight(...)) for a given strip, or hang a mass on this end. (The exact curvature at "
+            "a distance u from the end is cos(angle) u^2 / (2 l^3), with the elasto-gravity length l.)",
             end=note(name), s=Length(s),
         )  # fmt: skip
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))

@@ -164,7 +164,7 @@ class Weight:
     beta: Annotated[
         float | Profile,
         Option(
-            "Weight per length where the stiffness K is 1, in proportion to K.",
+            "Weight per length for a stiffness of K = 1; the weight is proportional to K.",
             "N/mm",
             least=0,
             written=float,

@@ -67,9 +67,9 @@ class MaterialLaw(ABC):
         limit = self.injective_limit
         if largest_curvature > limit * (1 + _ROUNDING_SHARE):
             raise InputError(
-                "the moment of the material law stops increasing at a curvature of {limit:.4g} 1/mm (radius "
-                "{limit_2:.4g}), but the curve reaches {largest_curvature:.4g} 1/mm. Draw a gentler curve, "
-                "or use a thinner sheet",
+                "the moment of the material law increases only up to a curvature of {limit:.4g} 1/mm "
+                "(radius {limit_2:.4g}), but the curve has {largest_curvature:.4g} 1/mm. Draw a gentler "
+                "curve, or use a thinner sheet",
                 limit=limit,
                 limit_2=Length(1 / limit),
                 largest_curvature=largest_curvature,

@@ -179,8 +179,9 @@ class WeightedPanels:
 def far_too_heavy(gravity: Gravity, length: float) -> str:
     """Return the message for a curve of `length` mm whose weight is far too large for its stiffness."""
     return note(
-        "The weight is far too large for the stiffness: the elasto-gravity length is {gravity_length}, the "
-        "curve {length} long. Use a lighter or stiffer sheet, or check the units (card of 200 g/m2: 96 mm).",
+        "The weight is far too large for the stiffness: the elasto-gravity length is {gravity_length}, and "
+        "the curve is {length} long. Use a lighter or stiffer sheet, or check the units (the elasto-gravity "
+        "length of card of 200 g/m2 is 96 mm).",
         gravity_length=Length(gravity.length), length=Length(length),
     )  # fmt: skip
 
@@ -217,8 +218,8 @@ def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
                 "between the ends, or remove them"
             )
         raise InputError(
-            "the weight is proportional to the stiffness, so any bending stiffness is possible: remove "
-            "`weight`, or give bending_stiffness"
+            "the weight is proportional to the stiffness, so it does not determine the bending stiffness. "
+            "Give bending_stiffness, or remove `weight`"
         )
 
 
@@ -578,9 +579,9 @@ def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiff
         sizes = law.parameter(EI)
         s = float(balance.panels.s.flat[int(sizes.argmin())])
         raise InputError(
-            "the curve requires a {quantity} of {given:.4g} at {s:.4g} if its largest value is {largest:g}, "
-            "but the limits allow no less than {least:g}. Widen the limits, or use the nearest curve "
-            "({field})",
+            "if the largest {quantity} is {largest:g}, the curve requires a {quantity} of {given:.4g} at "
+            "{s:.4g}, but the limits allow no less than {least:g}. Widen the limits, or use the nearest "
+            "possible curve ({field})",
             field=FieldName("limits"),
             quantity=law.quantity,
             given=Length(float(sizes.min())),

@@ -20,10 +20,10 @@ BRITTLE_FACTOR = 1.5
 BRITTLE = ("plywood", "wood", "veneer", "board", "composite", "brittle plastic")
 """Kinds of sheets whose breaking strain is estimated with `BRITTLE_FACTOR`."""
 
-CRACKS = "it may crack there"
-KEEPS_BEND = "it keeps a bend from there"
-CREEPS = "it creeps there and keeps a part of its bend"
-UNKNOWN = "it may crack there, or keep a bend"
+CRACKS = "the material may crack there"
+KEEPS_BEND = "the material stays bent there"
+CREEPS = "the material creeps there and stays partly bent"
+UNKNOWN = "the material may crack there, or stay bent"
 OUTCOMES = {
     **dict.fromkeys(BRITTLE, CRACKS),
     **dict.fromkeys(("card", "paper", "metal"), KEEPS_BEND),

@@ -292,15 +292,17 @@ class SidewaysStability:
         """Practical meaning of the margin, in a sentence."""
         if self._is_rod and self._between:
             return (
-                "with its holes, it may or may not tip over sideways: guide it at the sides, or test a sample"
+                "because of its holes, it is uncertain whether the strip tips over sideways: guide it at "
+                "the sides, or test a sample"
             )
         return {
-            "unstable": "it tips over sideways or twists out of its plane: guide it at the sides, or make "
-            "it wider",
-            "low": "a push from the side can tip it over: guide it at the sides",
-            "ample": "it stays in its plane",
+            "unstable": "the strip tips over sideways or twists out of its plane: guide it at the sides, or "
+            "make it wider",
+            "low": "a push from the side can tip the strip over: guide it at the sides",
+            "ample": "the strip stays in its plane",
             "undecided": (
-                "it is too wide for its length and bend, so this cannot be computed: test a sample"
+                "the strip is too wide for its length and bend, so sideways stability cannot be computed: "
+                "test a sample"
             ),
         }[self.word]
 

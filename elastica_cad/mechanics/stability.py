@@ -177,8 +177,8 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     if not rod.held_angles[1]:
         raise InputError(
-            "A conjugate point needs a start that holds the angle, but only the end of this "
-            "rod holds it. Reverse the rod."
+            "A conjugate point can be computed only if the start of the rod holds its angle. Only the end "
+            "of this rod does. Reverse the rod."
         )
     (diagonal, off), rows, lengths = rod.hessian, rod.constraint_rows, rod.edge_lengths
     count = _first_unstable_piece(rod)
@@ -346,9 +346,10 @@ class Stability:
     def meaning(self) -> str:
         """Practical meaning of the margin, in a sentence."""
         return {
-            "unstable": "it is in balance, but snaps into another shape",
-            "low": "it keeps its shape, but a push, a loose clamp or an inaccurate cut can make it snap",
-            "ample": "it keeps its shape, and springs back when pushed",
+            "unstable": "the strip is in equilibrium, but any push makes it snap into another shape",
+            "low": "the strip keeps its shape, but a push, a loose clamp or an inaccurate cut can make it "
+            "snap",
+            "ample": "the strip keeps its shape, and springs back when pushed",
         }[self.word]
 
 

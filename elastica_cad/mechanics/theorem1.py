@@ -245,9 +245,11 @@ class EquilibriumCheck:
         if self.any_stiffness:
             return self._with_numbers("The pre-bent strip already has the shape of this curve of {length}.")
         return self._with_numbers(
-            "The pre-bent strip can take this curve of {length}; its bending changes sign at {places}."
+            "The pre-bent strip can take this curve of {length}. The side to which it is bent from its "
+            "pre-bent shape changes at {places}."
             if self.inflections
-            else "The pre-bent strip can take this curve of {length}; its bending does not change sign."
+            else "The pre-bent strip can take this curve of {length}. It is bent from its pre-bent shape to "
+            "one side only."
         )
 
     def _with_numbers(self, text: str) -> str:
@@ -353,7 +355,7 @@ class PairCheck:
 
     def _verdict(self) -> str:
         if not self.realizable:
-            return note("No strip rests in both curves of {length}.", length=Length(self.length))
+            return note("No strip has both curves of {length} as rest shapes.", length=Length(self.length))
         if self.any_stiffness:
             return "Both curves have the same shape: a strip of that shape rests in them without being bent."
         held = "in the same clamps" if self.bistable else "each in its own clamps"
@@ -722,8 +724,8 @@ def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvatu
         return excess, ()
     place = flattest_place(curve)
     message = note(
-        "The drawn start of the closed curve is not bent, so the strip begins at {shown}, {s} after it. All "
-        "places are counted from there.",
+        "The closed curve is not bent at its drawn start, so the strip begins {s} farther along the curve, "
+        "at {shown}. Positions along the strip are measured from there.",
         shown=_shown_on(curve, curve.at(np.array([place])).position[0]), s=Length(place), severity="warning",
     )  # fmt: skip
     return replace(excess, curve=begin_at(curve, place)), (message,)
@@ -840,11 +842,15 @@ def _straight_part_reasons(
             start=Length(round(flat.s, 6)), end=Length(flat.s_end),
         )  # fmt: skip
         if any(_is_gentle(excess, t, largest, left=left) for _, t, left in joints):
-            yield note("{why}. A support there does not help. Bend the piece a little.", why=opening)
+            yield note(
+                "{why}. A support at the joint does not help. Draw the piece with a slight bend.", why=opening
+            )
         else:
             at = lengths(s for s, _, _ in joints)
             yield note(
-                "{why}. Support the strip at {places}, or bend the piece a little.", why=opening, places=at
+                "{why}. Support the strip at {places}, or draw the piece with a slight bend.",
+                why=opening,
+                places=at,
             )
 
 

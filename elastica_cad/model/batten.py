@@ -56,7 +56,7 @@ def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, F
     """
     law, size = strip.layout.section, strip.layout.size
     if law is None or size is None:
-        raise InputError("a strip of constant thickness has no side view: set a section law")
+        raise InputError("a strip of constant thickness has no side view. Set a section law")
     first, last = (tab.length for tab in strip.ends)
     tips = -first, strip.rod.length + last
     evenly = np.unique([*tips, *np.linspace(0.0, strip.rod.length, ROWS)])
@@ -227,8 +227,9 @@ class BattenSpec:
             else note("at most {percent:.3g}", percent=np.floor(10 * within) / 10)
         )
         return InputError(
-            "for a camber at {place:.4g} % of the chord, the thin end must be thinner than the limit of "
-            "{least:g}{thin}. Move the camber to {nearest} % of the chord, or reduce this limit",
+            "with the largest camber at {place:.4g} % of the chord, the thin end would be thinner than the "
+            "limit of {least:g}{thin}. Move the largest camber to {nearest} % of the chord, or reduce this "
+            "limit",
             place=100 * self.place,
             thin=thin,
             least=Length(self.stock.least),

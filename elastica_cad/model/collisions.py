@@ -251,15 +251,15 @@ class _Meeting:
         (a, b), (s, r) = self.names, map(Length, self.places)
         if self.beside_slots is not None:
             return note(
-                "{a} at {s} cuts {depth:.2g} deep into {b} at {r}, outside the slots that join them (near "
-                "{place}{more}): turn or move one of the strips, or make them narrower there",
+                "outside the slots that join them, {a} at {s} overlaps {b} at {r} by {depth:.2g} (near "
+                "{place}{more}). Turn or move one of the strips, or make them narrower there",
                 a=a, s=s, depth=Length(self.beside_slots.depth), b=b, r=r, more=more,
                 place=Point(self.beside_slots.position),
             )  # fmt: skip
         if self.is_flush:
             return note(
-                "{a} at {s} and {b} at {r} overlap in their thickness{more}: move the strips apart, or make "
-                "them narrower there",
+                "the sheets of {a} at {s} and {b} at {r} overlap{more}: move the strips apart, or make them "
+                "narrower there",
                 a=a, s=s, b=b, r=r, more=more,
             )  # fmt: skip
         return note(

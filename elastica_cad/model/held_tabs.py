@@ -185,9 +185,9 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
             strip, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
             toward, away = _tipping(strip, end, seat)
             messages.append(note(
-                "{strip}{more}: in the {holder}, the tab at its {end} can tip by {toward:.0f} degrees "
-                "towards the other end and by {away:.0f} degrees away from it. It does not keep the drawn "
-                "angle; {shape}. {cure}",
+                "{strip}{more}: in the {holder}, the tab at the {end} of the strip can tip by {toward:.0f} "
+                "degrees towards the other end and by {away:.0f} degrees in the opposite direction. The tab "
+                "does not keep the drawn angle; {shape}. {cure}",
                 strip=names[id(strip)], more=and_more(rocking), holder=holder, end=end, toward=toward, away=away,
                 shape=_shape(strip, tab_seats(holders)), cure=_cure(strip, end, holders), severity="warning",
             ))  # fmt: skip

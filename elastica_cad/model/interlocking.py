@@ -382,8 +382,8 @@ class _Cutter:
             s = crossing.at(np.array([0.5])).first[0, 0]
             names = [self.names[i] for i in members]
             raise InputError(
-                "{names} and {names_2} cross at {s:.6g} of {names}, but one of them ends before the crossing "
-                "reaches its edge, so no slot can open there. Shorten, move or turn one of the strips",
+                "{names} and {names_2} cross at {s:.6g} of {names}, but one of these strips ends too close "
+                "to the crossing for a slot. Shorten, move or turn one of the strips",
                 names=names[0],
                 names_2=names[1],
                 s=Length(s),

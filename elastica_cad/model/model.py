@@ -444,8 +444,8 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
                 wider[k] *= narrower
     messages = tuple(
         note(
-            ("{strip} is at most {width:.4g} wide instead of {asked:.4g}, so that it still locks into its "
-             "neighbours"),
+            ("{strip} is at most {width:.4g} wide instead of {asked:.4g}, so that its slots still lock into "
+             "the neighbouring strips"),
             strip=model.name_of(k), width=Length(strip.max_width), asked=Length(drawn.max_width),
         )
         for k, (drawn, strip) in enumerate(zip(model.strips, locked.strips, strict=True))

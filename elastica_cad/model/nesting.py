@@ -315,10 +315,12 @@ def _too_large(pieces: Sequence[Piece], size: tuple[float, float], margin: float
         if not any(_boxes(0, piece, margin, (size[0] - margin, size[1] - margin), False)):
             x, y = piece.size
             return note(
-                "{piece}: {x:.4g} by {y:.4g} does not fit on a sheet of {long:g} by {short:g} with a margin "
-                "of {margin:g}: use a larger sheet or make the part in pieces" if piece.sheet.grain == "none" else
-                "{piece}: {x:.4g} by {y:.4g} does not fit on a sheet of {long:g} by {short:g} with a margin "
-                "of {margin:g} and the grain {grain} the part: use a larger sheet or make the part in pieces",
+                "{piece}: a part of {x:.4g} by {y:.4g} does not fit on a sheet of {long:g} by {short:g} "
+                "with a margin of {margin:g}. Use a larger sheet or make the part in pieces"
+                if piece.sheet.grain == "none" else
+                "{piece}: a part of {x:.4g} by {y:.4g}, with the grain {grain} it, does not fit on a sheet "
+                "of {long:g} by {short:g} with a margin of {margin:g}. Use a larger sheet or make the part "
+                "in pieces",
                 piece=piece.name, x=x, y=Length(y), long=size[0], short=Length(size[1]), margin=Length(margin),
                 grain=piece.sheet.grain,
             )  # fmt: skip

@@ -728,9 +728,10 @@ class Flexure:
             verb = "printed" if self.printed else "cut"
             share = rounded_up(least / thin, 3)
             yield InputError(
-                "{sheet} allows a strain of {strain:.2g} %, so the thinnest place can be at most {thin:.3g} "
-                "thick. At least {least:g} can be {made}. Draw both curves {share:g} times as large ({needs} "
-                "long) or closer to each other, or use a sheet that allows more strain",
+                "{sheet} allows a strain of {strain:.2g} %, so the thinnest place may be at most {thin:.3g} "
+                "thick, but parts must be at least {least:g} thick to be {made}. Draw both curves {share:g} "
+                "times as large ({needs} long) or closer to each other, or use a sheet that allows more "
+                "strain",
                 sheet=self.sheet.name, strain=100 * self.sheet.max_strain, thin=Length(thin), least=Length(least),
                 made=verb, share=share, needs=Length(share * self.pair.length),
             )  # fmt: skip
@@ -744,8 +745,8 @@ class Flexure:
             )  # fmt: skip
         for name, gap in self.contacts.items():
             yield InputError(
-                ("{name} two places of the part are only {gap} apart, so the part may touch itself: draw the "
-                 "curves more open there"),
+                ("two places of the part are only {gap} apart ({name}), so the part may touch itself. Draw "
+                 "the curves farther apart there"),
                 name=name, gap=Length(max(gap, 0.0)),
             )  # fmt: skip
 
@@ -780,7 +781,8 @@ class Flexure:
                                      "withstands {limit:.2g} % for long", severity="warning", most=100 * most,
                                   limit=100 * self.sheet.max_strain))  # fmt: skip
             if (gap := self._gap_on_the_way(travel)) < LEAST_GAP_MM:
-                messages.append(note("between the states the part comes within {gap} of itself",
+                messages.append(note("between the states, two places of the part come within {gap} of each "
+                                     "other",
                                   severity="warning", gap=Length(max(gap, 0.0))))  # fmt: skip
             if not travel.reached and self.bistable == self.pair.bistable:
                 messages.append(note("the pushed part does not end in the second state: push it at another "

@@ -58,12 +58,12 @@ class MatchedPair:
 
     def __str__(self) -> str:
         return note(
-            "Both curves are {length} long and have the same clamps. The first was moved by up to {first}, "
-            "the second by up to {second}."
+            "Both curves are now {length} long and have the same clamps. For this, the first curve was "
+            "moved by up to {first} and the second by up to {second}."
             if self.same_clamps
             else (
-                "Both curves are {length} long. The first was moved by up to {first}, the second by up to "
-                "{second}."
+                "Both curves are now {length} long. For this, the first curve was moved by up to {first} "
+                "and the second by up to {second}."
             ),
             length=Length(self.first.length),
             first=Length(self.moved[0]),
@@ -191,8 +191,9 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
     length = min((float(best.x), low, high), key=change)
     if not np.isfinite(change(length)):
         raise InputError(
-            "the curves are {first:.5g} and {second:.5g} long, and no small change with fixed ends makes "
-            'these lengths equal. Draw curves of more similar length, or scale them with keep="shape"',
+            "the curves are {first:.5g} and {second:.5g} long, and no small change of the curves between "
+            "their fixed ends makes these lengths equal. Draw curves of more similar length, or scale the "
+            'curves with keep="shape"',
             first=Length(lengths[0]),
             second=Length(lengths[1]),
         )

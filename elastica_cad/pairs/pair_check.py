@@ -135,11 +135,11 @@ def examine_pair(
     if answer is None:
         against = find_violations(paired.family)
         reason = note(
-            "No part can rest in both curves: near {places} it would have to bend against its moment. Change "
-            "one of the curves there, or draw the curves closer to each other."
+            "No part can rest in both curves, because near {places} the part would have to bend against its "
+            "moment. Change one of the curves there, or draw the curves closer to each other."
             if against.size
-            else "No part can rest in both curves: it would have to bend against its moment. Draw the curves "
-            "closer to each other.",
+            else "No part can rest in both curves, because the part would have to bend against its moment. "
+            "Draw the curves closer to each other.",
             places=stretches(against, check.length),
         )
         return _refused(replace(check, against=tuple(against.tolist())), reason), None, None
@@ -263,9 +263,9 @@ def _refused(check: PairCheck, *reasons: str) -> PairCheck:
 def _flat_messages(flats: Sequence[tuple[float, float]]) -> Iterable[str]:
     for start, end in flats:
         yield note(
-            "The curvatures of both curves are equal from {start} to {end}, so the stiffness beside this "
-            "piece would have to be 0. Bend one of the curves a little more there, or draw both with the "
-            "same curvature everywhere.",
+            "Both curves have the same curvature from {start} to {end}, so the stiffness beside this piece "
+            "would have to be 0. Bend one of the curves a little more there, or give both curves the same "
+            "curvature everywhere.",
             start=Length(start),
             end=Length(end),
         )
@@ -288,12 +288,12 @@ def _unmet_messages(unmet: Sequence[PairZero]) -> Iterable[str]:
 
 def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
     return note(
-        "The curvatures of both curves are equal at too many places: {places}. Two curves of the same "
-        "shape, or mirrored ones, usually allow two such places. Change a curve so that the curvatures "
+        "Both curves have the same curvature at too many places: {places}. For two equal or mirrored "
+        "curves, usually at most two such places are possible. Change one curve so that the curvatures "
         "differ at {beyond}."
         if paired.rank < NUMBERS - 1
-        else "The curvatures of both curves are equal at too many places: {places}. Two curves usually "
-        "allow four such places. Change a curve so that the curvatures differ at {beyond}.",
+        else "Both curves have the same curvature at too many places: {places}. Usually at most four such "
+        "places are possible. Change one curve so that the curvatures differ at {beyond}.",
         places=lengths(z.s for z in check.zeros),
         beyond=Length(paired.beyond[0].s),
     )

@@ -78,20 +78,25 @@ def _stability(part: Flexure) -> Row:
 def _force(part: Flexure) -> Refusal:
     """Return a sentence about the forces between the states."""
     if not part.pair.bistable:
-        return note("two settings: moving the end between them takes at most {force}", force=part.force_text)
+        return note(
+            "the part has two settings; moving its end from one to the other takes at most {force}",
+            force=part.force_text,
+        )
     at = Length(part.pushed[0])
     if (back := part.travel_back) is None:
         return note(
-            "not bistable: the part keeps the second curve only while {force} push it at {at:.4g}",
+            "not bistable: the part keeps the second curve only while a force of {force} pushes it at "
+            "{at:.4g} from the start",
             force=part.force_text, at=at,
         )  # fmt: skip
     sentence = note(
-        "bistable: pushed at {at:.4g} it snaps at {force}, back at about {back:.2g} N",
+        "bistable: if pushed at {at:.4g} from the start, the part snaps over at {force} and back at about "
+        "{back:.2g} N",
         at=at, force=part.force_text, back=back.largest_force,
     )  # fmt: skip
     if part.travel.snap is None:
         return sentence
     return note(
-        "{sentence}; it moves by itself from {snap:.3g} of travel on, after about {work:.2g} N mm of work",
+        "{sentence}; the part snaps by itself after {snap:.3g} of travel and about {work:.2g} N mm of work",
         sentence=sentence, snap=Length(part.travel.snap), work=part.travel.work,
     )  # fmt: skip

@@ -65,7 +65,11 @@ class PairLimits:
 
     ratio: Annotated[
         float | None,
-        Option("Largest stiffness ratio; 8 is a thickness ratio of 2.", least=1, common=True),
+        Option(
+            "Largest stiffness ratio; a ratio of 8 means that the thickness varies by a factor of 2.",
+            least=1,
+            common=True,
+        ),
     ] = None
     natural_curvature: Annotated[
         float | None, Option("Largest natural curvature of the strip.", "1/mm", least=0)

@@ -610,7 +610,7 @@ class StripAsMade:
                 )
             )
         if any(seat is not None for seat in seats):
-            notes.append(note("Friction in the pockets is not counted"))
+            notes.append(note("Friction in the pockets is neglected"))
         return tuple(notes)
 
     @cached_property

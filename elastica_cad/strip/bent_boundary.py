@@ -369,9 +369,8 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
         i = int(np.argmax(np.abs(kappa)))
         if abs(kappa[i]) * reach >= 1:
             raise InputError(
-                "the radius of the curve at {s:.4g} is {given:.4g}, smaller than the distance of {reach:g} "
-                "from the curve to the strip's surface, which would fold there: use a thinner sheet or a "
-                "gentler curve",
+                "the radius of the curve at {s:.4g} is {given:.4g}. The surface of the strip is {reach:g} "
+                "from the curve and would fold there. Use a thinner sheet or a gentler curve",
                 s=Length(s[i]),
                 given=Length(1 / abs(kappa[i])),
                 reach=Length(reach),

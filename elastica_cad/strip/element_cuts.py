@@ -182,8 +182,8 @@ def _require_room(cut: ElementCut, width: float) -> None:
     needed = max(cut.hole, 2 * cut.notch)
     if needed >= width:
         raise InputError(
-            "The hole or notches for the {element} at {at} take {needed:g} of the width, but the strip is only "
-            "{wide:.4g} wide there without its widening. Make the hole or notches smaller, or the strip wider.",
+            "The hole or notches for the {element} at {at} are {needed:g} wide in total, but the strip "
+            "there is only {wide:.4g} wide. Make the hole or notches smaller, or the strip wider.",
             element=cut.noun, at=Length(cut.at), needed=Length(needed), wide=Length(width),
             where={"field": "between"},
         )  # fmt: skip

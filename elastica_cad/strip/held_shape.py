@@ -151,8 +151,8 @@ class HeldShape:
             }[self.main_source]
             strays = note("{strays}, {most}", strays=strays, most=note(most))
         sentence = note(
-            ("{strays}. Parts of it: {modelled} from computed effects, {open} from the uncertainty of the "
-             "model, {sheet} from sheet, cut and clamps"),
+            ("{strays}. This deviation consists of {modelled} from computed effects, {open} from the "
+             "uncertainty of the model, and {sheet} from sheet, cut and clamps"),
             strays=strays, modelled=about(self.deviation), open=about(self.open),
             sheet=about(self.sheet_adds),
         )  # fmt: skip
@@ -343,7 +343,9 @@ class MakingTolerance:
     clamps: Annotated[float, Option("Error of the angle of each clamp.", "rad", least=0)] = float(
         np.radians(0.5)
     )
-    kerf: Annotated[float, Option("Width lost in the cut beyond the corrected kerf.", "mm", least=0)] = 0.05
+    kerf: Annotated[
+        float, Option("Width that the cut removes in addition to the corrected kerf.", "mm", least=0)
+    ] = 0.05
     modulus: Annotated[
         float,
         Option(

@@ -150,8 +150,8 @@ class Laminated:
         low, high = float(s[fits.lowest_at]), float(s[fits.highest_at])
         if not fits.feasible:
             raise InputError(
-                "the backing must be at least {least:g} wide at {low:.1f}, but then it is wider than {field} "
-                "({most:g}) at {high:.1f}: raise {field}",
+                "the backing must be at least {least:g} wide at {low:.1f} from the start. At {high:.1f} "
+                "from the start, this would make the backing wider than {field} ({most:g}). Raise {field}",
                 field=MATERIAL_WIDTH,
                 least=Length(least),
                 low=Length(low),

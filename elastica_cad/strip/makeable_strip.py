@@ -405,16 +405,16 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     name = strip.label or "strip"
     if strip.layout.size is not None:
         raise InputError(
-            "{name}: a strip with a section law cannot be cut in pieces, because its plates would have to "
-            "taper too: use a larger stock, or a strip of one sheet",
+            "{name}: a strip with a section law cannot be cut in pieces, because the plates that join the "
+            "pieces would have to taper too. Use a larger stock, or a strip of one sheet",
             name=name,
         )
     longest = (stock, backing_stock or stock)[: len(strip.layers)]
     if not (np.isfinite(lap) and 0 < lap < min(longest) / 3):
         raise InputError(
             (
-                "{name}: plates (lap) of {lap:g} cannot join pieces of {longest:g}. Set a lap above 0 and below "
-                "a third of this length"
+                "{name}: plates {lap:g} long (lap) cannot join pieces {longest:g} long. Set a lap above 0 "
+                "and below a third of the length of the pieces"
             ),
             name=name,
             lap=Mm(lap),

@@ -374,7 +374,9 @@ class Perforated:
         int | None,
         Option(("Number of diamond holes along the strip; chosen automatically by default."), least=1),
     ] = None
-    hole_ratio: Annotated[float, Option("Largest fraction of the width for holes.", above=0, most=1)] = 0.85
+    hole_ratio: Annotated[
+        float, Option("Largest fraction of the width that the holes may take.", above=0, most=1)
+    ] = 0.85
     least_ligament: Annotated[float, Option("Narrowest ligament between holes.", "mm", above=0)] = 0.5
     least_hole: Annotated[float, Option("Least width of a hole, at its widest place.", "mm", above=0)] = 1.0
     corner_radius: Annotated[float, Option("Corner radius of the holes.", "mm", least=0)] = 0.0
@@ -434,8 +436,8 @@ class Perforated:
         if slopes[i] > np.tan(STEEP_RAD):
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
             warnings.append(note(
-                ("ligaments (bridges between holes) are inclined by {angle:.0f} degrees at {s}, too much for "
-                 "an exact stiffness: use fewer rows of holes, each at least {long} long"),
+                ("the ligaments (bridges between holes) at {s} are inclined by {angle:.0f} degrees, too "
+                 "much for an exact stiffness: use fewer holes along the strip, each at least {long} long"),
                 angle=np.degrees(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
             ))  # fmt: skip
         missing = self._excess(pattern) / pattern.material(pattern.joints)
@@ -482,8 +484,8 @@ class _Fit:
         i = int(np.argmin(room))
         if room[i] <= style.ligaments * style.least_ligament:
             raise InputError(
-                "the outline is {w:.4g} wide at {s:.1f}: {ligaments} ligaments of {least_ligament:g} "
-                "and {columns} columns of holes need more than {holes:.4g}; widen it or use fewer "
+                "the outline is {w:.4g} wide at {s:.1f}, but {ligaments} ligaments of {least_ligament:g} "
+                "and {columns} columns of holes need more than {holes:.4g}. Widen the outline or use fewer "
                 "columns",
                 w=Mm(self.w[i]),
                 s=Mm(self.s[i]),
@@ -529,8 +531,8 @@ class _Fit:
             )
             needed, given = distinct_digits(self.lowest * high / rigidity, scale * high / rigidity, ".4g")
             raise InputError(
-                "{too_little}. At the widest place the ligaments need a total of {needed:g}, but have "
-                "{given:g}: {way}",
+                "{too_little}. At the widest place all ligaments together must be {needed:g} wide, but are "
+                "{given:g} wide: {way}",
                 too_little=self._too_little(scale),
                 needed=Mm(needed),
                 given=Mm(given),
@@ -542,8 +544,8 @@ class _Fit:
         if min_width is not None and scale * low / rigidity < min_width * (1 - SEEN_APART):
             total, limit = distinct_digits(scale * low / rigidity, min_width, ".4g")
             raise InputError(
-                "the ligaments have a total of {ligaments:g} at the narrowest place, below {field} "
-                "{min_width:g}: widen the outline or lower the stiffness ratio",
+                "all ligaments together are {ligaments:g} wide at the narrowest place, less than {field} "
+                "({min_width:g}): widen the outline or lower the stiffness ratio",
                 field=FieldName("min_width"),
                 ligaments=Mm(total),
                 min_width=Mm(limit),

@@ -177,9 +177,9 @@ class Shoulder:
             "in the corners beside the tab" if peak > self.strain * (1 + STRAIN_SLACK) else "across the tab"
         )
         return note(
-            "At {at} from the start the strip is {width} wide and its tab {tab}. The strain {place} is "
-            "{strain:g} %; {sheet} allows {limit:g} %: {outcome}. Make the tab at least {least} wide, or the "
-            "curve gentler there.",
+            "At {at} from the start, the strip is {width} wide and its tab is {tab} wide. The strain "
+            "{place} is {strain:g} %; {sheet} allows {limit:g} %: {outcome}. Make the tab at least {least} "
+            "wide, or the curve gentler there.",
             at=Length(self.at), width=Length(self.width), tab=Length(self.tab), place=place, strain=strain,
             limit=limit, sheet=self.sheet.name, outcome=note(judged.outcome), least=Length(self.least_tab),
             severity="warning",
@@ -265,9 +265,12 @@ def _backing_message(mark: str) -> str:
 def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str:
     """Return a sentence on the joint of a closed strip and its load; `width` is the width there, mm."""
     how = (
-        note("glue its tab of {lap}, bent as drawn, behind its start", lap=Length(lap))
+        note(
+            "glue the tab of {lap} at its end, bent along the curve, to the back of its start",
+            lap=Length(lap),
+        )
         if lap
-        else note("join its ends butt to butt")
+        else note("join its two ends butt to butt")
     )
     return note(
         "closed: {how} at {place}, where the strip is {width} wide; the joint carries {moment:.3g} N mm and "

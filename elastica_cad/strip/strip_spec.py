@@ -132,7 +132,8 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
     """Raise InputError for a seam beyond the end of the curve or on an open curve."""
     if seam_position is not None and seam_position > curve.length:
         raise InputError(
-            "{field} is {seam:g}: set a place along the curve from 0 to {length:.4g}, or leave it out",
+            "{field} is {seam:g}, which is not on the curve: set a place from 0 to {length:.4g}, or leave "
+            "out {field}",
             field=FieldName("seam_position"),
             seam=seam_position,
             length=Length(curve.length),
@@ -140,7 +141,7 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
         )
     if seam_position is not None and not curve.is_closed:
         raise InputError(
-            "{field} is {seam:g}, but only a closed curve has a joint: leave it out, or close the curve",
+            "{field} is {seam:g}, but only a closed curve has a joint: leave out {field}, or close the curve",
             field=FieldName("seam_position"),
             seam=Length(seam_position),
             where={"field": "seam_position"},
@@ -158,8 +159,8 @@ def _check_law(
     shaped = shaped and getattr(law, "quantity", "") != "width"
     if not isinstance(style, Plain) or sized or shaped:
         raise InputError(
-            "a section law sets the section and its size: leave out {style}, {slots}, {max_width} and "
-            "{min_width} and give tabs only a length, or leave out {law}",
+            "a section law sets the whole section. Leave out {style}, {slots}, {max_width} and {min_width} "
+            "and give tabs only a length, or leave out {law}",
             style=FieldName("style"),
             slots=FieldName("slots"),
             max_width=FieldName("max_width"),
@@ -181,8 +182,8 @@ def _check_together(spec: RodSpec) -> None:
     """Raise InputError for requests that exclude each other."""
     if spec.layers is not None and (spec.may_change or spec.natural_curvature != 0.0):
         raise InputError(
-            "with {gravity}, a laminate can follow only a drawn curve, and only from flat sheets: leave out "
-            "the nearest curve ({limits}) and {natural_curvature}, or leave out {gravity}",
+            "with {gravity}, a laminate can only be made for the drawn curve itself and from flat sheets. "
+            "Leave out {limits} (the nearest possible curve) and {natural_curvature}, or leave out {gravity}",
             limits=FieldName("limits"),
             natural_curvature=FieldName("natural_curvature"),
             gravity=FieldName("gravity"),
@@ -198,16 +199,16 @@ def _check_together(spec: RodSpec) -> None:
         )
     if spec.may_change and spec.samples is not None:
         raise InputError(
-            "{samples} can be set only for a strip that follows its curve exactly: leave out the nearest "
-            "curve ({limits}), or leave out {samples}",
+            "{samples} can only be set if the strip follows the drawn curve itself, but {limits} requests "
+            "the nearest possible curve. Leave out {limits}, or {samples}",
             limits=FieldName("limits"),
             samples=FieldName("samples"),
             where={"field": ("limits", "samples")},
         )
     if spec.may_change and spec.weight is not None:
         raise InputError(
-            "a strip with loads must follow its curve exactly: leave out the nearest curve ({limits}), or "
-            "leave out {loads}",
+            "a strip with loads can only be made for the drawn curve itself, but {limits} requests the "
+            "nearest possible curve. Leave out {limits}, or {loads}",
             limits=FieldName("limits"),
             loads=FieldName("loads"),
             where={"field": ("limits", "loads")},
@@ -427,7 +428,7 @@ class StripSpec(EqualByValue):
     limits: Annotated[
         Limits | None,
         Option(
-            "Limits that the strip must meet; the curve changes as little as possible for them.",
+            "Limits that the strip must meet; the curve changes as little as possible to meet them.",
             group="limits",
             common=True,
         ),
@@ -527,7 +528,8 @@ class StripSpec(EqualByValue):
     compensate: Annotated[
         bool | None,
         Option(
-            "Correct the widths for slots and narrow tabs too; by default only for anticlastic bending.",
+            "Correct the widths for slots and narrow tabs too. By default, they are corrected only for "
+            "anticlastic bending (curling across the width).",
             group="widths",
             common=True,
         ),
@@ -539,7 +541,8 @@ class StripSpec(EqualByValue):
     law: Annotated[
         BoundedLaw | None,
         Option(
-            "Section law: varies thickness, a rod, a tube, or glued plies instead of the width.",
+            "Section law: varies the thickness, the diameter of a rod or tube, or the number of glued plies "
+            "instead of the width.",
             group="widths",
         ),
     ] = None
@@ -867,8 +870,9 @@ class StripSpec(EqualByValue):
         """
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
             raise InputError(
-                "a laminate that carries its own weight must be upright and weigh as much as its sheets: "
-                "turn its plane, set {field} to the length of the base sheet, or leave it out",
+                "the own weight of a laminate acts fully in the plane of the curve and follows from its "
+                "sheets. Make this plane vertical, set {field} to the value of the base sheet, or leave out "
+                "{field}",
                 field=FieldName("gravity"),
             )
         widths = self.max_width, self.min_width

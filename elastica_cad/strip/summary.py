@@ -171,11 +171,14 @@ def hold_row(strip: Strip) -> Row:
         )
     )  # fmt: skip
     loads = (
-        "{apart}; {start} at each end" if start == end else "{apart}; {start} at the start, {end} at the end"
+        "{apart}; {load} at each end"
+        if start == end
+        else "{apart}; {start_load} at the start, {end_load} at the end"
     )
-    load = note(loads, apart=apart, start=start, end=end)
+    load = note(loads, apart=apart, load=start, start_load=start, end_load=end)
     details = note(
-        "The bend begins there; from tip to tip it is {tips:.1f}. Angles are from the line between the ends.",
+        "This distance is measured between the places where the bend begins; the tips of the tabs are "
+        "{tips:.1f} apart. Angles are measured from the line between the ends.",
         tips=Length(distance_of_tips(ends)),
     )
     return Row(note("Hold"), load, (details,))
@@ -203,21 +206,21 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
         return
     texts = [
         note(
-            "{far:.2g} for the {element} from {start:.0f} to {end:.0f}"
+            "{far:.2g} because of the {element} from {start:.0f} to {end:.0f}"
             if isinstance(action.element, Tie)
-            else "{far:.2g} for the {element} at {start:.0f}",
+            else "{far:.2g} because of the {element} at {start:.0f}",
             far=Length(MOUNTING_ERROR_MM * moved), element=noun_of(action.element), start=Length(action.s[0]),
             end=Length(action.s[-1]),
         )
         for action, moved in zip(strip.rod.between, displacements_per_mm(strip.rod), strict=True)
     ]  # fmt: skip
     text = note(
-        "{error} of error in an element moves the strip by {moves}", error=Length(MOUNTING_ERROR_MM),
+        "an error of {error} in mounting an element moves the strip by {moves}", error=Length(MOUNTING_ERROR_MM),
         moves=sentences(texts, ", "),
     )  # fmt: skip
     details = note(
-        "A rail is misplaced across the strip, a pin in any direction, and a cord is too long or too short. "
-        "The figure is the largest displacement of the strip."
+        "The error moves a rail across the strip or a pin in any direction, or makes a cord too long or too "
+        "short. The result is the largest displacement of the strip."
     )
     yield Row(note("Mounting"), text, (details,))
 
@@ -226,7 +229,7 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
     """Return a text with the position and the force (N) of an element."""
     if action.is_one_sided and force == 0:
         places = Listed(map(Length, np.round(action.s, 1).tolist()))
-        return note("{element} at {places} is slack", element=noun_of(action.element), places=places)
+        return note("the {element} at {places} is slack", element=noun_of(action.element), places=places)
     if isinstance(action.element, Tie):
         return note(
             "tie from {start:.0f} to {end:.0f}, {length:.1f} long, pulls {force:.2g} N",

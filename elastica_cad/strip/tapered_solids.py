@@ -57,7 +57,7 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
     """
     size = strip.layout.size
     if size is None:
-        raise InputError("a strip of constant thickness has no side view: set a section law")
+        raise InputError("a strip of constant thickness has no side view. Set a section law")
     first, last = (tab.length for tab in strip.ends)
     ends = size([0.0, strip.rod.length]) / 2
     right, left = (

@@ -168,8 +168,8 @@ class Travel:
         warnings = []
         if self.force_falls_at is not None:
             warnings.append(note(
-                "the force becomes smaller beyond {place}: an end that is guided stays there, but an end "
-                "that a weight pushes runs away",
+                "beyond {place}, a smaller force is enough to move the end. An end moved by a guide can "
+                "stay there, but an end pushed by a weight runs away",
                 place=self.place_message(self.force_falls_at),
             ))  # fmt: skip
         if self.snaps_at is not None:

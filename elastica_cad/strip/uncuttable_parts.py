@@ -442,7 +442,7 @@ def find_strip_faults(
     if isinstance(style, Perforated) and style.least_ligament < ligament * (1 - SEEN_APART):
         allowed = style.least_ligament
         what = note(
-            "ligaments may be as narrow as {allowed}, but {ligament} are needed",
+            "the limit for ligaments is {allowed}, but they must be at least {ligament} wide to be cut",
             allowed=Length(allowed),
             ligament=Length(ligament),
         )
@@ -511,11 +511,11 @@ def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]
         Fault(
             name,
             note(
-                "the strip would be {depth} deep in the plate beside the tab of {tab}",
+                "beside the tab of {tab}, the strip would enter the plate by {depth}",
                 tab=tab,
                 depth=Length(depth),
             ),
-            note("Make the tab as wide as the strip, or lower the plate by that depth"),
+            note("Make the tab as wide as the strip, or lower the plate by this depth"),
         )
         for tab, depth, thickness in shoulders
         if depth > thickness

@@ -598,7 +598,7 @@ def _pair(request: Mapping[str, Any]) -> Record:
     rows = pair_rows(part, quick=True, live=bool(request.get("live")))
     together = Row(
         note("Hold"),
-        note("both states in the same clamps" if pair.bistable else "each state in clamps of its own"),
+        note("both states have the same clamps" if pair.bistable else "each state has its own clamps"),
     )
     faults = [Row(note("Warning"), text, severity="warning") for text in part.rest_warnings]
     return {

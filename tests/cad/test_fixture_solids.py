@@ -172,7 +172,7 @@ def test_a_leaning_strip_wider_than_its_tab_is_kept_out_of_the_base_plate(measur
         return abs(measure.volume(common(occt.make_solid(plate.solid), bent), bent=False))
 
     with pytest.raises(
-        ValueError, match=r"the strip would be 5\.13 mm deep in the plate beside the tab of A:1"
+        ValueError, match=r"beside the tab of A:1, the strip would enter the plate by 5\.13 mm"
     ):
         Model([placed]).base_plate("mdf-3")
     forced = Model([placed]).base_plate("mdf-3", ignore_limits=True)

@@ -16,8 +16,8 @@ from tests.freecad.features import change, new
 UPRIGHT = App.Rotation(App.Vector(1, 0, 0), 90)
 BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
 EVEN = (
-    "Pre-bend it to a radius of 250 mm along its whole length, to the same side as its final bend 94.4 mm from the "
-    "start. Its widths are designed for this pre-bending."
+    "Before assembly, bend the strip to a radius of 250 mm along its whole length. Bend it to the same side to "
+    "which it curves at 94.4 mm from the start after assembly. The widths are designed for this pre-bending."
 )
 
 
@@ -35,9 +35,7 @@ def test_a_strip_tells_its_blank_first(document, bent):
     change(bent, Thickness=4)
     assert bent.Verdict.startswith("A pre-bent strip would break on this curve.")
     change(bent, Thickness=0.8, Follow="Nearest", RatioLimit=1.2)
-    assert re.match("A pre-bent strip takes a curve at most .* mm from this curve", bent.Verdict), (
-        bent.Verdict
-    )
+    assert re.match(".* it can take a curve that differs by at most .* mm", bent.Verdict), bent.Verdict
     change(bent, NaturalCurvature=0.0, Follow="Exactly")
     assert [bent.Verdict, bent.Reasons] == ["A flat strip takes this curve.", []]
 
@@ -51,11 +49,9 @@ def test_a_curve_that_such_a_strip_cannot_take(document, drawn):
 def test_a_blank_along_the_strip_is_the_property_blank(document, bent):
     change(bent, Blank="stations = [0, 101, 202.2], curvatures = [0, -0.01, 0]")
     assert bent.Reasons[0].startswith(
-        "Pre-bend it with a smallest radius of 100 mm at 101 mm from the start, to the"
+        "Before assembly, bend the strip; the smallest radius is 100 mm, at 101 mm from the start. "
     )
-    assert bent.Reasons[0].endswith(
-        " Blank in the report or the properties has its curvature along the strip."
-    )
+    assert " Blank in the report or the properties lists the curvature along the strip." in bent.Reasons[0]
 
 
 def test_what_is_cut_tells_it(document, bent, drawn, tmp_path):
@@ -89,7 +85,7 @@ def test_both_layers_of_a_laminate_are_told(document, bent):
     bent.Style, bent.Backing, bent.Anyway = "Laminated", bent.Sheet, True  # it is bent beyond its limit
     document.recompute()
     (told,) = pre_bend_messages_of(cuts_of([bent]))
-    assert re.match(rf"{bent.Label}\b.*, {bent.Label}.*: Pre-bend it", told)
+    assert re.match(rf"{bent.Label}\b.*, {bent.Label}.*: Before assembly, bend", told)
 
 
 def test_the_nearest_curve_is_sought_for_the_same_blank(document, bent, sketch):

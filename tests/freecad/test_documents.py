@@ -152,17 +152,19 @@ def test_what_goes_on_after_a_strip_is_told_before_it_is_exported(document, sket
     assert hole.State == ["Up-to-date"]
     assert body.Shape.Volume < feature.Shape.Volume - 1, "it takes something away"
     (said,) = later_feature_messages(feature)
-    assert said.startswith("The files do not contain Hole, which was added after Strip. ")
+    assert said.startswith("The cutting files show Strip without Hole, a later feature of its body. ")
     box = document.addObject("Part::Box", "Box")
     cut, rounded, away = (document.addObject(f"Part::{kind}", kind) for kind in ("Cut", "Chamfer", "Cut"))
     cut.Base, cut.Tool, rounded.Base, away.Base, away.Tool = body, box, twin, box, body
-    assert later_feature_messages(feature)[0].startswith("The files do not contain Hole, Cut, Chamfer, which")
+    assert later_feature_messages(feature)[0].startswith(
+        "The cutting files show Strip without Hole, Cut, Chamfer, a later"
+    )
     nest.report_left_out(
         laid
     )  # as the window does a moment after a recompute: the nest does not hang on them
     (said,) = laid.LeftOut
     assert said.startswith(
-        "The nest does not contain Hole, Cut, Chamfer, which was added after Strip. Add it to the strip"
+        "The nest shows Strip without Hole, Cut, Chamfer, a later feature of its body. Use the slots"
     )
     laid.touch()
     document.recompute()
@@ -415,7 +417,7 @@ def test_cutting_files(document, sketch, tmp_path: Path, request):
 def test_nearest_follows_when_asked(document, drawn):
     feature = strip.create(document, drawn(BAD))
     change(feature, Follow="Nearest", StrainLimit=5)
-    assert "it may crack there" in feature.getStatusString(), "more strain was allowed than the sheet bears"
+    assert "the material may crack there" in feature.getStatusString(), "more strain was allowed than is safe"
     change(feature, Anyway=True)
     assert feature.State == ["Up-to-date"], feature.getStatusString()
     assert 0 < feature.Deviation.Value < 20

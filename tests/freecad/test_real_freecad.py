@@ -143,7 +143,9 @@ def test_a_drag_and_every_command(tmp_path):
     assert found["nest"] == [["Up-to-date"], 1]
     assert "is stable" in found["bend"]
     assert "sideways" not in found["bend"]
-    assert "it tips over sideways" in found["bend sideways"], "nearly a loop, five times as wide as thick"
+    assert "the strip tips over sideways" in found["bend sideways"], (
+        "nearly a loop, five times as wide as thick"
+    )
     ends = [place for place, _, _ in found["bend drag"]]
     assert len({tuple(end) for end in ends}) >= 10, "the bent shape follows the mouse"
     assert [end[:2] for end in ends] == [
@@ -631,7 +633,9 @@ def test_macros_do_what_the_hand_did(tmp_path):
 @pytest.mark.campaign
 def test_arrays_and_clones_are_cut_as_often_as_they_stand(tmp_path):
     found = launching.run_window("copies.py", tmp_path)
-    assert found["followed"].startswith("The files do not contain Cut, which was added after Strip. Add it")
+    assert found["followed"].startswith(
+        "The cutting files show Strip without Cut, a later feature of its body."
+    )
     assert found["grey for an array"] == [False] * 4
     assert not found["grey for an image"]
     assert found["image"] == ["Part::Mirroring", {"Strip": 1}, {"Strip": 2}, [True] * 3]

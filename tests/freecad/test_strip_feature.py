@@ -255,10 +255,10 @@ def test_bad_properties_are_sentences(document, sketch, name, value, says):
 def test_a_tiny_sketch_says_why(document, drawn):
     feature = new(strip.create, document, drawn([(x * 0.1 / 150, y * 0.1 / 150) for x, y in ARCH]))
     assert "Invalid" in feature.State
-    assert "it may crack there" in feature.getStatusString()
+    assert "the material may crack there" in feature.getStatusString()
     change(feature, Anyway=True)
     assert "Invalid" in feature.State
-    assert "would fold there: use a thinner sheet" in feature.getStatusString()
+    assert "would fold there. Use a thinner sheet" in feature.getStatusString()
 
 
 def test_a_huge_sketch_says_why_and_is_made_anyway(document, drawn):
@@ -306,10 +306,10 @@ def test_whether_it_stays_in_its_plane_is_known_with_the_shape(document, sketch,
     upright, tipping = strip.create(document, sketch), strip.create(document, drawn(LOOP, 3))
     tipping.MaxWidth, tipping.Anyway = 5, True  # narrower than a workshop takes
     document.recompute()
-    assert upright.Sideways == "sideways stable: it stays in its plane"
+    assert upright.Sideways == "sideways stable: the strip stays in its plane"
     assert upright.SidewaysMargin == pytest.approx(strip.strip_of(upright).sideways.margin)
     assert re.match(
-        r"sideways unstable \(margin -[\d.e+]+\): it tips over sideways .*wider", tipping.Sideways
+        r"sideways unstable \(margin -[\d.e+]+\): the strip tips over sideways .*wider", tipping.Sideways
     )
     assert tipping.SidewaysMargin < 0
     assert "tips over sideways" in tipping.Verdict

@@ -15,7 +15,7 @@ _spec.loader.exec_module(launching)
 @pytest.mark.campaign
 def test_what_is_easily_overlooked_is_told(tmp_path):
     found = launching.run_window("untold.py", tmp_path)
-    bend = "Pre-bend it to a radius of 250 mm along its whole length, to the same side as its final bend "
+    bend = "Before assembly, bend the strip to a radius of 250 mm along its whole length. Bend it to the same side "
     verdict, reason, *_ = found["blank"].splitlines()
     assert verdict == "A pre-bent strip takes this curve. There are remarks."
     assert reason.startswith(bend)
@@ -24,9 +24,9 @@ def test_what_is_easily_overlooked_is_told(tmp_path):
     assert found["blank, written"].splitlines()[-1].startswith(f"Strip: {bend}")
     (row,) = csv.DictReader(io.StringIO(found["blank, cut list"]))
     assert row["bent_beforehand"].startswith(bend)
-    words = "which was added after Strip. Add it to the strip"
-    assert found["nest told"].startswith(f"The nest does not contain Notch, {words}")
-    assert found["nest"].startswith(f"The nest does not contain Notch, Rounded, {words}")
+    words = "a later feature of its body. Use the slots"
+    assert found["nest told"].startswith(f"The nest shows Strip without Notch, {words}")
+    assert found["nest"].startswith(f"The nest shows Strip without Notch, Rounded, {words}")
     assert found["nest of the strip alone"] == [[], ""]
     formula = "Strip.Style has the formula Cells.A1, which gives 4. Use 0 to 2, or a name such as <<Plain>>. "
     assert found["formula"] == f"There is no strip.\n{formula}Correct or remove the formula."

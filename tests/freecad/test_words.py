@@ -138,11 +138,11 @@ def test_records_are_said_in_german_with_commas(monkeypatch):
     assert worded("wrote A1_birch-0.8_0.8mm_x4.dxf") == "wrote A1_birch-0.8_0.8mm_x4.dxf"
     tips = SidewaysStability(-24.1, 0.1, 100.0)
     assert worded(str(tips)).startswith(
-        "seitlich instabil (Reserve -24,1): er kippt zur Seite oder dreht sich"
+        "seitlich instabil (Reserve -24,1): der Streifen kippt zur Seite oder dreht sich"
     )
     assert worded(InputError("what nobody knows").refusal) == "what nobody knows"
-    both = sentences([note("{width} wide", width=Span.of(20.8, 30)), note("it keeps a bend from there")])
-    assert worded(both) == "20,8 bis 30 mm breit; er bleibt dort gebogen"
+    both = sentences([note("{width} wide", width=Span.of(20.8, 30)), note("the material stays bent there")])
+    assert worded(both) == "20,8 bis 30 mm breit; das Material bleibt dort gebogen"
 
 
 @pytest.mark.usefixtures("chinese")

@@ -417,7 +417,7 @@ ELSEWHERE = {
     "test_a_handle_that_is_lost_by_rounding_is_undecided_at_the_door",
     "too slender to handle": "tests/unit/strip/test_makeability.py::"
     "test_longer_than_the_stock_and_too_slender",
-    "the tab at its start can tip ...": "tests/unit/model/test_holding.py::"
+    "the tab at the start of the strip can tip ...": "tests/unit/model/test_holding.py::"
     "test_an_inclined_tab_rocks_in_one_plate_and_not_in_two",
 }
 

@@ -218,7 +218,7 @@ def test_by_finger_a_curve_is_drawn_moved_and_looked_at(server, tmp_path):
 
 
 @pytest.mark.campaign
-@pytest.mark.filterwarnings("ignore:arch.svg stores curve 1")
+@pytest.mark.filterwarnings("ignore:The copy of curve 1 in arch.svg")
 @pytest.mark.parametrize("kind", ["svg", "dxf", "csv"])
 def test_a_file_is_dropped_on_the_drawing(server, tmp_path, kind):
     curve = ec.PlaneCurve.spline(ARCH)

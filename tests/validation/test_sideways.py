@@ -223,7 +223,7 @@ def test_bounds_leave_some_strips_with_holes_undecided_and_say_why():
     found = strip_sideways(pushed_together(0.85), layout)
     assert found.margin < 0 < found.most
     assert (found.decided, found.word) == (False, "undecided")
-    assert "it may or may not tip" in found.meaning
+    assert "it is uncertain whether the strip tips over" in found.meaning
     wide = strip_sideways(pushed_together(0.85), even_strip(0.8, holes(60.0, 6), 20.0).layout)
     assert "too wide for its length and bend" in wide.meaning
 

@@ -72,7 +72,7 @@ def test_a_weight_runs_away_where_the_energy_curves_down(clip):
     assert k > 1
     assert moved.force_falls_at == pytest.approx(moved.travel[k], abs=5.001)
     assert moved.stable.all()
-    assert "an end that a weight pushes runs away" in moved.warnings[0]
+    assert "an end pushed by a weight runs away" in moved.warnings[0]
 
 
 def test_a_clip_that_is_pressed_together_pushes_back_ever_more(clip):

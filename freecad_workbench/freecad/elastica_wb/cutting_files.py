@@ -46,8 +46,8 @@ def later_feature_messages(obj: Any) -> list[str]:
     """Return a warning if later features, which the files omit, change a strip, a model or a plate."""
     words = translate(
         "Elastica",
-        "The files do not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, "
-        "holes), or draw it in the files.",
+        "The cutting files show {strip} without {later}, a later feature of its body. Use the slots, tabs "
+        "and holes of the strip instead, or draw the change in the files.",
     )
     later = later_features(obj)
     return [words.format(strip=obj.Label, later=later)] if later else []

@@ -203,7 +203,7 @@ def test_leaves_instead_of_a_plane(tmp_path, check_drawing_file):
 def test_the_place_that_is_told_instead_can_be_made(place, towards, tmp_path):
     asked = ("--sheet", "pom-1", "--length", 2400, "--camber", 10, "--stock", 25, 8, "-o", tmp_path)
     refused = run("batten", *asked, "--at", place, code=2)
-    told = re.search(rf"Move the camber to {towards} (\d\d\.\d) %", refused.output)[1]
+    told = re.search(rf"Move the largest camber to {towards} (\d\d\.\d) %", refused.output)[1]
     made = run("batten", *asked, "--at", told)
     assert f"Camber      10.00 % at {float(told):.2f} % of the chord" in made.output
 
@@ -222,14 +222,17 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
         ((), "The material of the batten is missing"),
         (
             ("--stock", 25, 8, "--at", 95),
-            r"the thin end must be thinner than the limit of 2 mm. Move the camber to at most \d\d\.\d %",
+            r"the thin end would be thinner than the limit of 2 mm. Move the largest camber to at most \d\d\.\d %",
         ),
-        (("--stock", 25, 8, "--least", 6), r"must be thinner than the limit of 6 mm \(it needs 3.3\d mm\)"),
+        (("--stock", 25, 8, "--least", 6), r"would be thinner than the limit of 6 mm \(it needs 3.3\d mm\)"),
         (
             ("--stock", 25, 8, "--least", 6, "--at", 30),
-            r"Move the camber to at least \d\d\.\d % of the chord",
+            r"Move the largest camber to at least \d\d\.\d % of the chord",
         ),
-        (("--stock", 25, 8, "--least", 6, "--at", 70), r"Move the camber to at most \d\d\.\d % of the chord"),
+        (
+            ("--stock", 25, 8, "--least", 6, "--at", 70),
+            r"Move the largest camber to at most \d\d\.\d % of the chord",
+        ),
         (("--stock", 25, 8, "--bore", 0.5), "--bore applies to tubes"),
         (("--stock", 25, 8, "--every", 0.1), "--every is 0.1 mm"),
         (("--stock", 25, 8, "--name", "a/b"), "Leave out /"),

@@ -81,6 +81,6 @@ def test_a_strip_that_tips_sideways_on_its_way_is_told(distance, tips, tmp_path)
         "-o",
         tmp_path,
     )
-    said = re.search(r"! Stability at ([\d.]+) mm of travel, it tips over sideways", result.stderr)
+    said = re.search(r"! Stability at ([\d.]+) mm of travel, the strip tips over sideways", result.stderr)
     assert bool(said) == tips
     assert said is None or float(said[1]) == pytest.approx(295.0)

@@ -142,8 +142,8 @@ def test_a_model_warns_of_a_strip_that_will_not_stay(tmp_path):
     )
     quick = ("--no-effects", "--no-pictures", "--no-step", "--no-parts")
     done = run("model", design, *quick, "-o", tmp_path / "kit")
-    assert "! Note      W: unstable (margin -0.613): it is in balance, but snaps" in done.stderr
-    assert "snaps into another shape" in (tmp_path / "kit" / "index.html").read_text()
+    assert "! Note      W: unstable (margin -0.613): the strip is in equilibrium, but" in done.stderr
+    assert "snap into another shape" in (tmp_path / "kit" / "index.html").read_text()
 
 
 @pytest.mark.campaign

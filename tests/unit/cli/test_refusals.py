@@ -371,7 +371,7 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
     ("words", "options"),
     [
         ("--set smooth=-1", "(--smooth)"),
-        ("--nearest --set samples=99", "leave out the nearest curve (--nearest), or leave out --set samples"),
+        ("--nearest --set samples=99", "Leave out --nearest, or --set samples"),
         (
             "--set loads=[{at=20,mass=5}]",
             "set --gravity to a direction in that plane, or leave out --set loads",

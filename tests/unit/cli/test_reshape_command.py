@@ -152,7 +152,7 @@ def test_files_that_cannot_be_written(tmp_path):
         ec.write_curves([], tmp_path / "a.dxf")
     with pytest.raises(InputError, match=r"end its name with \.dxf, \.svg, \.json"):
         ec.write_curves([WAVE], tmp_path / "a.step")
-    with pytest.warns(UserWarning, match="a.svg stores curve 1 within"):
+    with pytest.warns(UserWarning, match="The copy of curve 1 in a.svg differs"):
         ec.write_curves([WAVE], tmp_path / "a.svg")
     with pytest.raises(InputError, match="exists already"):
         ec.write_curves([WAVE], tmp_path / "a.svg")

@@ -42,7 +42,7 @@ def test_a_flat_blank_is_not_told():
 
 
 @pytest.mark.parametrize(
-    ("rest", "way"), [(0.004, ", to the same side as"), (-0.004, ", to the side opposite to")]
+    ("rest", "way"), [(0.004, "to the same side to"), (-0.004, "to the side opposite to")]
 )
 def test_an_even_blank_is_told_by_its_radius_and_by_how_the_strip_stands(rest, way):
     assert report_blank(made(rest)) == {"s": [0.0, 100.0], "curvature": [rest, rest]}
@@ -57,9 +57,7 @@ def test_a_blank_that_varies_is_listed_along_the_strip():
     assert np.interp([0, 25, 50, 75, 100], record["s"], record["curvature"]) == pytest.approx(
         [0, -0.004, -0.008, -0.002, 0.004], abs=1e-4
     )
-    assert "125 mm at 50 mm from the start, to the side opposite to its final bend there" in pre_bend_message(
-        found
-    )
+    assert "125 mm, at 50 mm from the start. There, bend it to the side opposite" in pre_bend_message(found)
 
 
 def test_kits_tell_which_parts_are_bent_beforehand(tmp_path):
@@ -71,9 +69,9 @@ def test_kits_tell_which_parts_are_bent_beforehand(tmp_path):
     blanks = {part["name"]: part["blank"] for part in report["parts"]}
     assert blanks["flat"] is None
     assert blanks["bent"]["curvature"] == [-0.004, -0.004]
-    (told,) = [line for line in report["reports"] if "Pre-bend" in line]
+    (told,) = [line for line in report["reports"] if "Before assembly" in line]
     assert blanks["like2"] == blanks["bent"]
     assert told.startswith(
-        "bent (and 2 more): Pre-bend it to a radius of 250 mm along its whole length, to the same side"
+        "bent (and 2 more): Before assembly, bend the strip to a radius of 250 mm along its whole length. "
     )
     assert told in (tmp_path / "kit" / "index.html").read_text()

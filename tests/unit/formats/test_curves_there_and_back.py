@@ -48,7 +48,7 @@ def test_what_a_format_cannot_hold_is_reported(file, version, tmp_path):
         write_curves([QUINTIC], tmp_path / file, version=version)
     (told,) = (str(one.message) for one in caught)
     far, wide, change = map(float, re.findall(r"([\d.e-]+) mm", told))
-    assert told.startswith(f"{file} stores curve 1 within")
+    assert told.startswith(f"The copy of curve 1 in {file} differs")
     assert wide == WIDE
     (read,) = read_curves(tmp_path / file)
     if file != "a.svg":  # which is moved to the corner of its sheet

@@ -60,7 +60,7 @@ def test_softening_law_is_injective_up_to_the_crest_of_its_moment():
     law = PolynomialLaw(-0.3, curvature_scale=1.0)
     crest = np.sqrt(1 / 0.9)
     law.require_injective(crest * 0.9999)
-    with pytest.raises(InputError, match=r"of the material law stops increasing at a curvature of 1\.054"):
+    with pytest.raises(InputError, match=r"of the material law increases only up to a curvature of 1\.054"):
         law.require_injective(crest * 1.0001)
     PolynomialLaw(0.3).require_injective(1e6)
     PolynomialLaw(-0.3, 0.1).require_injective(1e6)
@@ -97,7 +97,7 @@ def test_elastic_plastic_moment_is_the_integral_of_the_yielded_stress():
 def test_table_that_falls_is_refused_only_where_it_falls():
     law = TabulatedLaw([0.01, 0.02, 0.03], [1.0, 1.5, 1.4])
     law.require_injective(0.02)
-    with pytest.raises(InputError, match=r"stops increasing at a curvature of 0\.02"):
+    with pytest.raises(InputError, match=r"increases only up to a curvature of 0\.02"):
         law.require_injective(0.025)
     with pytest.raises(InputError, match=r"table ends at a curvature of 0\.03"):
         law.require_injective(0.04)

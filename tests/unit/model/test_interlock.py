@@ -254,7 +254,7 @@ def test_a_strip_that_runs_into_another_lengthwise_is_refused():
     strip = Strip(rod, CARD, max_width=20, label="A")
     wall = turned(np.pi / 2, at=(40, 0, 40), label="B")
     with pytest.raises(
-        InputError, match=r"A and B cross at .* mm of A, but one of them ends before"
+        InputError, match=r"A and B cross at .* mm of A, but one of these strips ends"
     ) as refused:
         Model([Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1)), wall]).interlock()
     place = float(re.search(r"at (\S+) mm", str(refused.value))[1])
@@ -388,7 +388,7 @@ def test_a_crossing_at_the_end_of_a_strip_is_refused():
     tilted = flat(label="B", origin=(50, 0.0, 0), x_axis=(0, 1, 0), y_axis=(-np.cos(0.2), 0, np.sin(0.2)))
     moved = Placed(tilted.strip, tilted.origin - 0.5 * np.array([0, 1, 0]), tilted.x_axis, tilted.y_axis)
     leaning = flat(label="A", y_axis=(0, np.cos(0.3), np.sin(0.3)))
-    with pytest.raises(InputError, match="ends before"):
+    with pytest.raises(InputError, match="ends too close"):
         Model([leaning, moved]).interlock()
 
 

@@ -214,7 +214,7 @@ def test_inflections_off_one_line_are_refused():
 
 def test_drawn_to_begin_in_an_inflection_it_is_counted_from_elsewhere():
     check = check_equilibrium(begin_at(PEANUT, float(PEANUT.inflections[0])))
-    assert "counted from" in check.warnings[0]
+    assert "measured from" in check.warnings[0]
     assert len(check.inflections) == 4
     assert not check.realizable
 
@@ -235,7 +235,7 @@ def test_pattern_and_report():
     told = report_strip(strip, name="R", files={})["joint"]
     assert told["lap"] == 10.0
     assert told["moment"] == pytest.approx(abs(strip.bending_stiffness / 60), rel=1e-3)
-    assert "glue its tab of 10 mm" in told["meaning"]
+    assert "glue the tab of 10 mm" in told["meaning"]
 
 
 def test_bodies():

@@ -84,7 +84,7 @@ def test_only_sheets_with_a_grain_feel_it(strip):
 def test_what_is_expected_says_where_it_comes_from(strip):
     shape = strip.held()
     assert shape.expected == pytest.approx(np.hypot(np.hypot(shape.deviation, shape.open), shape.sheet_adds))
-    assert "mostly due to the sheet. Parts of it: " in str(shape)
+    assert "mostly due to the sheet. This deviation consists of " in str(shape)
     slotted = replace(strip, slots=(Slot(150.0, width=1.0),), tolerance=NOTHING).held()
     assert slotted.sheet_adds == 0.0
     assert "mostly as computed" in str(slotted)

@@ -128,7 +128,7 @@ def test_the_report_has_the_displacement_by_errors_in_mounting():
     text = {row.label: row.text for row in strip_rows(strip)}["Mounting"]
     rail, tie = (element["moved_per_mm"] for element in report_strip(strip, name="wave", files={})["between"])
     assert text == (
-        f"0.5 mm of error in an element moves the strip by {rail / 2:.2g} mm for the rail at 200 mm, "
-        f"{tie / 2:.2g} mm for the tie from 40 mm to 310 mm"
+        f"an error of 0.5 mm in mounting an element moves the strip by {rail / 2:.2g} mm because of the rail at "
+        f"200 mm, {tie / 2:.2g} mm because of the tie from 40 mm to 310 mm"
     )
     assert "Mounting" not in {row.label for row in strip_rows(strip, quick=True)}

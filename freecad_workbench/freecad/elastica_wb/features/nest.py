@@ -60,8 +60,8 @@ def report_left_out(obj: Any) -> None:
         return
     messages = [
         note(
-            "The nest does not contain {later}, which was added after {strip}. Add it to the strip (slots, tabs, "
-            "holes), or draw it in the cutting files.",
+            "The nest shows {strip} without {later}, a later feature of its body. Use the slots, tabs and "
+            "holes of the strip instead, or draw the change in the cutting files.",
             strip=label,
             later=later,
         )

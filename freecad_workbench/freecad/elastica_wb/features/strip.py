@@ -279,8 +279,8 @@ def show_held(obj: Any) -> None:
         held = held_shape(strip)
         message = (
             note(
-                "As it is held, the strip takes a shape far from its design. Hold the ends nearer to their "
-                "designed positions."
+                "With its ends held in these positions, the strip takes a shape far from its design. Hold "
+                "the ends nearer to their designed positions."
             )
             if held is None
             else str(held)
@@ -337,8 +337,9 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         taken = rod.check.verdict
     if changed is not None:
         taken = note(
-            "A pre-bent strip takes a curve at most {far} from this curve." if bent else
-            "A flat strip takes a curve at most {far} from this curve.",
+            "A pre-bent strip cannot take this curve, but it can take a curve that differs by at most {far}."
+            if bent else
+            "A flat strip cannot take this curve, but it can take a curve that differs by at most {far}.",
             far=Length(changed),
         )  # fmt: skip
     if refused:

@@ -184,8 +184,8 @@ class Session:
                 answer = Answer(Verdict.NOTHING, translate("Elastica", "no curve yet"), answer.sentence)
             elif (count := curve_count(drawn_in(self.sketch, geometry))) > 1:
                 words = note(
-                    "The sketch has {count} curves, and this picture shows only one. Press Strip from sketch to "
-                    "make a strip for each curve.",
+                    "The sketch has {count} curves, but this picture shows only one curve. Press Strip from "
+                    "sketch to make a strip for each curve.",
                     count=count,
                 )
                 answer = Answer(Verdict.NOTHING, note("{count} curves", count=count), words)

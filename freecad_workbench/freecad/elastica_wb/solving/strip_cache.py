@@ -189,13 +189,14 @@ def _nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
                 curve = coarse_curve(near.rod, spans)
                 if _keeps_limits(replace(spec, curve=curve)):
                     return curve, note(
-                        "Drawn with {count} poles, {far} from the original curve. With {most} poles, too "
-                        "many to drag, the distance would be {near}.",
+                        "The new curve has {count} poles and is {far} from the original curve. With {most} "
+                        "poles, too many to drag, the distance would be {near}.",
                         count=len(curve.control_points), far=Length(near.deviation),
                         most=len(nearest.curve.control_points), near=Length(nearest.deviation),
                     )  # fmt: skip
     return nearest.curve, note(
-        "Drawn with {count} poles, too many to drag. With fewer poles the curve would exceed its limits.",
+        "The new curve has {count} poles, too many to drag by hand. With fewer poles the curve would exceed "
+        "its limits.",
         count=len(nearest.curve.control_points),
     )
 
