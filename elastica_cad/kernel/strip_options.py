@@ -69,13 +69,12 @@ class StripOptions(TypedDict, total=False):
     ]
     shop: Annotated["FabricationLimits", "Limits of the workshop."]
     compensate: Annotated[
-        "bool | None",
-        "Correct the widths for slots and narrow tabs too. By default, they are corrected only for anticlastic bending (curling across the width).",
+        "bool | None", "Correct the widths for slots and narrow tabs too, not only for anticlastic bending."
     ]
     creep: Annotated["float", "Long-term creep factor of the sheet; 0 for no creep."]
     law: Annotated[
         "BoundedLaw | None",
-        "Section law: varies the thickness, the diameter of a rod or tube, or the number of glued plies instead of the width.",
+        "Section law: varies thickness, diameter of a rod or tube, or number of plies instead of width.",
     ]
     ignore_limits: Annotated["bool", "Make a strip even if it cannot be cut or handled, with a warning."]
     tolerance: Annotated[

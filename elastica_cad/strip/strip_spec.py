@@ -528,8 +528,7 @@ class StripSpec(EqualByValue):
     compensate: Annotated[
         bool | None,
         Option(
-            "Correct the widths for slots and narrow tabs too. By default, they are corrected only for "
-            "anticlastic bending (curling across the width).",
+            "Correct the widths for slots and narrow tabs too, not only for anticlastic bending.",
             group="widths",
             common=True,
         ),
@@ -541,8 +540,7 @@ class StripSpec(EqualByValue):
     law: Annotated[
         BoundedLaw | None,
         Option(
-            "Section law: varies the thickness, the diameter of a rod or tube, or the number of glued plies "
-            "instead of the width.",
+            "Section law: varies thickness, diameter of a rod or tube, or number of plies instead of width.",
             group="widths",
         ),
     ] = None
