@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""FreeCAD workbench of elastica_cad: draw a spline, see whether it can be bent, get the strip."""
+"""FreeCAD workbench of elastica_cad: draw a spline, see whether a strip can be bent into it, and make the
+strip.
+"""
 
 import sys
 from pathlib import Path
@@ -14,7 +16,10 @@ __all__ = ["make_strip"]
 TESTS = "freecad.elastica_wb.tests"
 
 CORE = Path(__file__).parent / "core"
-"""Folder to which `make addon` copies the package elastica_cad. In a checkout it is at the root instead."""
+"""Folder to which `make addon` copies the package elastica_cad.
+
+In a checkout, the package is in the root folder.
+"""
 
 if CORE.is_dir():
     sys.path.insert(0, str(CORE))
@@ -31,19 +36,19 @@ def make_strip(source: Any, edges: tuple[str, ...] = (), *, flat_part: bool = Tr
     source : document object
         A sketch, a curve, or an object with edges.
     edges : tuple of str
-        Names of the edges to follow, such as ``"Edge1"``. Leave it empty for a sketch or for an object with one
+        Names of the edges to follow, such as ``"Edge1"``. It is empty for a sketch or an object with a single
         curve.
     flat_part : bool
-        Also make the flat parts: the part that is cut from the sheet, and the backing of a laminated strip.
+        Also make the flat parts: the flat strip, and the backing of a laminated strip.
     **properties
-        Values of the strip's properties, such as ``Sheet="birch-plywood-0.8", MaxWidth=40``. A length is a number
-        in mm, or a text with a unit.
+        Values of the strip's properties, such as ``Sheet="birch-plywood-0.8", MaxWidth=40``. A length is a
+        number in mm, or a string with a unit.
 
     Returns
     -------
     document object
-        The recomputed strip. If it cannot be made, its property Verdict states that and its property Reasons
-        explains why.
+        The recomputed strip. If the strip cannot be made, its property Verdict states this, and its property
+        Reasons contains the reasons.
 
     Raises
     ------
@@ -68,7 +73,7 @@ def make_strip(source: Any, edges: tuple[str, ...] = (), *, flat_part: bool = Tr
             raise AttributeError(f"a strip has no property {name}: see its PropertiesList")
         setattr(feature, name, value)
     for layer in flat.layers_of(feature) if flat_part else ():
-        document.recompute()  # a flat part is placed beside the latest one
+        document.recompute()  # a new flat part is placed beside the previous flat part
         flat.create(document, feature, layer)
     document.recompute()
     return feature

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""A command of the workbench, and the command for live feedback.
+"""Base class of the commands, and the command that switches live feedback.
 
-FreeCAD imports this module when it starts, so that live feedback works in every workbench. Heavy modules are
-imported in use.
+FreeCAD imports this module when it starts, so that live feedback works in every workbench. Large modules are
+imported on first use.
 """
 
 from collections.abc import Callable
@@ -28,15 +28,17 @@ class Command:
     Attributes
     ----------
     name, text, tip, shortcut : str
-        FreeCAD translates the texts in the context of the name. The icon has the same name.
+        Texts of the command. FreeCAD translates them in the context `name`, which is also the name of the
+        icon.
     run : callable
-        Does the work. It raises `ElasticaError` with a message if it fails.
+        Function that does the work. It raises `ElasticaError` with a message if it fails.
     has_subject : callable
-        Returns True if an object for the command is selected, or is the only candidate.
+        Function that returns True if an object for the command is selected, or if there is only one
+        candidate.
     in_sketch : bool
         True if the command can be used while a sketch is open. It closes the sketch if necessary.
     checkable : bool
-        True if the command turns something on and off.
+        True if the command switches a state on and off.
     """
 
     name: str
@@ -56,7 +58,8 @@ class Command:
             resources["CmdType"] = "ForEdit"  # FreeCAD disables all other commands during editing
         if self.shortcut:
             resources["Accel"] = self.shortcut
-        return resources | ({"Checkable": False} if self.checkable else {})  # False: not checked at first
+        # the value False means that the command is not checked at first
+        return resources | ({"Checkable": False} if self.checkable else {})
 
     def IsActive(self) -> bool:
         """Return True if the command can be used now. FreeCAD calls this several times a second."""
@@ -74,12 +77,13 @@ class Command:
             self.run()
         except FAILURES as error:
             if App.getActiveTransaction() != step:
-                Gui.doCommand("App.closeActiveTransaction(True)")  # so that a macro also takes it back
+                # recorded, so that a macro undoes the same changes
+                Gui.doCommand("App.closeActiveTransaction(True)")
             show_message(str(explained(error)))
 
 
 def _toggle() -> None:
-    """Turn the overlay of the open sketch on or off. The sketch stores the state."""
+    """Switch the overlay of the open sketch on or off. The sketch stores this state."""
     sketch = sketches.edited_sketch()
     observers.switch(sketch, on=not observers.is_on(sketch))
 
@@ -100,10 +104,12 @@ LIVE = Command(
 
 
 class LiveManipulator:
-    """Adds the commands for an open sketch to the sketcher's tools (FreeCAD 1.0 and later)."""
+    """Manipulator that adds the commands for an open sketch to the sketcher's toolbar and menu (FreeCAD 1.0
+    and later).
+    """
 
     def modifyToolBars(self) -> list[dict[str, str]]:
-        """Insert the commands before the command that shows a section of the sketch."""
+        """Insert the commands before the sketcher's command for the section view."""
         return [{"insert": name, "toolItem": "Sketcher_ViewSection"} for name in _known()]
 
     def modifyMenuBar(self) -> list[dict[str, str]]:
@@ -112,12 +118,12 @@ class LiveManipulator:
 
 
 def _known() -> list[str]:
-    """Return the live command, and the tool for sketches if the workbench has been opened."""
+    """Return the command of live feedback, and the command of the length tool if the workbench has been opened."""
     return [name for name in (LIVE.name, "Elastica_Between") if name in Gui.listCommands()]
 
 
 def register() -> None:
-    """Register the command, and keep its check mark in step with the overlay."""
+    """Register the command, and update its check mark when the overlay is switched on or off."""
     if LIVE.name not in Gui.listCommands():
         Gui.addCommand(LIVE.name, LIVE)
     sketches.listeners.append(_show_state)
@@ -128,6 +134,6 @@ def register() -> None:
 def _show_state(on: bool) -> None:
     command = Gui.Command.get(LIVE.name)
     for action in command.getAction() if command is not None else []:
-        action.blockSignals(True)  # only the display changes
+        action.blockSignals(True)  # change the check mark without running the command
         action.setChecked(on)
         action.blockSignals(False)

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Cutting files of a document's parts: DXF, SVG, STEP, nest and cut list. All files are written, or none."""
+"""Writing of the cutting files of a document: DXF, SVG, STEP, nested sheets and cut list.
+
+After an error, no file is written.
+"""
 
 import csv
 import io
@@ -43,7 +46,9 @@ from elastica_cad.strip.solids import FlatSolid, frame_beside
 
 
 def later_feature_messages(obj: Any) -> list[str]:
-    """Return a warning if later features, which the files omit, change a strip, a model or a plate."""
+    """Return a warning if later features change a strip, a model or a plate, because the files do not include
+    them.
+    """
     words = translate(
         "Elastica",
         "The cutting files show {strip} without {later}, a later feature of its body. Use the slots, tabs "
@@ -83,21 +88,19 @@ def write_cutting_files(
 ) -> list[Path]:
     """Write the files of strips, models and base plates into a folder.
 
-    `step` is called with the number of written files. If it returns False, no file is kept.
+    `step` is called with the number of written files. If it returns False, no file remains.
 
     Raises
     ------
     InputError
-        There is nothing to write, a file exists (without `force`), a strip failed, or a piece is larger than the
-        sheet.
-    NotConvergedError
-        `step` returned False.
+        There is nothing to write, a file exists and `force` is False, a strip failed, or a piece is larger
+        than the sheet. NotConvergedError The user stopped the work: `step` returned False.
     """
     kinds, cuts, cutting = list(kinds), cuts_of(sources), cutting or cutting_of()
     if not kinds:
         raise InputError("there is nothing to write: choose kinds of files")
     pieces = [cut.piece for cut in cuts]
-    # different labels may become the same file name
+    # different labels may result in the same file name
     stems = distinct(piece.file_stem for piece in pieces)
     drawings = [(stem, piece.drawing, piece.sheet) for stem, piece in zip(stems, pieces, strict=True)]
     if "nest" in kinds:
@@ -127,7 +130,7 @@ def write_cutting_files(
 
 
 def _listed(cuts: Sequence[Cut], files: Mapping[str, str]) -> str:
-    """Return the cut list as CSV. A column describes parts that are bent before assembly, if there are any."""
+    """Return the cut list as CSV. If parts are pre-bent before assembly, a column contains the instructions."""
     text = cut_list((cut.piece for cut in cuts), files).csv
     blanks = ["" if cut.strip is None else pre_bend_message(cut.strip) for cut in cuts]
     if not any(blanks):
@@ -140,9 +143,10 @@ def _listed(cuts: Sequence[Cut], files: Mapping[str, str]) -> str:
 
 
 def _write_step(obj: Any, path: Path) -> None:
-    """Write named and coloured bodies of an object and the blocks that hold it to a STEP file.
+    """Write the named and coloured bodies of an object, and the blocks that hold it, to a STEP file.
 
-    A strip has its flat part and its bent part on the curve. A model has its bodies. Plates are in their places.
+    The file of a strip contains the flat part, and the bent part on its curve. The file of a model contains
+    its bodies. Plates are at their positions.
     """
     import Import
 
@@ -167,7 +171,7 @@ def _write_step(obj: Any, path: Path) -> None:
 
 def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
     if is_model(obj):
-        # computed again, because the shape in FreeCAD may be older than the drawings
+        # the bodies are computed again, because the shape in FreeCAD may be older than the drawings
         model = model_of(obj)
         solids = solids_of(model, obj.getGlobalPlacement() * container(obj).inverse())
         return [

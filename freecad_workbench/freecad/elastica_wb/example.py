@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""A drawn arch, the strip that bends into it, and the flat part to cut: to be changed by whoever looks around."""
+"""Example document for new users: a drawn arch, the strip that bends into it, and the flat part."""
 
 from typing import Any
 
@@ -18,7 +18,7 @@ LEFT = [(0, 0), (40, 5), (80, 40), (125, 160), (SPAN / 2, 175)]
 
 
 def open_example() -> Any:
-    """Draw the arch of examples/arch upright in a new document."""
+    """Draw the arch of examples/arch in a vertical plane of a new document, with its strip and flat part."""
     document = App.newDocument("Arch")
     sketch = document.addObject("Sketcher::SketchObject", "Curve")
     sketch.Label = translate("Elastica", "Curve")

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Registers the workbench, its preferences page and its translations; FreeCAD imports this at its start."""
+"""Registration of the workbench, its preferences page and its translations.
+
+FreeCAD imports this module at its start.
+"""
 
 from collections.abc import Iterator
 from typing import Any
@@ -19,7 +22,7 @@ translate = App.Qt.translate
 
 
 class ElasticaWorkbench(Gui.Workbench):
-    """Strips that bend into drawn curves."""
+    """FreeCAD workbench for strips that bend into drawn curves."""
 
     MenuText = translate("Workbench", "Elastica")
     ToolTip = translate("Workbench", "Flat strips that bend into drawn curves")
@@ -40,7 +43,7 @@ class ElasticaWorkbench(Gui.Workbench):
         self.appendMenu("Elastica", commands.MENU)
 
     def ContextMenu(self, _recipient: str) -> None:
-        """Add the commands for the selection to the context menu of the tree and the view."""
+        """Add the commands that apply to the selection to the context menu of the tree and the view."""
         from freecad.elastica_wb import commands
 
         names = commands.context_menu()
@@ -49,7 +52,7 @@ class ElasticaWorkbench(Gui.Workbench):
 
 
 def _panel_of(obj: Any) -> Any:
-    """Return the panel of a feature. The panels are imported when the first panel opens."""
+    """Return the panel of a feature. The module of panels is imported when the first panel opens."""
     from freecad.elastica_wb.panels.feature_panels import panel_of
 
     return panel_of(obj)
@@ -66,21 +69,24 @@ class PreferencesPage:
         put_sheets(self.form.defaultSheet, sheet_list())
 
     def loadSettings(self) -> None:
-        """Show the preferences."""
+        """Set the widgets to the stored preferences."""
         from freecad.elastica_wb.host.fields import set_value
 
         for name, widget in self._widgets():
             set_value(widget, preferences.get(name))
 
     def saveSettings(self) -> None:
-        """Store the preferences."""
+        """Store the values of the widgets as preferences."""
         from freecad.elastica_wb.host.fields import value_of
 
         for name, widget in self._widgets():
             preferences.put(name, value_of(widget))
 
     def _widgets(self) -> Iterator[tuple[str, Any]]:
-        """Yield the names of preferences and their widgets, whose names begin with a small letter."""
+        """Yield the name and the widget of each preference.
+
+        The name of the widget begins with a lower-case letter.
+        """
         for name in preferences.DEFAULTS:
             widget = getattr(self.form, name[0].lower() + name[1:], None)
             if widget is not None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The commands of the workbench, in the groups of its menu and its toolbars."""
+"""The commands of the workbench, grouped as in its menu and toolbars."""
 
 from collections.abc import Iterable
 from functools import partial
@@ -28,7 +28,7 @@ __all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
 
 SKETCH = "Sketcher_NewSketch"
 HAS_STRIP, HAS_PARTS = partial(answers, chosen_strips), partial(answers, chosen_sources)
-"""Conditions: a strip, or objects to cut, are selected, or the document determines them."""
+"""Conditions of commands: a strip, or objects to be cut, are selected, or the document has only one candidate."""
 
 DRAW = (
     Command(
@@ -254,7 +254,7 @@ EXAMPLE = Command(
         "Open a drawn arch with its strip and its flat part; drag its poles, change its sheet",
     ),
     run=open_example,
-    has_subject=lambda: True,  # it makes its document
+    has_subject=lambda: True,  # no object is required, because the command makes a new document
 )
 
 COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP, EXAMPLE)
@@ -280,7 +280,7 @@ def register() -> None:
 
 
 def context_menu() -> list[str]:
-    """Return the commands of the context menu: those that work on the present selection."""
+    """Return the commands that can be used with the current selection, for the context menu."""
     if not Gui.Selection.getSelection():
         return []
     groups = [[c.name for c in group if c.has_subject() and c.IsActive()] for group in (DRAW, STRIPS, MODELS)]

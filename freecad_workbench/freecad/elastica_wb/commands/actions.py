@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Actions of the commands: the objects that they need, and their work on the selection."""
+"""Functions that the commands run on the selected objects."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -38,19 +38,19 @@ from elastica_cad.pairs.flexure import STATES
 
 
 def has_curve() -> bool:
-    """Return True if a curve is selected or its sketch is open."""
+    """Return True if a curve is selected, or a sketch is open."""
     return App.ActiveDocument is not None and is_curve_chosen()
 
 
 def answers(question: Callable[..., Any], **options: Any) -> bool:
-    """Return True if a function of the selection succeeds with a true result."""
+    """Return True if a function that reads the selection returns a true value without an error."""
     with suppress(ElasticaError):
         return App.ActiveDocument is not None and bool(question(**options))
     return False
 
 
 def show_panel(make: Callable[..., Any], *arguments: Any) -> None:
-    """Close the sketcher, then open a panel."""
+    """Close the open sketch, then open a panel."""
     _close_sketch()
     Gui.Control.showDialog(make(*arguments))
 
@@ -67,7 +67,8 @@ def _close_sketch() -> None:
 
 def _edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
     """Make a feature in the open document and open its panel, in one undo step until OK."""
-    record_step(App.ActiveDocument, step)  # first, otherwise FreeCAD names the step after closing the sketch
+    # begin the undo step first; otherwise closing the sketch would begin a step with another name
+    record_step(App.ActiveDocument, step)
     _close_sketch()
     feature = recorded(make, App.ActiveDocument, *arguments)
     record_recompute(App.ActiveDocument)
@@ -75,7 +76,7 @@ def _edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
 
 
 def check() -> None:
-    """Turn the overlay on in the sketcher, or else open a panel with the full verdict."""
+    """Switch the overlay on if a sketch is open; otherwise open a panel with the full result of the check."""
     drawn = chosen_curves()
     if edited_sketch() is drawn[0][0]:
         observers.switch(edited_sketch(), on=True)
@@ -84,7 +85,7 @@ def check() -> None:
 
 
 def make_nearest() -> None:
-    """Make the nearest curve that a strip can take within limits, and open its panel."""
+    """Make the nearest curve into which a strip can be bent within limits, and open its panel."""
     (source, edges), *others = chosen_curves()
     if others:
         raise InputError("{count} curves are selected. Select one edge of one curve.", count=1 + len(others))
@@ -92,7 +93,7 @@ def make_nearest() -> None:
 
 
 def make_flexure() -> None:
-    """Make a part with the two selected curves as its states, and open its panel."""
+    """Make a two-state part from the two selected curves, and open its panel."""
     drawn = chosen_curves()
     if len(drawn) != len(STATES):
         raise InputError(
@@ -106,12 +107,12 @@ def make_flexure() -> None:
 
 
 def make_sections() -> None:
-    """Cut a body or a mesh by planes into curves for strips, and open their panel."""
+    """Cut a body or a mesh by planes, make curves for strips from the sections, and open their panel."""
     _edit_new("Section into curves", curves.section, *bodies_and_path())
 
 
 def bodies_and_path() -> tuple[list[Any], Any]:
-    """Return the bodies to cut and the path of the planes: a selected sketch, wire or chain of edges."""
+    """Return the bodies to be cut, and the path of the planes: a selected sketch, wire or chain of edges."""
     paths, others = [], []
     for choice in Gui.Selection.getSelectionEx():
         edges = tuple(name for name in choice.SubElementNames if name.startswith("Edge"))
@@ -119,7 +120,7 @@ def bodies_and_path() -> tuple[list[Any], Any]:
             paths.append((choice.Object, edges))
         else:
             others.append(choice.Object)
-    if not others:  # edges of the body itself
+    if not others:  # the path consists of edges of the body itself
         others = [obj for obj, edges in paths if edges]
     return chosen_bodies(others), paths[0] if paths else None
 
@@ -127,7 +128,8 @@ def bodies_and_path() -> tuple[list[Any], Any]:
 def make_strips() -> None:
     """Make a bent strip and its flat part for every selected curve, and open one panel for all strips."""
     drawn = chosen_curves()
-    record_step(App.ActiveDocument, "Strip from sketch")  # first, else FreeCAD names the step itself
+    # begin the undo step first; otherwise FreeCAD would give it another name
+    record_step(App.ActiveDocument, "Strip from sketch")
     _close_sketch()
     strips = [recorded(make_strip, source, edges, flat_part=False) for source, edges in drawn]
     for strip in strips:
@@ -139,24 +141,24 @@ def make_strips() -> None:
 
 def _add_flat(strip: Any, layer: str = "Base") -> None:
     recorded(flat.create, strip.Document, strip, layer)
-    record_recompute(strip.Document)  # so that the next strip is placed beside it
+    record_recompute(strip.Document)  # recompute, so that the next flat part is placed beside this one
 
 
 def edit_strips() -> None:
-    """Open one panel for all selected strips. Each change applies to all of them."""
+    """Open a common panel for all selected strips. Each change applies to all strips."""
     first, *others = chosen_strips()
     show_panel(panel_of, first, others)
 
 
 def perforate() -> None:
-    """Keep the width constant, reduce the stiffness by holes, and open the panel."""
+    """Make strips of constant width whose stiffness is reduced by holes, and open the panel."""
     strips = chosen_strips()
     _even_out(strips, "Perforated", "Perforate")
     show_panel(panel_of, strips[-1], strips)
 
 
 def laminate() -> None:
-    """Keep the width constant, increase the stiffness by a narrower strip glued on, and open the panel."""
+    """Make strips of constant width, stiffened by a narrower strip that is glued on, and open the panel."""
     strips = chosen_strips()
     _even_out(strips, "Laminated", "Laminate")
     for strip in strips:
@@ -166,7 +168,7 @@ def laminate() -> None:
 
 
 def _even_out(strips: list[Any], style: str, step: str) -> None:
-    """Give strips a constant width. By default it is the largest width of the plain strip."""
+    """Give strips a constant width: by default the largest width of the plain strip."""
     record_step(App.ActiveDocument, step)
     usual = preferences.get("MaxWidth")
     for strip in strips:
@@ -188,13 +190,16 @@ def make_model() -> None:
     for strip in strips:
         if not failed:
             record_value(strip, "Visibility", False)
-        elif strip.Visibility:  # nothing replaces the strip until the model can be made
+        elif strip.Visibility:  # while the model cannot be made, the single strip stays visible
             record_value(strip, "ShownByError", True)
     show_panel(panel_of, feature)
 
 
 def make_nest() -> None:
-    """Arrange all parts on sheets, in front of all objects, in one undo step. Take it back after an error."""
+    """Arrange all parts on sheets, in one undo step.
+
+    The sheets are in front of all objects. After an error, the step is undone.
+    """
     document, sources = App.ActiveDocument, chosen_sources()
     failed = [message for message in map(why_not_made, sources) if message]
     if failed:
@@ -207,7 +212,8 @@ def make_nest() -> None:
         record_end_of_step(document, abort=True)
         raise
     record_end_of_step(document)
-    if "Invalid" in feature.State:  # keep it, because the parts may fit on other sheets
+    # do not undo the step, because the parts may fit on sheets of another size
+    if "Invalid" in feature.State:
         show_message(feature.getStatusString())
     elif feature.LeftOut or feature.Reports:
         show_message("\n".join([*feature.LeftOut, *feature.Reports]))

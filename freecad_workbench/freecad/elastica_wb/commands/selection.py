@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The user's selection, and the open sketch."""
+"""Functions that return the selected curves, sketches and strips, and the open sketch."""
 
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -29,11 +29,13 @@ from freecad.elastica_wb.live.sketches import edited_sketch, followers
 from elastica_cad.errors import InputError
 
 LINE = "Part::GeomLine"
-OPEN = ("Edge", "Wire", "Compound")  # kinds of shapes that may be a curve
+OPEN = ("Edge", "Wire", "Compound")  # types of shapes that may be curves
 
 
 def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
-    """Return the selected sketches and chains of edges, with names of edges. A body is replaced by its sketch.
+    """Return the selected sketches and chains of edges, each with the names of its edges.
+
+    A body is replaced by its sketch.
 
     Raises
     ------
@@ -74,7 +76,7 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
 def _picked() -> dict[Any, list[str]]:
     """Return the selected objects and the names of their selected parts.
 
-    A part that is seen through a link belongs to the link.
+    A part that is displayed through a link is returned as a part of the link.
     """
     names: dict[Any, list[str]] = {}
     for choice in Gui.Selection.getSelectionEx("", 0):
@@ -85,14 +87,17 @@ def _picked() -> dict[Any, list[str]]:
 
 
 def _drawn(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[Any, tuple[str, ...]]]:
-    """Return the curves in a sketch, or those of which edges are picked."""
+    """Return the curves of a sketch; if edges are picked, only the curves with picked edges."""
     if edited_sketch() is sketch:
         picked = edges_drawn(sketch, picked)
     return [(sketch, chain) for chain in curves_in(sketch, picked) or [()]]
 
 
 def _sketch_in(body: Any) -> Any:
-    """Return the only sketch of a body that no other feature uses, preferably without a strip."""
+    """Return the sketch of a body that no other feature uses, preferably a sketch without a strip.
+
+    There must be only one.
+    """
     drawn = [sketch for sketch in body.Group if is_sketch(sketch)]
     users = {sketch: [user for user in sketch.InList if user is not body] for sketch in drawn}
     ours = [sketch for sketch in drawn if all(map(is_ours, users[sketch]))]
@@ -114,7 +119,9 @@ def _sketch_in(body: Any) -> Any:
 
 
 def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
-    """Return True if all are straight edges of different objects, and three or more of them join in a row."""
+    """Return True if all curves are straight edges of different objects, and three or more of them are
+    connected end to end.
+    """
     shapes = [source.Shape for source, names in curves if not names and not is_sketch(source)]
     lines = [shape.Edges[0] for shape in shapes if [e.Curve.TypeId for e in shape.Edges] == [LINE]]
     if not 3 <= len(lines) == len(curves):
@@ -123,9 +130,9 @@ def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
 
 
 def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
-    """Return the names of edges in connected chains.
+    """Return the names of edges, grouped in connected chains.
 
-    Edges of a section stay separate, because they were split on purpose.
+    Edges of a section are not grouped, because the section was split intentionally.
     """
     if feature_kind(source) == "Section":
         return [(name,) for name in names]
@@ -137,7 +144,7 @@ def _is_open(shape: Any) -> bool:
 
 
 def is_curve_chosen() -> bool:
-    """Return True if `chosen_curves` would probably succeed. No shapes are computed."""
+    """Return True if `chosen_curves` would probably succeed. This test is fast, because it computes no shapes."""
     if edited_sketch() is not None or _only_sketch() is not None:
         return True
     return any(
@@ -157,7 +164,7 @@ def _may_be_open(shape: Any) -> bool:
 
 
 def _only_sketch() -> Any:
-    """If nothing is selected, return the only sketch of the document that no strip follows, or None."""
+    """If nothing is selected, and a single sketch of the document has no strip, return this sketch, else None."""
     if Gui.Selection.hasSelection() or App.ActiveDocument is None:
         return None
     free = [obj for obj in App.ActiveDocument.findObjects("Sketcher::SketchObject") if not followers(obj)]
@@ -180,10 +187,10 @@ def chosen_sketch() -> Any:
 
 
 def chosen_sources() -> list[Any]:
-    """Return the selected strips, models, base plates and copies of these, or else those of the document.
+    """Return the selected strips, models, plates and copies of them; without a selection, those of the document.
 
-    A flat part with the slots of a model is replaced by the model. Links, arrays and clones stay, with everything
-    they show. Containers are replaced by their contents.
+    A flat part with the slots of a model is replaced by the model. Links, arrays and clones are returned as
+    they are. Containers are replaced by their contents.
 
     Raises
     ------
@@ -195,19 +202,24 @@ def chosen_sources() -> list[Any]:
 
 
 def _sources(objects: Iterable[Any]) -> list[Any]:
-    """Return the objects that are cut or that show objects to cut, each once."""
+    """Return the objects that are cut, or that display objects to be cut, without repetitions."""
     meant = dict.fromkeys(filter(None, map(cut_for, objects)))
     return not_repeated(obj for obj in meant if any(_may_be_cut(original) for original in originals(obj)))
 
 
 def _may_be_cut(obj: Any) -> bool:
-    """Return True if an object is cut or is a broken link. A broken link is kept so that an error reports it."""
+    """Return True if an object is to be cut, or is a broken link.
+
+    Broken links are included so that an error reports them.
+    """
     return is_cut(cut_for(obj)) or is_broken_link(obj)
 
 
 def _all_sources() -> list[Any]:
-    """Return the models and base plates of the document, and the strips on these plates. If there are none, return
-    the only strip of the document."""
+    """Return the models and base plates of the document, and the strips on these plates.
+
+    If there are none, return the strip of the document, which must be its only strip.
+    """
     objects = App.ActiveDocument.Objects
     sources = _sources(
         obj for obj in objects if _may_show(obj) and contents(obj) == [obj] and not is_broken_link(obj)
@@ -223,12 +235,17 @@ def _all_sources() -> list[Any]:
 
 
 def _may_show(obj: Any) -> bool:
-    """Return True if an object may show objects to cut. A quick check: our objects and Draft's have a proxy."""
+    """Return True if an object may display objects to be cut.
+
+    The check is fast: it only looks for the proxy of a Python object.
+    """
     return obj.TypeId in COPYING or hasattr(obj, "Proxy")
 
 
 def chosen_strips(*, least: int = 1) -> list[Any]:
-    """Return the selected strips, also through flat parts and copies, or the only strip of the document.
+    """Return the selected strips, or the only strip of the document.
+
+    Selected flat parts and copies are replaced by their strips.
 
     Raises
     ------

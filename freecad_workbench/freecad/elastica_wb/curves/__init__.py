@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Curves that strips follow: drawn in sketches, cut out of bodies, pulled by handles."""
+"""Curves that strips follow: drawn curves, sections of bodies, and curves changed by handles."""

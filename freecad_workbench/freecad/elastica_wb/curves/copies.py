@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Originals behind links, arrays, clones, mirror images and containers, with the placement of every copy."""
+"""Originals of links, arrays, clones, mirror images and the contents of containers, with the placement of
+every copy.
+"""
 
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -18,29 +20,33 @@ Shown = tuple[Any, App.Matrix]
 MIRRORING = "Part::Mirroring"
 COMPOUND = "Part::Compound"
 BASE = "PartDesign::FeatureBase"
-"""Type of the first feature in a body that was made from an object outside."""
+"""Type of the first feature of a body that was made from an object outside of the body."""
 
 PATTERNS = tuple(
     f"PartDesign::{kind}"
     for kind in ("Mirrored", "LinearPattern", "PolarPattern", "Scaled", "MultiTransform")
 )
-"""Types that repeat features inside a body. The copies join one solid, or are left out if they do not touch it."""
+"""Types that repeat features inside a body.
+
+Copies that touch the solid of the body are fused to it; others are left out.
+"""
 
 COPYING = ("App::Link", "App::LinkGroup", MIRRORING, COMPOUND, BASE, *PATTERNS)
-"""Types of FreeCAD's compiled objects that may show copies."""
+"""Types of FreeCAD's built-in objects that may display copies of other objects."""
 
 SAME = App.Vector(1, 1, 1)
 AXES = (App.Vector(1, 0, 0), App.Vector(0, 1, 0), App.Vector(0, 0, 1))
 TURNED_OVER = App.Matrix(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1)
-"""Maps z to -z. A mirror image is its original, turned over like this and then moved."""
+"""Matrix that maps z to -z. A mirror image is its original, mapped by this matrix and then moved."""
 
 
 def copies(obj: Any) -> Iterator[Standing]:
-    """Yield the originals that an object shows, each with the placement of the copy and whether it is mirrored.
+    """Yield the originals that an object displays, each with the placement of its copy, and True if it is
+    mirrored.
 
-    The placement is in document coordinates and applies to the shape without its own placement. A mirror image is
-    turned over (z to -z) before it is placed. A body's pattern is not a copy, because it forms one solid with its
-    originals.
+    The placement is in document coordinates, and applies to the shape of the original without its placement.
+    A mirror image is mapped by z to -z before it is placed. The pattern of a body is not a copy, because it
+    forms a single solid with its originals.
 
     Raises
     ------
@@ -53,14 +59,14 @@ def copies(obj: Any) -> Iterator[Standing]:
 
 
 def turned_over(place: App.Placement) -> App.Placement:
-    """Return the placement of a body's image under z -> -z, itself turned over in the same way."""
+    """Return the placement of a mirrored body whose shape was also mapped by z to -z."""
     return App.Placement(TURNED_OVER * place.toMatrix() * TURNED_OVER)
 
 
 def originals(obj: Any) -> list[Any]:
-    """Return the originals that an object shows, each once.
+    """Return the originals that an object displays, without repetitions.
 
-    An object that is not a copy or a container is its own original.
+    For an object that is neither a copy nor a container, the original is the object.
     """
     if obj.TypeId in PATTERNS:
         return repeated(obj)
@@ -71,21 +77,23 @@ def originals(obj: Any) -> list[Any]:
 
 
 def repeated(obj: Any) -> list[Any]:
-    """Return the features that a body's pattern repeats, or [] for other objects."""
+    """Return the features that a pattern of a body repeats, or [] for other objects."""
     if obj.TypeId not in PATTERNS or getattr(obj, "Suppressed", False):
         return []
-    return list(obj.Originals or filter(None, [obj.BaseFeature]))  # newer releases also repeat earlier ones
+    # without originals, newer releases repeat the preceding features
+    return list(obj.Originals or filter(None, [obj.BaseFeature]))
 
 
 def contents(obj: Any) -> list[Any]:
-    """Return the objects inside a container, or the object itself. Other kinds of copies are not opened."""
+    """Return the objects inside a container, or the object itself if it is not a container."""
     return [content for content, _ in _inside(obj)] if _is_container(obj) else [obj]
 
 
 def not_repeated(objects: Iterable[Any]) -> list[Any]:
-    """Return the objects without those that another of the objects shows in its place.
+    """Remove objects that are displayed by another object of the list.
 
-    Such are the bases of Draft arrays and of bodies, the strips of models, and the members of Part compounds.
+    These are the base objects of Draft arrays and of bodies, the strips of models, and the members of Part
+    compounds.
     """
     objects = list(objects)
     repeated_shapes = [item.Base for item in objects if _is_draft(item, "Array")]
@@ -123,7 +131,9 @@ def _own(obj: Any) -> App.Placement:
 
 
 def _parts(obj: Any) -> list[Shown] | None:
-    """Return the parts that an object shows, with their placements in it, or None if it shows itself."""
+    """Return the parts that an object displays, with their placements relative to it, or None if it displays
+    no other object.
+    """
     if obj.TypeId == MIRRORING:
         return [(obj.Source, _mirror(obj) * _own(obj.Source).toMatrix())] if obj.Source else None
     placed = _placed_parts(obj)
@@ -140,13 +150,13 @@ def _mirror(obj: Any) -> App.Matrix:
 
 
 def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
-    """Return the parts that an object shows unmirrored."""
+    """Return the parts that an object displays, ignoring mirror images."""
     if _is_container(obj):
         inside = _inside(obj)
         single = not_repeated(part for part, _ in inside)
         return [(part, where) for part, where in inside if part in single]
     if _is_draft(obj, "Clone"):
-        if len(obj.Objects) == 1:  # a clone of one object ignores its placement
+        if len(obj.Objects) == 1:  # a clone ignores the placement of its original if it has only one
             return [(obj.Objects[0], App.Placement())]
         return [(part, _own(part)) for part in obj.Objects]
     if obj.TypeId == "App::LinkGroup":
@@ -159,7 +169,7 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
     target = obj.Base if is_array else link_target(obj)
     if target is None:
         return None
-    if is_array and not hasattr(obj, "LinkTransform"):  # this array stores only shapes
+    if is_array and not hasattr(obj, "LinkTransform"):  # such an array stores only shapes, no links
         inner = obj.Placement.inverse()
         return [(target, inner * part.Placement) for part in obj.Shape.childShapes()]
     inner_place = target.Placement if obj.LinkTransform else App.Placement()
@@ -169,7 +179,9 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
 
 
 def _inside(group: Any) -> list[tuple[Any, App.Placement]]:
-    """Return all objects in a container and its containers, with their placements in it."""
+    """Return all objects in a container and in nested containers, with their placements relative to the outer
+    container.
+    """
     contained: list[tuple[Any, App.Placement]] = []
     for child in group.Group:
         place = _own(child)
@@ -192,6 +204,8 @@ def _is_container(obj: Any) -> bool:
 
 
 def _is_draft(obj: Any, kind: str) -> bool:
-    """Return True for a Draft object of a kind. Kinds of arrays end in `Array` (`PathArray`), clones in `Clone`."""
+    """Return True if an object is a Draft object whose type name ends in `kind`: "Array" (such as
+    `PathArray`) or "Clone".
+    """
     type_name = getattr(getattr(obj, "Proxy", None), "Type", None)
     return isinstance(type_name, str) and type_name.endswith(kind)

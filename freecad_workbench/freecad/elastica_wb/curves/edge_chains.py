@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Edges of an object in chains, one for each curve that a strip can follow."""
+"""Grouping of the edges of an object in chains: a chain for each curve that a strip can follow."""
 
 from collections.abc import Iterable, Sequence
 from math import pi, radians
@@ -11,25 +11,26 @@ import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.sketch_curves import edge_called
 
-MEET_MM = 1e-4  # as for the edges of a strip
-MEANT_MM = 0.5  # ends of curves in a sketch that are closer are meant to meet
-SMOOTH_RAD = radians(5.0)  # smallest turn of a corner between a picked edge and the next edge
-DRAWN_MM = 1e-5  # distance of an edge from the geometry that it was made from
+MEET_MM = 1e-4  # largest gap, mm, between connected edges; the same as for the edges of a strip
+MEANT_MM = 0.5  # ends of curves in a sketch that are closer than this, mm, are probably intended to meet
+SMOOTH_RAD = radians(5.0)  # a larger turn, rad, between a picked edge and the next edge is a corner
+DRAWN_MM = 1e-5  # largest distance, mm, between an edge and the geometry that it was made from
 
 Edges = Sequence[tuple[str, Any]]
 End = tuple[App.Vector, App.Vector]
 
 
 def chains_of(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
-    """Return the names of edges in connected chains."""
+    """Return the names of edges, grouped in connected chains."""
     return _chained([(name, edge_called(source, name)) for name in names], MEET_MM)
 
 
 def curves_in(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[str, ...]]:
     """Return the names of the edges of each curve in a sketch, or of each picked curve.
 
-    A single picked edge of a chain stands for itself and all edges that continue it without a corner. Several
-    picked edges of a chain are taken as they are. An empty tuple stands for the only curve of the sketch.
+    If a single edge of a chain is picked, the curve has this edge and all edges that continue it without a
+    corner. If several edges of a chain are picked, the curve has only these edges. An empty tuple represents
+    the only curve of the sketch.
     """
     edges = [(f"Edge{i + 1}", edge) for i, edge in enumerate(Part.getShape(sketch).Edges)]
     whole = _chained(edges, MEANT_MM)
@@ -46,14 +47,15 @@ def curves_in(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[str, ...]]:
 
 
 def curve_count(geometry: Iterable[Any]) -> int:
-    """Return the number of curves that Part geometry forms."""
+    """Return the number of curves that geometry of FreeCAD's Part module forms."""
     return len(_chained([("", item.toShape()) for item in geometry], MEANT_MM))
 
 
 def edges_drawn(sketch: Any, names: Iterable[str]) -> list[str]:
-    """Return the edges of a sketch's shape for edges that are picked while the sketch is open.
+    """Convert the names of edges picked in an open sketch to the names of edges of the sketch's shape.
 
-    The names in an open sketch count the geometry, including construction geometry, which makes no edge.
+    In an open sketch, edges are numbered together with construction geometry, which is not part of the
+    shape.
     """
     edges, drawn = Part.getShape(sketch).Edges, []
     for number in (int(name[len("Edge") :]) - 1 for name in names):
@@ -66,8 +68,10 @@ def edges_drawn(sketch: Any, names: Iterable[str]) -> list[str]:
 
 
 def _chained(edges: Edges, apart: float, turn: float = pi) -> list[tuple[str, ...]]:
-    """Return the names of edges in chains. Their ends are at most `apart` mm from each other, and turn at most by
-    `turn`, rad."""
+    """Return the names of edges, grouped in chains.
+
+    In a chain, ends are at most `apart` mm from each other, and the direction turns by at most `turn` rad.
+    """
     chains: list[tuple[list[str], list[End]]] = []
     for name, edge in edges:
         first, last = edge.ParameterRange

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Kernel-neutral records as shapes of FreeCAD's Part, and its edges as plane curves."""
+"""Conversion of the core's records to shapes of FreeCAD's Part module, and of Part's edges to plane curves."""
 
 import os
 import re
@@ -27,8 +27,9 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.splines import knot_runs
 from elastica_cad.strip.solids import BodyRecord, FlatSolid, PrismSolid
 
-OFFSET_TOLERANCE_MM = 1e-6  # mm: tolerance for curves that are not NURBS
-ENDLESS_MM = 1e99  # FreeCAD gives datum planes and axes boxes of 1e100 mm
+OFFSET_TOLERANCE_MM = 1e-6  # tolerance, mm, for the approximation of curves that are not NURBS
+# larger boxes, mm, count as infinite; FreeCAD's datum planes and axes have boxes of 1e100 mm
+ENDLESS_MM = 1e99
 
 
 def make_wire(path: Path, frame: Frame | None = None) -> Part.Wire:
@@ -37,7 +38,7 @@ def make_wire(path: Path, frame: Frame | None = None) -> Part.Wire:
 
 
 def spline_geometry(curve: PlaneCurve, frame: Frame | None = None) -> Part.BSplineCurve:
-    """Return a plane curve as Part geometry with the same poles, knots and weights."""
+    """Convert a plane curve to Part geometry with the same poles, knots and weights."""
     spline = Part.BSplineCurve()
     knots, counts = knot_runs(curve.knots)
     points = [App.Vector(*p) for p in (frame or Frame()).point(curve.control_points).tolist()]
@@ -53,7 +54,9 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
 
 
 def _plane_of(frame: Frame) -> Frame:
-    """Return the plane of a frame with the axes of OpenCASCADE. The accuracy of areas depends on these axes."""
+    """Return the plane of a frame with the axes that OpenCASCADE would choose, because the accuracy of areas
+    depends on them.
+    """
     about = _frame_about(tuple(frame.z_axis.tolist()))
     return Frame(frame.origin, about.x_axis, about.y_axis)
 
@@ -66,7 +69,7 @@ def _frame_about(normal: tuple[float, float, float]) -> Frame:
 
 
 def make_solid(record: BodyRecord | PrismSolid) -> Part.Shape:
-    """Make a solid of a record."""
+    """Make the solid that a record describes."""
     if isinstance(record, PrismSolid):
         first, *rest = (make_solid(prism) for prism in record.added)
         whole = first.multiFuse(rest) if rest else first
@@ -79,7 +82,7 @@ def make_solid(record: BodyRecord | PrismSolid) -> Part.Shape:
 
 
 def _read(brep: BinaryBrep) -> Part.Shape:
-    """Return the shape of a binary BREP. FreeCAD reads it only from a file."""
+    """Return the shape of a binary BREP. It is written to a temporary file, because FreeCAD reads only files."""
     shape = Part.Shape()
     try:
         handle, name = tempfile.mkstemp(suffix=".bin", dir=_folder())
@@ -105,7 +108,10 @@ def _folder() -> str:
 
 
 def is_bounded(box: App.BoundBox) -> bool:
-    """Return True if a box is neither empty nor infinite. FreeCAD 1.1 has infinite planes in bodies and parts."""
+    """Return True if a bounding box is neither empty nor infinite.
+
+    In FreeCAD 1.1, bodies and parts contain infinite planes.
+    """
     return bool(box.isValid()) and bool(box.DiagonalLength < ENDLESS_MM)
 
 
@@ -114,12 +120,13 @@ def plane_curve(
 ) -> tuple[PlaneCurve, Frame]:
     """Return the single curve that edges or Part geometry form, and its plane.
 
-    `plane` is the plane if it is known, and `gap` the largest gap between edges that is closed, mm.
+    `plane` is the plane of the edges, if it is known. `gap` is the largest gap between edges that is closed,
+    mm.
 
     Raises
     ------
     InputError
-        The edges form no curve or several curves, or have corners, or edges that are not plane.
+        The edges form no curve or several curves, have corners, or are not in a plane.
     """
     return placed_curve(_drawn_edges(drawn), plane=plane, join=max(JOIN, gap))
 
@@ -129,8 +136,7 @@ def report_on_edges(drawn: Iterable[Any], gap: float = 0.0) -> ReadReport | None
 
     Raises
     ------
-    InputError
-        As `plane_curve`.
+    InputError For the reasons of `plane_curve`.
     """
     drawn = list(drawn)
     edges = _drawn_edges(drawn)
@@ -143,7 +149,7 @@ def report_on_edges(drawn: Iterable[Any], gap: float = 0.0) -> ReadReport | None
 
 
 def _kind(item: Any) -> str:
-    """Return the kind of an edge or of Part geometry as in a `ReadReport`."""
+    """Return the kind of an edge or of Part geometry, in the words of `ReadReport`."""
     name = (item.Curve if isinstance(item, Part.Edge) else item).TypeId
     return "line" if "Line" in name else "arc" if re.search("Circle|Ellipse", name) else "spline"
 
@@ -171,7 +177,8 @@ def _as_spline(curve: Any, first: float, last: float) -> Any:
         if whole and min(curve.getMultiplicities()[:: curve.NbKnots - 1]) > curve.Degree:
             return curve
         spline = curve.copy()
-        spline.segment(first, last)  # ends at poles, and opens a periodic spline anywhere
+        # makes the spline end at poles; a periodic spline may be opened at any parameter
+        spline.segment(first, last)
         return spline
     if not (abs(first) < 1e100 and abs(last) < 1e100):
         raise InputError("An edge is infinitely long. Trim it.")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Plane sections of bodies, surfaces and meshes as smooth curves, each in a sketch that strips can follow."""
+"""Plane sections of bodies, surfaces and meshes, converted to smooth curves in sketches that strips can follow."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -37,9 +37,12 @@ AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 FAMILIES = ("parallel", "about an axis", "along a path")
 CLOSED = ("left out", "left and right", "above and below")
 
-SECTION_POINTS = 240  # along a wire of a section, at least a quarter of that along each of its edges
-PATH_POINTS = 400  # planes along a path are perpendicular to it within a fraction of a degree
-JOIN_MM = 1e-4  # OpenCASCADE's sections leave gaps of up to 1e-5 mm between faces
+# number of points along a wire of a section; each of its edges has at least a quarter of this number
+SECTION_POINTS = 240
+# number of points along a path; planes are then perpendicular to it within a fraction of a degree
+PATH_POINTS = 400
+# largest gap, mm, that is closed; sections by OpenCASCADE have gaps of up to 1e-5 mm between faces
+JOIN_MM = 1e-4
 
 STOPPED = "nothing was changed; take fewer planes, or try again"
 
@@ -54,13 +57,13 @@ class Family:
         One of `FAMILIES`.
     count : int
     axis : str
-        Normal of parallel planes, or axis at which radial half planes end.
+        Axis: the normal of parallel planes, or the line at which radial half planes end.
     through : (3,) sequence, optional
-        A point of the axis of radial planes, mm; by default the middle of the object.
+        A point on the axis of radial planes, mm. The default is the middle of the object.
     sweep : float
-        Angle over which radial planes are spread, degrees.
+        Angle, degrees, over which radial planes are distributed.
     path : (n, 3) array, optional
-        Points of a path that the planes cross at right angles, mm.
+        Points, mm, of a path to which the planes are perpendicular.
     """
 
     kind: str = "parallel"
@@ -76,7 +79,7 @@ class Family:
         return self.kind == "about an axis"
 
     def planes(self, box: Any) -> list[tuple[str, Frame]]:
-        """Return name and plane of each cut through an object in the bounding box `box`.
+        """Return the name and plane of each cut through an object with the bounding box `box`.
 
         Raises
         ------
@@ -115,7 +118,7 @@ class Family:
 
 
 def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
-    """Return the objects with faces or triangles, without datum planes.
+    """Return the objects that have faces or triangles, except datum planes.
 
     Raises
     ------
@@ -129,7 +132,7 @@ def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
 
 
 def is_path(obj: Any) -> bool:
-    """Return True if an object can be a path for planes: it has edges and no faces."""
+    """Return True if an object can be a path of planes, because it has edges and no faces."""
     shape = _shape(obj)
     return bool(shape.Edges) and not shape.Faces
 
@@ -160,7 +163,7 @@ def box_of(source: Any) -> Any:
     """Return the bounding box of an object in document coordinates."""
     mesh = _mesh(source)
     if mesh is None:
-        return _shape(source).optimalBoundingBox(False)  # the box of the poles is larger
+        return _shape(source).optimalBoundingBox(False)  # not the box of the poles, which is larger
     box = App.BoundBox()
     for point in mesh[0][[*np.argmin(mesh[0], axis=0), *np.argmax(mesh[0], axis=0)]]:
         box.add(App.Vector(*point.tolist()))
@@ -173,9 +176,8 @@ def cut(source: Any, family: Family, step: Step | None = None) -> list[PlaneSect
     Raises
     ------
     InputError
-        The mesh is invalid, or the family has no planes.
-    NotConvergedError
-        `step`, called with the number of finished planes, returned False.
+        The mesh is invalid, or the family has no planes. NotConvergedError The user stopped the computation:
+        `step`, which is called with the number of finished planes, returned False.
     """
     planes = family.planes(box_of(source))
     mesh = _mesh(source)
@@ -201,7 +203,7 @@ def curves_of(
     closed: str = CLOSED[0],
     step: Step | None = None,
 ) -> tuple[list[SectionCurve], list[str]]:
-    """Fit a smooth curve to every open section line, and return a message for every line without a curve."""
+    """Fit a smooth curve to every open section line. Also return a message for every line without a curve."""
     curves: list[SectionCurve] = []
     remarks: list[str] = []
     for i, section in enumerate(sections):
@@ -216,7 +218,7 @@ def curves_of(
 
 
 def section_sketches(document: Any, source: Any, curves: Sequence[SectionCurve]) -> list[Any]:
-    """Make a sketch of every curve, and put several sketches into a group."""
+    """Make a sketch for every curve. Several sketches are placed in a group."""
     sketches = []
     for curve in curves:
         sketch = document.addObject("Sketcher::SketchObject", "Section")
@@ -241,7 +243,9 @@ def _shape(obj: Any) -> Part.Shape:
 
 
 def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
-    """Return vertices (document coordinates) and triangles of a mesh or a linked mesh. None for other objects."""
+    """Return the vertices (in document coordinates) and triangles of a mesh or linked mesh, or None for other
+    objects.
+    """
     source = _meshed(obj)
     if source is None:
         return None
@@ -255,21 +259,24 @@ def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
 
 
 def _state(source: Any) -> tuple[float, ...]:
-    """Return numbers that change when a mesh changes."""
+    """Return numbers that differ after a change of a mesh."""
     mesh = source.Mesh
     return (mesh.CountPoints, mesh.CountFacets, mesh.Area, mesh.Volume, *source.Placement.toMatrix().A)
 
 
 @lru_cache(maxsize=4)
 def _arrays(document: str, name: str, *_state: float) -> tuple[FloatArray, Any]:
-    """Return vertices and triangles as arrays. Cached, because FreeCAD takes a second for a million points."""
+    """Return vertices and triangles as arrays.
+
+    They are cached, because FreeCAD takes a second for a million points.
+    """
     points, faces = App.getDocument(document).getObject(name).Mesh.Topology
     vertices = check_places(np.array([tuple(p) for p in points]).reshape(-1, 3))
     return vertices, np.array(faces, dtype=int).reshape(-1, 3)
 
 
 def _meshed(obj: Any) -> Any:
-    """Return the mesh object, or the mesh that a link shows. None for other objects."""
+    """Return the mesh object, or the mesh that a link displays, or None for other objects."""
     source = obj.getLinkedObject() if hasattr(obj, "getLinkedObject") else obj
     return source if source is not None and source.isDerivedFrom("Mesh::Feature") else None
 
@@ -297,14 +304,14 @@ def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> Pl
 def _edge_points(edges: Sequence[Part.Edge]) -> list[FloatArray]:
     """Return points (n, 3) along each edge of a wire.
 
-    FreeCAD crashes if some wires through the pole of a sphere are discretized in one call.
+    Edges are discretized separately, because FreeCAD crashes for some wires through the pole of a sphere.
     """
     count = max(SECTION_POINTS // len(edges), SECTION_POINTS // 4)
     return [np.array([tuple(p) for p in edge.discretize(Number=count)]) for edge in edges]
 
 
 def _joined(lines: Iterable[FloatArray]) -> list[FloatArray]:
-    """Join connected lines. A closed line has the same first and last point."""
+    """Join connected lines. The first and the last point of a closed line are equal."""
     joined = []
     for run in join_runs([(Edge.polyline(line),) for line in lines], JOIN_MM).chains:
         points = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])
@@ -324,7 +331,7 @@ def _opened(line: SectionLine, closed: str) -> tuple[SectionLine, ...]:
 
 
 def _called(section: PlaneSection, label: str, place: str) -> PlaneSection:
-    """Return the section with names that contain its source and place."""
+    """Return the section with names that contain its source and position."""
     name = note("{source}, {section} ({place})", source=label, section=section.name, place=place)
     lines = tuple(
         replace(

@@ -20,14 +20,19 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import note
 
 MOST_DRAGGED = 24
-"""Largest number of poles that can be dragged. More poles are hidden, or FreeCAD 1.1's solver moves the curve."""
+"""Largest number of poles that are displayed for dragging.
+
+With more visible poles, the solver of FreeCAD 1.1 moves the curve.
+"""
 
 LINK = "App::Link"
 
 
 @dataclass(frozen=True, eq=False)
 class DrawnCurve:
-    """A drawn curve with its plane, in the coordinates of the follower's container and of the document."""
+    """A drawn curve with its plane, in the coordinates of the container of the feature that follows it, and
+    of the document.
+    """
 
     curve: PlaneCurve
     placement: App.Placement
@@ -35,17 +40,17 @@ class DrawnCurve:
 
     @property
     def plane(self) -> Frame:
-        """The curve's plane in document coordinates."""
+        """Plane of the curve in document coordinates."""
         return frame_of(self.world)
 
 
 def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
-    """Return the curve of a link (object, names of edges), in the coordinates of `follower`.
+    """Return the curve of a link (object, names of edges), in the coordinates of the feature `follower`.
 
     Raises
     ------
     InputError
-        The link is empty or has no curve, or as `shapes.plane_curve`.
+        The link is empty or has no curve, or for the reasons of `part_shapes.plane_curve`.
     """
     source, names = link if isinstance(link, tuple) else (link, ())
     if source is None:
@@ -64,13 +69,13 @@ def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
 
 
 def gap_of(*followers: Any) -> float:
-    """Return the largest gap between edges that these objects close, mm."""
+    """Return the largest gap, mm, between edges that these features close."""
     gaps = (obj.JoinGaps.Value for obj in followers if hasattr(obj, "JoinGaps"))
     return float(max(gaps, default=0.0))
 
 
 def sketch_curve(sketch: Any, geometry: list[Any] | None = None, gap: float = 0.0) -> PlaneCurve:
-    """Return the only curve of a sketch, in sketch coordinates, and close gaps of at most `gap` mm.
+    """Return the only curve of a sketch in sketch coordinates. Gaps of at most `gap` mm are closed.
 
     `geometry` replaces the geometry of the sketch.
     """
@@ -81,7 +86,10 @@ def sketch_curve(sketch: Any, geometry: list[Any] | None = None, gap: float = 0.
 
 
 def read_line(link: Any, geometry: list[Any] | None = None) -> str:
-    """Return a line on the geometry of a link (object, names of edges). `geometry` as in `sketch_curve`."""
+    """Return a line of text on the geometry of a link (object, names of edges).
+
+    `geometry` is described in `sketch_curve`.
+    """
     source, edges = link
     whole = is_sketch(source) and not edges
     drawn = drawn_in(source, geometry) if whole else _edges(source, edges)
@@ -102,30 +110,38 @@ def drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
 
 
 def is_blank(sketch: Any) -> bool:
-    """Return True if a sketch holds no geometry that could be a curve."""
+    """Return True if a sketch contains no geometry that could be a curve."""
     geometry = enumerate(sketch.Geometry)
     return all(isinstance(g, Part.Point) or sketch.getConstruction(i) for i, g in geometry)
 
 
 def linked(obj: Any) -> Any:
-    """Return the object that a link or an element of a link array shows. Other objects are returned unchanged."""
+    """Return the object that a link or an element of a link array displays.
+
+    Other objects are returned unchanged.
+    """
     target = link_target(obj)
     return obj if target is None else linked(target)
 
 
 def link_target(obj: Any) -> Any:
-    """Return the target of a link, also inside a container. None for a broken link and for other objects."""
+    """Return the target of a link, also of a link to an object in a container.
+
+    Return None for broken links and other objects.
+    """
     target = getattr(obj, "LinkedObject", None) if obj.TypeId.startswith(LINK) else None
     return obj.getLinkedObject(False) if isinstance(target, tuple) else target
 
 
 def picked(root: Any, path: str) -> tuple[Any, str]:
-    """Return the object picked along a path (`Part.Body.Pad.Edge3`), and the name of the picked element in it.
+    """Return the picked object at a path (`Part.Body.Pad.Edge3`), and the name of the picked element.
 
-    An element that is seen through a link belongs to the link, because the original is in another place.
+    An element that is displayed through a link is returned as an element of the link, because the original is
+    elsewhere.
     """
     along = root.getSubObjectList(path)
-    # FreeCAD 1.1 adds names by the history of an element (;#14:1;...), which change with the next edit
+    # remove names that FreeCAD 1.1 derives from the history of an element (;#14:1;...), because they change
+    # with every edit
     names = [name for name in path.split(".") if not name.startswith(";")]
     for i, obj in enumerate(along):
         if obj.TypeId.startswith(LINK):
@@ -134,7 +150,9 @@ def picked(root: Any, path: str) -> tuple[Any, str]:
 
 
 def is_edge(name: str) -> bool:
-    """Return True if this is the name of an edge: a path, `Edge1`, or `edge1` as in FreeCAD 1.1's open sketches."""
+    """Return True if this is the name of an edge: a path, `Edge1`, or `edge1` as in open sketches of FreeCAD
+    1.1.
+    """
     return name.rpartition(".")[2].lower().startswith("edge")
 
 
@@ -156,7 +174,7 @@ def edge_called(source: Any, name: str) -> Any:
         if element.isNull():
             raise IndexError(name)
     except (ValueError, IndexError, Part.OCCError) as error:
-        called = name.lstrip("?")  # FreeCAD 1.x marks names of lost elements
+        called = name.lstrip("?")  # FreeCAD 1.x marks the names of lost elements by "?"
         raise InputError(
             "{source} no longer has {part}. Choose the curve again.", source=source.Label, part=called
         ) from error
@@ -197,26 +215,30 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
 
 
 def is_outline(shape: Any) -> bool:
-    """Return True if a shape is one plane face without holes, as Draft makes of a closed curve."""
+    """Return True if a shape is a single plane face without holes, such as Draft makes from a closed curve."""
     faces = shape.Faces
-    # FreeCAD's SVG reader scales faces, which turns a plane into a spline surface
+    # `findPlane` is used because FreeCAD's SVG reader scales faces, which converts planes to spline surfaces
     return len(faces) == 1 and len(shape.Wires) == 1 and faces[0].findPlane() is not None
 
 
 def container(obj: Any) -> App.Placement:
-    """Return the placement of an object's container in the document. Links have no such method."""
+    """Return the placement, in the document, of the container of an object.
+
+    FreeCAD has no such method for links.
+    """
     group = None if obj is None else obj.getParentGeoFeatureGroup()
     return App.Placement() if group is None else group.getGlobalPlacement()
 
 
 def curve_into(sketch: Any, curve: PlaneCurve) -> None:
-    """Replace the curves of a sketch by one spline, with visible poles if they are few enough to drag.
+    """Replace the curves of a sketch by a spline, whose poles are visible if they are few enough for dragging.
 
-    Construction geometry stays.
+    Construction geometry is not removed.
     """
-    # in one call, because FreeCAD also deletes a spline's poles, and the numbers of later geometry change
+    # in a single call, because FreeCAD also deletes the poles of a spline, which changes the numbers of later
+    # geometry
     sketch.delGeometries([i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)])
-    # remaining poles and knots of the old spline
+    # types of the remaining poles and knots of the old spline
     points = ("Part::GeomCircle", "Part::GeomPoint")
     left = [i for i, g in enumerate(sketch.Geometry) if g.TypeId in points and not _held(sketch, i)]
     sketch.delGeometries(left)
@@ -226,9 +248,9 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
 
 
 def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
-    """Replace one curve of a sketch by a spline, or add the spline if `number` is None; return its number.
+    """Replace a curve of a sketch by a spline, or add the spline if `number` is None. Return its number.
 
-    Constraints of a spline with hidden poles stay. Visible poles are deleted with the old spline.
+    The constraints of a spline with hidden poles are kept. Visible poles are deleted with the old spline.
     """
     spline = spline_geometry(curve)
     poles = [c.First for c in sketch.Constraints if c.Type == "InternalAlignment" and c.Second == number]
@@ -244,21 +266,22 @@ def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
 
 
 def _held(sketch: Any, number: int) -> bool:
-    """Return True if a constraint of the user refers to this geometry."""
+    """Return True if a constraint that the user has added refers to this geometry."""
     return any(
         number in (c.First, c.Second, c.Third) and c.Type not in ("Weight", "Equal")
         for c in sketch.Constraints
     )
 
 
-LEAST_SIDE_SHARE = 0.2  # of the longer side: smallest side of the box around a straight line
-AUTOMATIC = ("InternalAlignment", "Weight", "Equal")  # constraints that FreeCAD adds
+# smallest side of the box around a nearly straight curve, as a fraction of its longer side
+LEAST_SIDE_SHARE = 0.2
+AUTOMATIC = ("InternalAlignment", "Weight", "Equal")  # types of constraints that FreeCAD adds
 
 
 def box_around(curve: PlaneCurve) -> FloatArray:
     """Return the corners (4, 2) of the box around a curve, anticlockwise from the lower left.
 
-    The box is never too thin for handles.
+    The box of a nearly straight curve is enlarged, so that its handles do not overlap.
     """
     low, high = np.array(curve.bounds)
     least = LEAST_SIDE_SHARE * float(np.max(high - low))
@@ -268,7 +291,9 @@ def box_around(curve: PlaneCurve) -> FloatArray:
 
 
 def evened(curve: PlaneCurve) -> PlaneCurve:
-    """Return the same curve with weights about 1, because the sketcher draws weights as radii of circles."""
+    """Return the same curve with weights scaled to about 1, because the sketcher draws weights as radii of
+    circles.
+    """
     if curve.weights is None:
         return curve
     weights = curve.weights / np.exp(np.log(curve.weights).mean())
@@ -276,7 +301,7 @@ def evened(curve: PlaneCurve) -> PlaneCurve:
 
 
 def lost_constraints(sketch: Any) -> int:
-    """Return the number of the user's constraints on drawn geometry. A new curve loses them."""
+    """Return the number of user constraints on drawn geometry, which a new curve would not have."""
     drawn = {i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)}
     return sum(
         bool(drawn & {c.First, c.Second, c.Third}) for c in sketch.Constraints if c.Type not in AUTOMATIC

@@ -1,4 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Parametric objects. Users' files name these modules and classes: they are never moved or renamed."""
+"""Parametric objects.
+
+These modules and classes must not be moved or renamed, because users' files contain their names.
+"""

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Slotted plates as parametric objects: one base plate for the tabs of all strips, or a ring for each end."""
+"""Slotted plates as parametric objects: a base plate for the tabs of all strips, or a ring for the tabs at
+each end.
+"""
 
 from typing import Any, ClassVar
 
@@ -28,7 +30,7 @@ HELD_ENDS = ["both", "start", "end"]
 
 
 def _sizes(options: type[PlateOptions]) -> dict[str, Field]:
-    """Return the options of a kind of plate, by its properties."""
+    """Return the options of a kind of plate, by the names of their properties."""
     return {NAMES[option.name]: option for option in declared(options) if option.name in NAMES}
 
 
@@ -36,7 +38,7 @@ SIZES, RING_SIZES = _sizes(PlateOptions), _sizes(RingOptions)
 
 
 class BasePlateFeature(Feature):
-    """A base plate. The plane z = 0 of its placement is its upper face."""
+    """A base plate. Its upper face is the plane z = 0 of its placement."""
 
     properties = (
         Property(
@@ -82,7 +84,7 @@ class RingsFeature(Feature):
     sheets: ClassVar = {"Sheet": "SheetData"}
 
     def make(self, obj: Any) -> None:
-        """Make the rings in their places."""
+        """Make the rings at their positions."""
         rings = plates_of(obj)
         shape = Part.Compound([make_solid(ring.solid) for ring in rings])
         shape.Placement = container(obj).inverse()
@@ -91,17 +93,17 @@ class RingsFeature(Feature):
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """Make a base plate for a model or for strips; recompute the document to see it."""
+    """Make a base plate for a model or for strips. It is displayed after a recompute of the document."""
     return _colored(added(document, "BasePlate", BasePlateFeature, sources, Sources=sources))
 
 
 def create_rings(document: Any, sources: list[Any]) -> Any:
-    """Make rings for the ends of a model or of strips; recompute the document to see them."""
+    """Make rings for the ends of a model or of strips. They are displayed after a recompute of the document."""
     return _colored(added(document, "Rings", RingsFeature, sources, Sources=sources))
 
 
 def _colored(obj: Any) -> Any:
-    """Return plates, which get the colour of their sheet."""
+    """Set the colour of plates to that of their sheet, and return the plates."""
     if App.GuiUp:
         obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
     return obj

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Curves that depend on other objects: the nearest curve, a strip bent further, sections of bodies."""
+"""Parametric curves that depend on other objects: the nearest curve, the curve of a strip with moved ends,
+sections of bodies.
+"""
 
 import math
 from typing import Any, ClassVar
@@ -44,7 +46,7 @@ ORANGE = (0.9, 0.4, 0.0)
 
 
 class NearestFeature(Feature):
-    """The curve that is nearest to a drawn curve and that a strip can take within limits."""
+    """The curve nearest to a drawn curve into which a strip can be bent within limits."""
 
     properties = (*NEAREST, REPORTS)
     sheets: ClassVar = {"Sheet": "SheetData"}
@@ -67,7 +69,7 @@ class NearestFeature(Feature):
 
 
 class BentFeature(Feature):
-    """The curve of a strip whose ends were moved and turned."""
+    """The curve of a strip whose ends were moved and rotated."""
 
     properties = (
         Property("LinkGlobal", "Strip", "Bent", "Strip to bend"),
@@ -151,7 +153,10 @@ def _curve(document: Any, name: str, proxy: type[Feature], sources: list[Any], *
 
 
 def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
-    """Make the nearest curve of a sketch or of edges as a feature; recompute the document to see it."""
+    """Make the nearest curve of a sketch or of edges as a feature.
+
+    It is displayed after a recompute of the document.
+    """
     label = f"{source.Label} {translate('Elastica', 'nearest')}"
     return _curve(document, "Nearest", NearestFeature, [source], Label=label, Curve=(source, list(edges)))
 
@@ -163,11 +168,14 @@ def bent(document: Any, strip: Any, **moves: float) -> Any:
 
 
 def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]] | None = None) -> Any:
-    """Make sections of bodies across an axis, or along a path; recompute the document to see them."""
+    """Make sections of bodies perpendicular to an axis or along a path.
+
+    They are displayed after a recompute of the document.
+    """
     label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
     obj = _curve(document, "Section", SectionFeature, sources, Label=label, Sources=sources)
     for axis, value in zip(AXES, box_of(sources[0]).Center, strict=True):
-        # boxes of curved bodies are some hundredths too large
+        # rounded, because boxes of curved bodies are some hundredths of a mm too large
         setattr(obj, f"Through{axis}", round(value, 1))
     if path is not None:
         obj.Path, obj.Family = (path[0], list(path[1])), FAMILIES[2]
@@ -175,7 +183,10 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
 
 
 def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
-    """Return a rod with its ends displaced (mm) and turned (degrees), as named in `MOVES`."""
+    """Return a rod with its ends displaced (mm) and rotated (degrees).
+
+    The keys of `change` are those of `MOVES`.
+    """
     start = rest.position[0] + (change["StartX"], change["StartY"])
     end = rest.position[-1] + (change["EndX"], change["EndY"])
     angles = [
@@ -205,7 +216,7 @@ def draw_into(obj: Any) -> None:
 
 
 def nearest_sketch(obj: Any) -> None:
-    """Replace a nearest curve by an independent sketch, which can be edited."""
+    """Replace a nearest curve by an editable sketch that no longer depends on the drawn curve."""
     curve, document = _curve_to_drag(obj), obj.Document
     sketch = document.addObject("Sketcher::SketchObject", "Nearest")
     group = obj.getParentGeoFeatureGroup()
@@ -217,7 +228,7 @@ def nearest_sketch(obj: Any) -> None:
 
 
 def section_sketches_of(obj: Any) -> None:
-    """Replace sections by independent sketches, which can be edited."""
+    """Replace sections by editable sketches that no longer depend on the bodies."""
     sections, _ = _sections(obj)
     document = obj.Document
     document.removeObject(obj.Name)

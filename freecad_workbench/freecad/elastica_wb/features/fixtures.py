@@ -26,11 +26,11 @@ from elastica_cad.model.held_tabs import holder_plays
 from elastica_cad.model.model import Model
 
 SIZES = {option.name.title().replace("_", ""): option for option in declared(EndFixture)}
-"""Options of blocks, by their properties."""
+"""Options of blocks, by the names of their properties."""
 
 
 class FixturesFeature(Feature):
-    """The printed blocks for all tabs, as one compound."""
+    """The printed blocks for all tabs, in a single compound."""
 
     properties = (
         Property("LinkListGlobal", "Sources", "Fixtures", "Model or strips whose ends are held"),
@@ -59,7 +59,7 @@ def _blocks(obj: Any, model: Model) -> tuple[EndFixture, ...]:
 
 
 def blocks_for(source: Any) -> list[EndFixture]:
-    """Return the blocks of a document that hold the ends of a strip or a model, in their places."""
+    """Return the blocks of a document that hold the ends of a strip or a model, at their positions."""
     hanging = dict.fromkeys(user for obj in (source, *getattr(source, "Strips", ())) for user in obj.InList)
     users = [obj for obj in hanging if feature_kind(obj) == "Fixtures"]
     tabs = {tab.key for tab in place_tabs(source_model([source]).placed)} if users else set()
@@ -69,10 +69,10 @@ def blocks_for(source: Any) -> list[EndFixture]:
 
 @remembered
 def block_shape(block: EndFixture) -> Part.Shape:
-    """Return the shape of a block in its place.
+    """Return the shape of a block at its position.
 
-    A change of one strip changes the lean of all blocks a little. Therefore the unpocketed shape is cached, and
-    only the pocket is cut again.
+    A change of a strip rotates the pockets of all blocks slightly. Therefore the shape without the pocket is
+    cached, and only the pocket is cut again.
     """
     pocket, *_ = block.solid.removed
     return _unpocketed(replace(block, lean=(0.0, 0.0))).cut(make_solid(pocket)).removeSplitter()
@@ -85,15 +85,15 @@ def _unpocketed(block: EndFixture) -> Part.Shape:
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """Make fixtures for a model or for strips; recompute the document to see them."""
+    """Make fixtures for a model or for strips. They are displayed after a recompute of the document."""
     return added(document, "Fixtures", FixturesFeature, sources, Sources=sources)
 
 
 def show_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:
-    """Write into the results of a fixture how far tabs can shift and turn in it."""
+    """Write into the results of a fixture how far tabs can shift and rotate in it."""
     put(obj, Reports=list(holder_plays(model.placed, holders)))
 
 
 def source_model(sources: list[Any], *, shown: bool = False) -> Model:
-    """Return one model of all strips and models among the sources. `shown` is as in `strips_model`."""
+    """Return a single model of all strips and models among the sources. `shown` is described in `strips_model`."""
     return strips_model(not_repeated(sources), name="strips", shown=shown)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The flat part of a strip, as a separate body for assemblies, drawings and cutting."""
+"""The flat part of a strip as a parametric object, for assemblies, drawings and cutting."""
 
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -19,7 +19,7 @@ from freecad.elastica_wb.solving.strip_cache import flat_shape
 from elastica_cad.errors import InputError
 from elastica_cad.strip.strip import Strip
 
-GAP_MM = 10.0  # mm between the curve and the flat part
+GAP_MM = 10.0  # distance, mm, between the curve and the flat part
 
 LAYERS = ["Base", "Backing"]
 
@@ -34,7 +34,7 @@ class FlatFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Show the flat shape of the strip."""
+        """Set the shape to that of the flat strip."""
         if obj.Strip is None or not is_strip(obj.Strip):
             raise InputError("The strip is missing. Choose a strip in the property Strip.")
         strip = _slotted(obj)
@@ -47,7 +47,7 @@ class FlatFeature(Feature):
 
 
 def create(document: Any, strip: Any, layer: str = "Base") -> Any:
-    """Make the flat part of a strip, placed in front of the strip; recompute the document to see it."""
+    """Make the flat part of a strip in front of the strip. It is displayed after a recompute of the document."""
     kind = translate("Elastica", "flat") if layer == "Base" else translate("Elastica", "backing")
     properties = {
         "Strip": strip,
@@ -62,12 +62,12 @@ def create(document: Any, strip: Any, layer: str = "Base") -> Any:
 
 
 def layers_of(strip: Any) -> list[str]:
-    """Return the layers of a strip, each of which is cut from a sheet of its own."""
+    """Return the names of the layers of a strip. Each layer is cut from a separate sheet."""
     return LAYERS if strip.Style == "Laminated" else LAYERS[:1]
 
 
 def _slotted(obj: Any) -> Strip:
-    """Return the strip, with its slots if it belongs to a model."""
+    """Return the strip of a flat part. If the strip belongs to a model, it has the slots of the model."""
     if obj.Model is None:
         return shown_strip(obj.Strip)
     if not is_model(obj.Model) or obj.Strip not in obj.Model.Strips:
@@ -80,17 +80,21 @@ def _slotted(obj: Any) -> Strip:
 
 
 def _beside(strip: Any) -> App.Placement:
-    """Return a free place on the ground, in front of the drawn curve."""
+    """Return a placement in the plane z = 0, in front of the drawn curve, where the flat part overlaps no
+    other.
+    """
     source = strip.Curve[0] if strip.Curve else None
-    width = max(strip.MaxWidth.Value, strip.OuterWidth.Value)  # of the outline in any style
+    # largest width of the outline, whatever the style is
+    width = max(strip.MaxWidth.Value, strip.OuterWidth.Value)
     if source is not None and not _box(source).isValid():
-        source.recompute()  # the sketch may not have been recomputed, as after undo
+        source.recompute()  # the sketch may not be recomputed, for example after an undo
     box = _box(source)
     if not is_bounded(box):
         return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())
     y = box.YMin - GAP_MM - width
     left, right = box.XMin - strip.StartTab.Value, box.XMin + source.Shape.Length + strip.EndTab.Value
-    for other in sorted(_lying(strip), key=lambda flat_box: -flat_box.YMax):  # from the back to the front
+    # in order from the back to the front
+    for other in sorted(_lying(strip), key=lambda flat_box: -flat_box.YMax):
         if (
             other.XMin < right
             and left < other.XMax
@@ -102,7 +106,7 @@ def _beside(strip: Any) -> App.Placement:
 
 
 def _box(source: Any) -> App.BoundBox:
-    """Return the bounding box of a curve. It is empty if the curve was deleted or has no shape."""
+    """Return the bounding box of a curve. The box is empty if the curve was deleted or has no shape."""
     return source.Shape.BoundBox if hasattr(source, "Shape") else App.BoundBox()
 
 

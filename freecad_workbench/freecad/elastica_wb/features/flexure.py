@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Two-state parts: cut flat from a sheet, at rest in two drawn curves, with the plate that holds their ends."""
+"""Two-state parts as parametric objects: cut flat from a sheet, with two drawn curves as rest shapes, and a
+holder.
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -37,15 +39,15 @@ from elastica_cad.strip.solids import FlatSolid
 
 FORMS = ["Everything", "First state", "Second state", "As cut", "Holder"]
 USUAL_SHEET = "pom-2"
-"""Sheet of a new part: thick, and allowing a large strain."""
+"""Sheet of a new part. It is thick and allows a large strain."""
 
-GAP_MM = 10.0  # between the states and the part as cut
+GAP_MM = 10.0  # distance, mm, between the states and the part as cut
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the part with two states")
 
 
 @dataclass(frozen=True)
 class FlexureKeys:
-    """Keys of a part that have properties."""
+    """Keys of a two-state part for which the feature has properties."""
 
     BESIDE: ClassVar[Record] = FlexureSpec
     WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
@@ -55,18 +57,20 @@ NAMES = {
     "label": "EngravedText", "ignore_limits": "Anyway", "limits.ratio": "RatioLimit",
     "limits.natural_curvature": "NaturalCurvatureLimit", "limits.bend": "BendLimit",
 }  # fmt: skip
-"""Properties whose names do not follow from their keys, as of a strip."""
+"""Names of properties that are not derived from their keys, because the same properties of a strip have these
+names.
+"""
 
 FIELDS: dict[str, tuple[str, Field]] = {
     NAMES.get(path) or path.title().replace("_", "").replace(".", ""): (path, field)
     for path, field in paths_of(FlexureKeys).items()
     if path not in ("pad", "limits")
 }
-"""Keys and declared fields by the names of their properties, such as PadLength."""
+"""Key and declared field of each property, by the name of the property, such as PadLength."""
 
 
 class FlexureFeature(Feature):
-    """A part with two states. The first curve is in its plane, and both states start in the same clamp."""
+    """A part with two states. It is in the plane of the first curve, and both states start in the same clamp."""
 
     properties = (
         Property("LinkSubGlobal", "Curve", "Curve", "Sketch or edges with the first state"),
@@ -94,7 +98,7 @@ class FlexureFeature(Feature):
         part = flexure_of(obj)
         shapes = [make_solid(solid) for _, solid in solids_of(part, obj.Form)]
         obj.Shape = shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
-        if obj.Form != "As cut":  # the part as cut may be placed anywhere
+        if obj.Form != "As cut":  # otherwise the user may place the part anywhere
             obj.Placement = drawn_curve(obj.Curve, obj).placement
         travel = part.travel
         put(
@@ -127,7 +131,7 @@ class FlexureFeature(Feature):
 def create(
     document: Any, first: Any, first_edges: tuple[str, ...], second: Any, second_edges: tuple[str, ...]
 ) -> Any:
-    """Make a part with two states from two curves; recompute the document to see it."""
+    """Make a two-state part from two curves. It is displayed after a recompute of the document."""
     curves = {"Curve": (first, list(first_edges)), "SecondCurve": (second, list(second_edges))}
     label = f"{first.Label} {translate('Elastica', 'two states')}"
     obj = added(document, "Flexure", FlexureFeature, [first, second], Label=label, **curves)
@@ -139,7 +143,7 @@ def create(
 
 
 def spec_of(obj: Any) -> FlexureSpec:
-    """Return the request that the properties make."""
+    """Return the request that the properties define."""
     first, second = (drawn_curve(link, obj).curve for link in (obj.Curve, obj.SecondCurve))
     table: dict[str, Any] = {}
     for name, (path, field) in FIELDS.items():
@@ -162,9 +166,9 @@ def _flexure(spec: FlexureSpec) -> Flexure:
 
 
 def solids_of(part: Flexure, form: str = FORMS[0]) -> list[tuple[str, FlatSolid]]:
-    """Return the bodies that a form shows, with their names, in the plane of the first curve.
+    """Return the named bodies for a value of the property Form, in the plane of the first curve.
 
-    The holder is below the states, and the part as cut in front of them.
+    The holder is below the states, and the part as cut is in front of them.
     """
     depth = part.sheet.thickness
     states = [part.line_through(rest.position) for rest in part.rests]
@@ -198,7 +202,7 @@ def _bent(part: Flexure, line: CentreLine) -> FlatSolid:
 
 
 def _plate(drawing: Drawing, thickness: float) -> FlatSolid:
-    """Return the body of a holder below the plane."""
+    """Return the body of a holder, below the plane of the curves."""
     paths: dict[str, list[Path]] = {CUT_OUTER: [], CUT_INNER: []}
     for item in drawing.paths:
         if item.layer in paths:

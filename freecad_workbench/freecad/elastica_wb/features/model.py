@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The parametric model: several strips in their places, with slots where they cross."""
+"""The model as a parametric object: several strips at their positions, with slots where they cross."""
 
 from collections.abc import Iterable, Iterator
 from concurrent.futures import Future
@@ -35,19 +35,19 @@ from elastica_cad.strip.lettering import engravable
 from elastica_cad.strip.strip import Placed, Strip
 
 _overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictionary()
-"""Overlaps of models, computed in another thread. Models stay alive in their cache."""
+"""Overlaps of models, computed in another thread. The cache of models keeps the keys alive."""
 
 
 _shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = WeakKeyDictionary()
-"""Shape, place in the container and model that each proxy shows."""
+"""For each proxy: its shape, its placement in the container, and its model."""
 
 
 SLOTS = {option.name.title(): option for option in declared(interlock) if option.name != "above"}
-"""Options of slots, by their properties. A zero direction means that none is set."""
+"""Options of slots, by the names of their properties. The zero vector means that no direction is set."""
 
 
 class ModelFeature(Feature):
-    """Bent strips with their slots, as one compound."""
+    """Bent strips with their slots, in a single compound."""
 
     properties = (
         Property("LinkListGlobal", "Strips", "Model", "The strips, in the order of assembly"),
@@ -71,7 +71,7 @@ class ModelFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Cut the slots and put the strips in their places."""
+        """Cut the slots, and set the shape to all strips at their positions."""
         model = model_of(obj, shown=True)
         shape = Part.Compound(solids_of(model, container(obj).inverse()))
         obj.Shape = shape
@@ -90,12 +90,12 @@ class ModelFeature(Feature):
         put(obj, Joints=0, Reports=[str(error)], Overlaps=[])
 
     def covered(self, obj: Any) -> list[Any]:
-        """Return the strips, which are drawn without slots."""
+        """Return the strips, which are hidden because their own shapes have no slots."""
         return [strip for strip in obj.Strips if is_strip(strip)]
 
 
 def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
-    """Make a model of strips; recompute the document to see it."""
+    """Make a model of strips. It is displayed after a recompute of the document."""
     clearance = preferences.get("Clearance")
     obj = added(
         document, "Model", ModelFeature, strips, Strips=strips, Interlock=interlock, Clearance=clearance
@@ -106,19 +106,16 @@ def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
 
 
 def shown_model(obj: Any) -> Model:
-    """Return the model that a shape shows, see `shown_strip`.
+    """Return the model from which the current shape was made; see `shown_strip`.
 
-    Raises
-    ------
-    ElasticaError
-        As `model_of`, which is called if no model is cached.
+    Raises ------ ElasticaError For the reasons of `model_of`, which is called if no model is cached.
     """
     shape, place, model = _shown.get(obj.Proxy, (None, None, None))
     return model if model and obj.Shape.isPartner(shape) and container(obj) == place else model_of(obj)
 
 
 def model_of(obj: Any, *, shown: bool = False) -> Model:
-    """Return the `Model` record of a model feature. `shown` takes the strips as their shapes show them.
+    """Return the `Model` record of a model feature. With `shown`, the strips are those of their current shapes.
 
     Raises
     ------
@@ -151,9 +148,10 @@ def overlaps_of(obj: Any) -> list[str]:
 
 
 def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
-    """Start the search for strips of a model that intersect. Return None without a model.
+    """Start the search for intersecting strips of a model. Return None if there is no model.
 
-    The search takes about as long as the model, so it runs in another thread and no recompute waits.
+    The search takes about as long as making the model. It runs in another thread, so that the recompute does
+    not wait for it.
     """
     try:
         return _sought(model_of(obj))
@@ -162,7 +160,7 @@ def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
 
 
 def show_overlaps(obj: Any, overlaps: tuple[str, ...]) -> None:
-    """Write into the results which strips of a model intersect."""
+    """Write messages on intersecting strips of a model into its results."""
     messages = _worded(overlaps)
     if messages and obj.Overlaps != messages:
         report_warning(" ".join(messages), obj.Label)
@@ -180,7 +178,7 @@ def _worded(sentences: Iterable[str]) -> list[str]:
 
 
 def solids_of(model: Model, place: App.Placement) -> list[Any]:
-    """Return the bent strips of a model as solids, in the coordinates of `place`."""
+    """Return the bent strips of a model as solids, in the coordinate system of `place`."""
     solids = []
     for placed in model.placed:
         solid = bent_shape(placed.strip).copy(False)
@@ -192,9 +190,10 @@ def solids_of(model: Model, place: App.Placement) -> list[Any]:
 def strips_model(
     strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = (), shown: bool = False
 ) -> Model:
-    """Return a model of the strips and models of a document, in their places. `options` request slots.
+    """Return a model of strips and models of a document at their positions. With `options`, slots are cut.
 
-    Copies, such as links and arrays, count too. `shown` takes the strips as their shapes show them.
+    Copies, such as links and arrays, are included. With `shown`, the strips are those of their current
+    shapes.
     """
     if not strips:
         raise InputError("The model has no strips. Choose strips in the property Strips.")
@@ -205,7 +204,7 @@ def strips_model(
 
 
 def _standing(obj: Any, shown: bool) -> Iterator[tuple[Strip, App.Placement]]:
-    """Yield the strips that an object shows, each with the place of its curve in the document."""
+    """Yield the strips that an object displays, each with the placement of its curve in the document."""
     strip_in, model_in = (shown_strip, shown_model) if shown else (strip_of, model_of)
     standing = list(shown_strips(obj))
     if not any(is_strip(original) or is_model(original) for original, *_ in standing):
@@ -232,13 +231,19 @@ def _model(
 
 @remembered
 def _placed(strip: Strip, numbers: tuple[float, ...]) -> Placed:
-    """Return the record of a strip in a place. Equal arguments give the same record, so its joints stay cached."""
+    """Return the record of a strip at a placement.
+
+    For equal arguments it is the same object, so that its joints remain cached.
+    """
     return Placed(strip, *np.array(numbers).reshape(3, 3))
 
 
 @remembered
 def _labelled(strip: Strip, label: str, name: str) -> Strip:
-    """Return the strip with its label. The object's name is engraved if no letter of the label can be engraved."""
+    """Return the strip with its label.
+
+    If no letter of the label can be engraved, the name of the object is engraved.
+    """
     engrave = None if any(map(str.isalnum, engravable(label))) else name
     return (
         strip

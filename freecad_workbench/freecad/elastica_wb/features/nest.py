@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The nest as a parametric object: all pieces, arranged on sheets."""
+"""The nest as a parametric object: all pieces of a document, arranged on sheets."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -19,7 +19,7 @@ from freecad.elastica_wb.host.words import report_warning, worded
 from elastica_cad.model.nesting import nest_pieces
 from elastica_cad.refusals import note, sentences
 
-SPACE_MM = 50.0  # mm between a nest and the objects before it
+SPACE_MM = 50.0  # distance, mm, between a nest and the objects behind it
 SHEET_GAP_MM = 30.0  # mm between sheets
 
 
@@ -53,7 +53,7 @@ class NestFeature(Feature):
 
 
 def report_left_out(obj: Any) -> None:
-    """Write which features come after the nested pieces. The nest does not include them."""
+    """Write messages on later features of the nested pieces, which the nest does not include."""
     try:
         later_by_label = {original.Label: later_features(original) for original in counted(obj.Sources)}
     except FAILURES:  # the recompute has reported it
@@ -74,7 +74,10 @@ def report_left_out(obj: Any) -> None:
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """Make a nest of strips, models and base plates in front of everything; recompute the document to see it."""
+    """Make a nest of strips, models and base plates in front of all objects.
+
+    It is displayed after a recompute of the document.
+    """
     lowest = min((box.YMin for box in _boxes(document)), default=0.0)
     obj = added(document, "Nest", NestFeature, Sources=sources)
     obj.Placement.Base.y = lowest - obj.SheetHeight.Value - SPACE_MM

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Pieces to cut: one with its drawing for every sheet of a strip, for every plate and for every part.
+"""Pieces to be cut, with their drawings: one for every layer of a strip, every plate and every two-state part.
 
 Later features of the document, such as a pocket or a cut, are not included.
 """
@@ -34,31 +34,34 @@ CHANGED = {
     "Part::Fillet": ("Base",),
     "Part::Chamfer": ("Base",),
 }
-"""Properties in which operations of the Part workbench keep the shape that they change."""
+"""Properties in which operations of the Part workbench store the objects that they change."""
 
 BODY = "PartDesign::Body"
 
 SHOWN_BY = (BODY, BASE, COMPOUND, *PATTERNS)
-"""Types that show a shape unchanged. A later feature may change it."""
+"""Types that display a shape unchanged. A later feature may change it."""
 
 
 @dataclass(frozen=True)
 class Cut:
-    """A piece and its strip. The strip of a plate is None."""
+    """A piece and its strip. The strip is None for a plate."""
 
     piece: Piece
     strip: Strip | None = None
 
 
 def pre_bend_messages_of(cuts: Iterable[Cut]) -> list[str]:
-    """Return how the pieces are bent before assembly, with one message for all pieces that are bent alike."""
+    """Return instructions for pieces that are pre-bent before assembly: one message for all pieces with the
+    same pre-bend.
+    """
     return pre_bend_messages((cut.piece.name, cut.strip) for cut in cuts if cut.strip is not None)
 
 
 def cuts_of(sources: Iterable[Any]) -> list[Cut]:
-    """Return the pieces to cut for strips, models and base plates, including all their copies.
+    """Return the pieces to be cut for strips, models and base plates, including all copies.
 
-    The strips of a selected model count once. So do the originals of an array, and a strip with its flat part.
+    The strips of a selected model are counted once, and so are the originals of an array, and a strip with
+    its flat part.
 
     Raises
     ------
@@ -76,7 +79,7 @@ def cuts_of(sources: Iterable[Any]) -> list[Cut]:
 
 
 def counted(sources: Iterable[Any]) -> dict[Any, int]:
-    """Return the number of copies to cut of each strip, model and base plate among the sources."""
+    """Return the number of copies of each strip, model and base plate among the sources."""
     standing: Counter[Any] = Counter()
     lying: Counter[Any] = Counter()
     for obj in not_repeated(sources):
@@ -90,7 +93,7 @@ def counted(sources: Iterable[Any]) -> dict[Any, int]:
 
 
 def cut_for(obj: Any) -> Any:
-    """Return the object to cut: for a flat part its strip, or the model with its slots."""
+    """Return the object that is cut. For a flat part it is the strip, or the model whose slots it has."""
     return (obj.Model or obj.Strip) if is_flat(obj) else obj
 
 
@@ -101,7 +104,7 @@ def is_cut(obj: Any) -> bool:
 
 def _cuts(obj: Any) -> list[Cut]:
     lost = why_left_out(obj)
-    if lost:  # its numbers are outdated
+    if lost:  # the feature failed, so its results are outdated
         raise InputError(lost)
     if is_model(obj):
         model = model_of(obj)
@@ -125,13 +128,13 @@ def _cuts(obj: Any) -> list[Cut]:
 
 
 def later_features(obj: Any) -> str:
-    """Return the labels of the features that come after a strip, a model or a plate, or after its flat part."""
+    """Return the labels of the features that change a strip, a model or a plate, or its flat part."""
     flat = [user for user in obj.InList if is_flat(user)]
     return ", ".join(dict.fromkeys(label for feature in (obj, *flat) for label in _later(feature)))
 
 
 def _later(obj: Any) -> Iterator[str]:
-    """Yield the labels of the features that change an object's shape, nearest first."""
+    """Yield the labels of the features that change the shape of an object, in the order of the changes."""
     todo, seen = [obj], {obj}
     while todo:
         current = todo.pop(0)
@@ -141,7 +144,7 @@ def _later(obj: Any) -> Iterator[str]:
                 continue
             seen.add(user)
             todo.append(user)
-            # the next strip of a body also follows the strip before
+            # skip strips, because the next strip of a body also depends on the previous strip
             if takes and not (is_cut(user) or getattr(user, "Suppressed", False)):
                 yield user.Label
 

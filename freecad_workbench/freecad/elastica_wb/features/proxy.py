@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Base class of all feature proxies: properties, sheets, curves that move with containers, errors."""
+"""Base class of all features: properties, sheets, dependence on containers, and errors."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
@@ -51,37 +51,41 @@ CONTAINERS = Property(
     result=True,
     hidden=True,
 )
-"""Containers that move the curve but not the feature. The feature is recomputed when they move."""
+"""Property with the containers that move the curve but not the feature.
+
+The feature is recomputed when they move.
+"""
 
 HIDDEN_BY_ERROR = Property(
     "Bool", "HiddenByError", "Result", "Hidden because its recompute failed", hidden=True
 )
-"""Marks features that an error hid, because their shapes are outdated."""
+"""Property that is True for features that were hidden after an error, because their shapes are outdated."""
 
 SHOWN_BY_ERROR = result(
     "Bool", "ShownByError", "Shown because the recompute of its model failed", hidden=True
 )
-"""Marks strips that are shown because their model failed, so that the user sees something with an error."""
+"""Property that is True for strips that were made visible because their model failed."""
 
 REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 
 FOLLOWED = ("Curve", "SecondCurve", "Sources", "Strips")
-"""Properties with the objects that a feature depends on."""
+"""Names of the properties that contain the objects on which a feature depends."""
 
-SAME_COLOR = 1e-2  # FreeCAD keeps colours in single precision or in 256 steps
-MOST_NAMES = 6  # in one line of the report view
+# largest difference of equal colour components; FreeCAD stores colours in single precision or in 256 steps
+SAME_COLOR = 1e-2
+MOST_NAMES = 6  # largest number of names in a line of the report view
 
 
 class Feature(Unsaved):
-    """Proxy of a feature. It stores no data: all data is in the properties."""
+    """Proxy of a feature. It has no data, because all data are in the properties of the document object."""
 
     properties: tuple[Property, ...] = ()
     sheets: ClassVar[Mapping[str, str]] = {}
-    """Properties that name a sheet, each with the property that stores the sheet's numbers in the document."""
+    """For each property that names a sheet, the property that stores the data of the sheet in the document."""
     choices: ClassVar[frozenset[str]] = frozenset()
-    """Properties that are lists of choices."""
+    """Names of the properties of type enumeration."""
     chosen: str | None = None
-    """Choice before the change in progress, or None if a formula had given an invalid choice."""
+    """Choice before the current change, or None if a formula had set an invalid choice."""
 
     def __init_subclass__(cls) -> None:
         cls.choices = frozenset(entry.name for entry in cls.properties if entry.kind == "Enumeration")
@@ -106,13 +110,13 @@ class Feature(Unsaved):
             setattr(obj, name, chosen)
 
     def onBeforeChange(self, obj: Any, name: str) -> None:
-        """Remember the current choice, because a formula may give an invalid choice."""
+        """Store the current choice, because a formula may set an invalid choice."""
         if name in self.choices:
             self.chosen = None if is_misread(obj, name) else getattr(obj, name)
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Take thickness, numbers and colour of a newly chosen sheet."""
-        # called for every result that is written, so the slower checks come last
+        """Set the thickness, sheet data and colour after another sheet is chosen."""
+        # FreeCAD calls this for every result that is written, so the slower checks come last
         if name in self.choices and is_misread(obj, name):
             if getattr(obj, name) is None or self.chosen not in (None, getattr(obj, name)):
                 choose_again(obj, name, self.chosen)
@@ -122,7 +126,8 @@ class Feature(Unsaved):
         if name in FOLLOWED and CONTAINERS.name in obj.PropertiesList:
             put(obj, Containers=_containers(obj))
         numbers_name = self.sheets.get(name)
-        if numbers_name in obj.PropertiesList and self.chosen is not None:  # the same sheet was chosen again
+        # False if the same sheet was chosen again
+        if numbers_name in obj.PropertiesList and self.chosen is not None:
             with suppress(InputError):  # the next recompute reports the error
                 sheet = sheet_called(getattr(obj, name), getattr(obj, numbers_name))
                 put(obj, **{numbers_name: text_of(sheet)})
@@ -132,7 +137,7 @@ class Feature(Unsaved):
                 _recolor(obj, self.chosen)
 
     def keep_sheets(self, obj: Any) -> None:
-        """Update the list of sheets, and mark the feature for recompute if the user changed its sheet."""
+        """Update the list of sheets, and mark the feature for recompute if the user has edited its sheet."""
         measured = {name: getattr(obj, name) for name in ("Thickness",) if name in obj.PropertiesList}
         saved = {name: getattr(obj, name) for name in self.sheets.values()}
         for name in self.sheets:
@@ -149,17 +154,17 @@ class Feature(Unsaved):
                 if new != old:
                     obj.touch()
                 if name == "Sheet" and measured and obj.Thickness.Value == old.thickness:
-                    put(obj, Thickness=new.thickness)  # it was the sheet's thickness
+                    put(obj, Thickness=new.thickness)  # the thickness was the nominal thickness of the sheet
 
     def _keep_numbers(self, obj: Any) -> None:
-        """Store the sheet's numbers, which the shape is computed with, in the document."""
+        """Store the data of the sheet, from which the shape is computed, in the document."""
         for name, numbers in self.sheets.items():
             with suppress(InputError):
                 put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
 
     @property
     def execute(self) -> Callable[[Any], None]:
-        """Function that FreeCAD calls in a recompute. After an error the last good shape is kept."""
+        """Function that FreeCAD calls in a recompute. After an error, the last valid shape is kept."""
         return raising(self._made_or_refused)
 
     def _made_or_refused(self, obj: Any) -> RefusalError | None:
@@ -175,11 +180,11 @@ class Feature(Unsaved):
         return None
 
     def make(self, obj: Any) -> None:
-        """Set shape and results from the properties. Each feature defines this method."""
+        """Compute the shape and results from the properties. Each feature defines this method."""
         raise NotImplementedError
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """Write the error into the results, and hide the last good shape."""
+        """Write the error into the results, and hide the last valid shape."""
         self.show_error(obj, error)
         hide(obj)
 
@@ -187,14 +192,17 @@ class Feature(Unsaved):
         """Write the error into the results, if the feature has any."""
 
     def covered(self, _obj: Any) -> list[Any]:
-        """Return the features that are hidden because this feature shows them."""
+        """Return the features that are hidden because this feature displays them."""
         return []
 
 
 def added(
     document: Any, name: str, proxy: type[Feature], sources: Iterable[Any] = (), **properties: Any
 ) -> Any:
-    """Add a new feature with these properties to the document, in the App::Part that all its sources share."""
+    """Add a feature with these properties to the document.
+
+    If all its sources are in the same App::Part, it is added there.
+    """
     obj = document.addObject("Part::FeaturePython", name)
     proxy(obj)
     groups = {source.getParentGeoFeatureGroup() for source in sources}
@@ -208,8 +216,10 @@ def added(
 
 
 def _recolor(obj: Any, before: str) -> None:
-    """Recolour a feature and the objects made from it, except those with a sheet or with a colour of the user."""
-    with suppress(InputError):  # the sheet may not exist any more
+    """Recolour a feature and the objects made from it, except objects with their own sheet or a colour set by
+    the user.
+    """
+    with suppress(InputError):  # raised if the sheet no longer exists
         old, new = (sheet_color(sheet_called(name)) for name in (before, obj.Sheet))
         users = [user for user in obj.InList if not getattr(getattr(user, "Proxy", None), "sheets", None)]
         for view in [user.ViewObject for user in (obj, *users)]:
@@ -221,7 +231,7 @@ def _recolor(obj: Any, before: str) -> None:
 def hide(obj: Any) -> None:
     """Hide a failed feature and everything that depends on it, because their shapes are outdated.
 
-    Show the valid features that they cover.
+    Valid features that they had replaced become visible again.
     """
     failed = _with_users(obj)
     ours = [feature for feature in failed if is_ours(feature)]
@@ -239,14 +249,14 @@ def hide(obj: Any) -> None:
 
 
 def give_up(document: Any) -> None:
-    """Report errors to the features that depend on a failed object, because FreeCAD does not recompute them.
+    """Set the error of features that depend on a failed object, because FreeCAD does not recompute them.
 
-    This covers failed objects of other workbenches, and our own objects whose formula cannot be computed.
+    The failed object may belong to another workbench, or be a feature whose formula cannot be computed.
     """
     for source in filter(_failed_unasked, document.Objects):
         ours = [feature for feature in _with_users(source) if is_ours(feature)]
         message = why_not_made(source)
-        if any(feature.Visibility for feature in ours):  # otherwise it was reported
+        if any(feature.Visibility for feature in ours):  # otherwise the error was reported before
             names = ", ".join(
                 [feature.Label for feature in ours[:MOST_NAMES]] + ["..."] * (len(ours) > MOST_NAMES)
             )
@@ -257,7 +267,7 @@ def give_up(document: Any) -> None:
 
 
 def why_left_out(obj: Any) -> str:
-    """Return why FreeCAD skipped the recompute of an object, or "" if it did not."""
+    """Return the reason why FreeCAD skipped the recompute of an object, or "" if it did not."""
     for followed in (obj, *_followed(obj)):
         sources = [
             source for source in followed.OutList if source not in getattr(followed, CONTAINERS.name, ())
@@ -268,19 +278,22 @@ def why_left_out(obj: Any) -> str:
 
 
 def _failed_unasked(obj: Any) -> bool:
-    """Return True if an object failed without a call of our code."""
+    """Return True if an object failed before FreeCAD called the code of this workbench."""
     return "Invalid" in obj.State and (not is_ours(obj) or bool(why_not_computed(obj)))
 
 
 def hide_failed(source: Any) -> None:
-    """Hide all features that follow a source and failed."""
+    """Hide all failed features that depend on a source."""
     for user in source.InListRecursive:
         if is_ours(user) and "Invalid" in user.State:
             hide(user)
 
 
 def _with_users(obj: Any) -> list[Any]:
-    """Return an object and everything that depends on it. Dependence on a container's placement does not count."""
+    """Return an object and all objects that depend on it.
+
+    Dependence on the placement of a container is ignored.
+    """
     affected = [obj]
     for source in affected:
         users = [user for user in source.InList if source not in getattr(user, CONTAINERS.name, ())]
@@ -289,7 +302,7 @@ def _with_users(obj: Any) -> list[Any]:
 
 
 def _show_again(obj: Any) -> None:
-    """Undo what an error hid or showed, after a successful recompute."""
+    """After a successful recompute, restore the visibility that an error had changed."""
     if obj.HiddenByError:
         obj.HiddenByError = False
         obj.Visibility = True
@@ -300,13 +313,13 @@ def _show_again(obj: Any) -> None:
 
 
 def _covering(part: Any) -> list[Any]:
-    """Return the visible features that show this feature in its place."""
+    """Return the visible features that display this feature."""
     users = (user for user in part.InList if is_ours(user))
     return [user for user in users if user.Visibility and part in user.Proxy.covered(user)]
 
 
 def parents(source: Any) -> list[Any]:
-    """Return the containers that an object moves with, from the inside out."""
+    """Return the containers of an object, from the innermost to the outermost."""
     containers: list[Any] = []
     while source is not None:
         source = source.getParentGeoFeatureGroup()
@@ -315,7 +328,7 @@ def parents(source: Any) -> list[Any]:
 
 
 def keep_containers(document: Any, moved: Collection[str]) -> None:
-    """Update features after objects of these names were moved into a container or out of a container.
+    """Update features after objects with these names were moved into or out of a container.
 
     A feature inside a container must not depend on that container.
     """
@@ -331,7 +344,7 @@ def keep_containers(document: Any, moved: Collection[str]) -> None:
 
 
 def keep_sheets() -> None:
-    """Update the lists of sheets in all open documents, and recompute features whose sheet the user changed."""
+    """Update the lists of sheets in all open documents, and recompute features whose sheet the user has edited."""
     for document in App.listDocuments().values():
         ours = [obj for obj in document.Objects if is_ours(obj)]
         for obj in ours:
@@ -341,7 +354,9 @@ def keep_sheets() -> None:
 
 
 def keep_places(container: Any) -> None:
-    """Mark features for recompute if a container moved only them or only their sources."""
+    """Mark features for recompute after a container moved them without their sources, or their sources
+    without them.
+    """
     for obj in container.Document.Objects:
         ours = is_ours(obj) and CONTAINERS.name in obj.PropertiesList
         inside = ours and container in parents(obj)
@@ -350,7 +365,7 @@ def keep_places(container: Any) -> None:
 
 
 def telling(obj: Any, name: str) -> list[Any]:
-    """Return the object and the features made from it whose messages mention this name."""
+    """Return those of the object and the features made from it whose messages contain a name."""
     ours = (feature for feature in (obj, *obj.InListRecursive) if is_ours(feature))
     return [feature for feature in ours if any(name in words for words in _sentences(feature))]
 
@@ -363,7 +378,7 @@ def _sentences(obj: Any) -> Iterator[str]:
 
 
 def _containers(obj: Any) -> list[Any]:
-    """Return the containers that move the sources of a feature, except containers that depend on it."""
+    """Return the containers that move the sources of a feature, except containers that depend on the feature."""
     ancestors = [obj, *parents(obj)]
     containers = [
         container for source in _followed(obj) for container in parents(source) if container not in ancestors
@@ -372,7 +387,7 @@ def _containers(obj: Any) -> list[Any]:
 
 
 def _hangs_on(container: Any, obj: Any) -> bool:
-    """Return True if a container holds something that depends on an object."""
+    """Return True if a container contains an object that depends on `obj`."""
     sources = [container]
     for user in sources:
         sources += [source for source in dict.fromkeys(user.OutList) if source not in sources]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The parametric strip: it follows a sketch and writes its results into its properties."""
+"""The strip as a parametric object. It follows a sketch, and its results are stored in its properties."""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -51,11 +51,11 @@ BODY = "PartDesign::Body"
 
 CHANGEABLE = ("smooth", "nearest", "between", "max_width", "thickness", "sheet")
 DRAWN = ("point", "size")
-"""Fields of suggested changes: those of properties, and those of a sketch."""
+"""Fields that suggested changes may have: fields with properties, and fields of a sketch."""
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
-"""Strips by the hash of their request. The caches of solved strips keep them alive."""
+"""Strips by the hash of their request. The caches of solved strips keep the strips alive."""
 
 
 class StripFeature(Feature):
@@ -69,11 +69,11 @@ class StripFeature(Feature):
         obj.Anticlastic = True
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """Keep a strip beyond its limits if its file is of a version that only warned of that."""
+        """Accept a strip beyond its limits if its file was written by a version that only warned of this."""
         lacks_override = "Anyway" not in obj.PropertiesList
         super().onDocumentRestored(obj)
         if lacks_override:
-            obj.Anyway = obj.StrainUse >= 100  # such a strip was not refused then
+            obj.Anyway = obj.StrainUse >= 100  # earlier versions did not refuse such a strip
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Take new places of ties and loads as places on the present curve."""
@@ -93,7 +93,7 @@ class StripFeature(Feature):
         strip = solve_strip(spec)
         shape = bent_shape(strip) if obj.Form == "Bent" else flat_shape(strip)
         made_from = _mark(obj, drawn, spec)
-        if hasattr(obj, "AddSubShape"):  # PartDesign's patterns repeat this shape
+        if hasattr(obj, "AddSubShape"):  # the patterns of PartDesign repeat this shape
             obj.AddSubShape = shape
         obj.Shape = shape
         _shown[made_from] = strip
@@ -111,7 +111,7 @@ class StripFeature(Feature):
         _show_results(obj, strip, changed, moved_by_smoothing(spec))
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """Write the error into the results. Hide nothing while the sketch is open."""
+        """Write the error into the results. While the sketch is open, no feature is hidden."""
         if is_edited(obj):
             self.show_error(obj, error)
         else:
@@ -139,14 +139,17 @@ class StripFeature(Feature):
 
 
 def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
-    """Make the parametric strip that follows a sketch, or edges of an object; recompute the document to see it."""
+    """Make a strip that follows a sketch or edges of an object.
+
+    It is displayed after a recompute of the document.
+    """
     group = sketch.getParentGeoFeatureGroup()
     body = group is not None and group.TypeId == BODY and not _solids(group)
     obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
     StripFeature(obj)
     if (
         is_sketch(sketch) and sketch.Label != sketch.Name
-    ):  # the user named it; FreeCAD lets no two objects share a label
+    ):  # only if the user has named the sketch; FreeCAD does not allow two objects with the same label
         obj.Label = f"{sketch.Label} {translate('Elastica', 'strip')}"
     if group is not None and (body or group.TypeId != BODY):
         group.addObject(obj)
@@ -160,12 +163,10 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
 
 
 def shown_strips(obj: Any) -> Iterator[Standing]:
-    """Yield the strips that an object shows, with the placement of each copy.
+    """Yield the strips that an object displays, with the placement of each copy.
 
-    Raises
-    ------
-    InputError
-        As `copies`, or a body's pattern repeats a strip and would join the copies to one solid.
+    Raises ------ InputError For the reasons of `copies`, or because a pattern of a body repeats a strip,
+    which would fuse the copies to one solid.
     """
     for standing in copies(obj):
         strip = next(filter(is_strip, repeated(standing[0])), None)
@@ -180,18 +181,18 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
 
 
 def strip_of(obj: Any) -> Strip:
-    """Return the `Strip` record that a strip feature shows.
+    """Return the `Strip` record of a strip feature.
 
-    Raises
-    ------
-    ElasticaError
-        A strip cannot be bent as requested.
+    Raises ------ ElasticaError The strip cannot be made as requested.
     """
     return solve_strip(spec_of(obj, drawn_curve(obj.Curve, obj)))
 
 
 def valid_request(obj: Any) -> StripSpec | None:
-    """Return the request if it is valid, so that another curve or a support may help if the curve is refused."""
+    """Return the request, or None if it is not valid.
+
+    If only the curve is refused, another curve or a support may help.
+    """
     try:
         spec = spec_of(obj, drawn_curve(obj.Curve, obj))
     except FAILURES:
@@ -200,9 +201,9 @@ def valid_request(obj: Any) -> StripSpec | None:
 
 
 def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
-    """Return changes that need no search: a text, and the values of properties.
+    """Return suggested changes that need no search: a text, and the new values of properties.
 
-    They follow from remarks on a strip, from edges that do not join, or ignore a limit.
+    They result from messages on a strip, join edges that do not meet, or ignore a limit.
     """
     changes: list[Change] = []
     spec = None
@@ -222,13 +223,19 @@ def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
 
 
 def changeable(obj: Any) -> tuple[str, ...]:
-    """Return the fields that suggestions may change: those of the sketch only for a strip along a whole sketch."""
+    """Return the fields that suggestions may change.
+
+    Fields of the sketch are included if the strip follows the whole sketch.
+    """
     source, edges = obj.Curve
     return (*CHANGEABLE, *(DRAWN if is_sketch(source) and not any(edges) else ()))
 
 
 def values_of(obj: Any, change: Change) -> dict[str, Any]:
-    """Return the values of properties that make a change; none if the strip has no such property."""
+    """Return the values of properties for a suggested change.
+
+    The result is empty if the strip has no such property.
+    """
     match change:
         case Change("max_width", width):
             return {"MaxWidth" if obj.Style == STYLES[0] else "MaterialWidth": width}
@@ -244,7 +251,10 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
 
 
 def _may_help(spec: StripSpec, change: Change) -> bool:
-    """Return True if a strip can be made after a change of numbers. Other changes are not tried."""
+    """Return True if a strip can be made after a change.
+
+    Changes of switches are not tried; they count as possible.
+    """
     if isinstance(change.value, bool):
         return True
     with suppress(ElasticaError):
@@ -254,21 +264,18 @@ def _may_help(spec: StripSpec, change: Change) -> bool:
 
 
 def shown_strip(obj: Any) -> Strip:
-    """Return the strip that the shape shows. Features that are recomputed after the strip use it.
+    """Return the strip from which the current shape was made. Features that depend on the strip use it.
 
-    Raises
-    ------
-    ElasticaError
-        As `strip_of`, which is called if no strip is cached.
+    Raises ------ ElasticaError For the reasons of `strip_of`, which is called if no strip is cached.
     """
     return _shown.get(obj.MadeFrom) or strip_of(obj)
 
 
 def show_held(obj: Any) -> None:
-    """Write into the results how far a strip as made and held is from its curve.
+    """Write into the results how far a strip, as cut and held, is from its curve.
 
-    It takes as long as all other results together, so no recompute waits for it. It is not computed with elements
-    and point forces.
+    The computation takes as long as all other results together, so it is done after the recompute. It is not
+    done for strips with rails, pins, ties or point forces.
     """
     if obj.Held or not obj.MadeFrom or "Invalid" in obj.State:
         return
@@ -292,14 +299,14 @@ def show_held(obj: Any) -> None:
 
 
 def is_stale(obj: Any, changed: set[str]) -> bool:
-    """Return True if the shape was made from another request. `changed` names the changed objects."""
+    """Return True if the shape was made from another request. `changed` contains the names of changed objects."""
     source = obj.Curve[0] if obj.Curve else None
     touched = {
         watched.Name for watched in (obj, *parents(obj), source, *parents(source)) if watched is not None
     }
     if not touched & changed:
         return False
-    if "Invalid" in obj.State:  # undo restores the earlier results, but not the state
+    if "Invalid" in obj.State:  # an undo restores the earlier results, but not the state
         return True
     try:
         drawn = drawn_curve(obj.Curve, obj)
@@ -309,7 +316,7 @@ def is_stale(obj: Any, changed: set[str]) -> bool:
 
 
 def _mark(obj: Any, drawn: Any, spec: Any) -> str:
-    """Return a hash that identifies a request within one run of FreeCAD."""
+    """Return a hash that identifies a request within a session of FreeCAD."""
     return f"{hash((spec, obj.Form, tuple(drawn.placement.toMatrix().A))):x}"
 
 
@@ -319,7 +326,10 @@ def _solids(body: Any) -> bool:
 
 
 def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
-    """Write the results. `changed` and `smoothed` are how far the search and smoothing moved the curve, mm."""
+    """Write the results.
+
+    `changed` and `smoothed` are the distances, mm, by which search and smoothing moved the curve.
+    """
     rod, stability, sideways = strip.rod, judged(strip.rod), strip.sideways
     faults, bent, refused = list(strip_faults(strip)), is_bent_beforehand(strip), strip.strain_verdict.refused
     notes = [
@@ -367,7 +377,7 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
 
 
 def is_edited(obj: Any) -> bool:
-    """Return True if the strip's sketch is open for editing. Hiding the strip would then only flicker."""
+    """Return True if the sketch of the strip is open for editing. Hiding the strip would then cause flicker."""
     if not App.GuiUp or obj.Curve is None or not is_sketch(obj.Curve[0]):
         return False
     import FreeCADGui as Gui

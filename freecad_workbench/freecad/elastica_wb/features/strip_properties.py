@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The options and results of a strip, and the table of a design file that its options make, which the core reads.
+"""Properties of a strip (options and results), and the conversion of its options to a table of a design file.
 
-Most properties are made from the declared fields of a strip. Properties that do not match one field are declared
-here.
+The core reads this table. Most properties are generated from the declared fields of a strip. Properties that
+do not correspond to a single field are declared here.
 """
 
 import math
@@ -49,7 +49,7 @@ KEPT_ENDS = ["both", "start", "end", "none"]
 TANGENT_ENDS = KEPT_ENDS[:3]
 
 DEFAULTS = {"MaxWidth": MAX_WIDTH, "OuterWidth": MAX_WIDTH, "RatioLimit": RATIO}
-"""Defaults of a new strip that differ from those of the fields."""
+"""Default values of a new strip that differ from the defaults of the fields."""
 
 EXAMPLES = {
     "Between": "kind = 'tie', start = 40, end = 310",
@@ -58,13 +58,13 @@ EXAMPLES = {
     "KeepOut": "point = [0, 0], normal = [0, 1]",
     "StiffnessBounds": "lower = 1, upper = [2, 3, 2]",
 }
-"""Examples for the lines of properties that hold tables, written as in a design file."""
+"""Examples of the lines of properties that contain tables, written as in a design file."""
 
 OWN_BOXES = (
     "curve", "engrave", "sheet", "style", "compensate", "gravity", "loads", "supports", "natural_curvature", "ends",
     "limits.margin", "limits.strain", "limits.length", "limits.width", "keep.ends", "keep.tangents", "keep.line",
 )  # fmt: skip
-"""Keys that do not match a single property. `strip_request` reads them."""
+"""Keys that do not correspond to a single property. Special functions read them."""
 
 OWN_TABLES = ("style", "limits", "keep")
 """Keys whose subkeys have properties."""
@@ -90,7 +90,7 @@ def _one_to_one() -> Iterator[tuple[str, Field]]:
 
 
 FIELDS = dict(_one_to_one())
-"""Fields of the keys that match a single property, by their paths."""
+"""Fields of the keys that correspond to a single property, by the path of the key."""
 
 SHEET_PROPERTIES = (
     Property("Length", "Thickness", "Sheet", "Thickness of the sheet; measure yours", 1.0),
@@ -102,7 +102,7 @@ SHEET_PROPERTIES = (
         hidden=True,
     ),
 )
-"""Thickness and stored data of the sheet from which a feature is cut."""
+"""Properties for the thickness and the stored data of the sheet from which a feature is cut."""
 
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
@@ -116,7 +116,7 @@ PROPERTIES = (
         "Anticlastic",
         "Width",
         "Compensate anticlastic bending in the widths if the sheet's Poisson ratio is known",
-        # off in files of earlier versions, so that their widths stay the same
+        # False in files of earlier versions, so that their widths do not change
     ),
     Property(
         "Length",
@@ -246,25 +246,28 @@ NEAREST = tuple(
         CONTAINERS.name,
     )
 )
-"""Options and results of a separate nearest curve."""
+"""Options and results of a nearest curve that is a separate feature."""
 
 
-LONGEST_MM, THINNEST_MM = 1e5, 1e-3  # a hundred metres; thinner than any foil
+# limits of lengths: a hundred metres, and less than the thickness of any foil
+LONGEST_MM, THINNEST_MM = 1e5, 1e-3
 BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"
 MASS_LINE, WEIGHT_LINE, TAB_LINE = "at = 90, mass = 3", "alpha = 1, own = true", "length = 12, chamfer = 2"
 LENGTHS = tuple(p.name for p in PROPERTIES if p.kind == "Length" and not p.result)
 
 SHEET, BACKING = "sheet", "backing"
-"""Names of a strip's sheets in its table. The document stores their numbers."""
+"""Keys of the sheets in the table of a strip. The document stores the data of both sheets."""
 
 
 def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
-    """Return the request that the properties make, without those of other styles or of an unused nearest curve.
+    """Return the request that the properties define.
+
+    Properties of other styles or of an unused nearest curve are ignored.
 
     Raises
     ------
     InputError
-        A size is far out of range: a typing error, or another unit.
+        A size is far out of range, because of a typing error or a wrong unit.
     """
     _refuse_slips(obj, drawn)
     sheets = {SHEET: sheet_of(obj)}
@@ -279,7 +282,9 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
 
 
 def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
-    """Return the request for the nearest rod within the limits, even if the strip follows its curve."""
+    """Return the request for the nearest rod within the limits, even if the strip follows the drawn curve
+    exactly.
+    """
     limits = {path: field for path, field in FIELDS.items() if path.startswith(("limits.", "keep."))}
     table = _table(obj, drawn, limits, READ_ROD | READ_LIMITS)
     fields = read_fields(table, Reader({SHEET: sheet_of(obj)}))
@@ -291,21 +296,21 @@ def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
 
 
 Acting: TypeAlias = Element | PointForce | PointMass
-"""An element or a load."""
+"""An element (rail, pin or tie) or a load."""
 
 
 def is_load(item: Acting) -> bool:
-    """Return True for a load, and False for an element."""
+    """Return True for a load, and False for a rail, pin or tie."""
     return not isinstance(item, Element)
 
 
 def keys_of(item: Acting) -> tuple[str, ...]:
-    """Return the names of the fields with places."""
+    """Return the names of the fields that contain positions."""
     return ("start", "end") if isinstance(item, Tie) else ("at",)
 
 
 def places_of(item: Acting) -> list[Any]:
-    """Return the places of an element or load: mm along the curve, or points (x, y)."""
+    """Return the positions of an element or load: mm along the curve, or points (x, y)."""
     return [getattr(item, key) for key in keys_of(item)]
 
 
@@ -339,7 +344,7 @@ def keep_fractions(obj: Any, drawn: DrawnCurve) -> None:
 
 
 def acting_words(item: Acting, places: Sequence[float]) -> str:
-    """Return an element or load in words, at places in mm along the curve."""
+    """Return a description of an element or load; `places` are its positions, mm along the curve."""
     at = {"at": Length(places[0])}
     match item:
         case Rail(one_sided=True):
@@ -359,7 +364,7 @@ def acting_words(item: Acting, places: Sequence[float]) -> str:
 def _table(
     obj: Any, drawn: DrawnCurve, fields: Mapping[str, Field], readers: Mapping[str, Callable[[Any], Any]]
 ) -> Table:
-    """Return the table of a design file that requests the same as the properties of some keys.
+    """Return the table of a design file that is equivalent to the properties for some keys.
 
     Raises
     ------
@@ -381,13 +386,13 @@ def _table(
 
 
 def _counts(obj: Any, path: str, *, nearest: bool) -> bool:
-    """Return True if the property of a key applies to this strip."""
+    """Return True if the property of a key has an effect on this strip."""
     table, _, key = path.rpartition(".")
     if table == "style":
         return key in names_of(BY_KIND[Style][obj.Style.lower()])
     if table in ("limits", "keep"):
         return nearest
-    if path in ("max_width", "min_width"):  # a width law has its own limits
+    if path in ("max_width", "min_width"):  # a width law contains its limits
         return not obj.Law.strip() and (path == "min_width" or obj.Style == "Plain")
     return path != "samples" or not nearest
 
@@ -429,7 +434,10 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
 
 
 def sheet_of(obj: Any) -> Sheet:
-    """Return the sheet with its measured thickness. The thickness range is left out if the thickness differs."""
+    """Return the sheet with its measured thickness.
+
+    If that differs from the nominal thickness, the thickness range is removed.
+    """
     sheet, thickness = sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value
     if sheet.thickness == thickness:
         return sheet
@@ -442,17 +450,20 @@ def _style(obj: Any) -> dict[str, Any]:
 
 
 def _max_width(obj: Any) -> float | None:
-    """Return the limit on the material width of a styled outline. A plain strip has its own property."""
+    """Return the limit of the material width for a styled outline.
+
+    For a plain strip, another property sets the limit.
+    """
     return None if obj.Style == "Plain" or obj.Law.strip() else obj.MaterialWidth.Value or None
 
 
 def _shop(obj: Any) -> dict[str, Any] | None:
-    """Return the shop limits: the smallest ligament is that of the style."""
+    """Return the limits of the workshop. The smallest ligament is set by the style."""
     return {"least_ligament": obj.LeastLigament.Value} if obj.Style == "Perforated" else None
 
 
 def _compensate(obj: Any) -> bool | None:
-    """Return True (compensate everything), False (nothing) or None (the default)."""
+    """Return True to compensate everything, False to compensate nothing, or None for the default."""
     return None if obj.Anticlastic and not obj.Compensate else bool(obj.Compensate)
 
 
@@ -491,7 +502,7 @@ def _limits(obj: Any) -> dict[str, Any]:
 
 
 def _range(obj: Any, kind: str) -> list[float] | None:
-    """Return the smallest and largest value, mm, or None without a largest value."""
+    """Return the smallest and largest value, mm, or None if no largest value is set."""
     least, most = getattr(obj, f"Least{kind}").Value, getattr(obj, f"Most{kind}").Value
     if not most:
         return None
@@ -546,4 +557,6 @@ READ_ROD: dict[str, Callable[[Any], Any]] = {
     "natural_curvature": _natural_curvature,
 }
 READ_LIMITS: dict[str, Callable[[Any], Any]] = {"limits": _limits, "keep": _keep}
-"""Readers of keys that do not match one property: two properties for one value, or one for two."""
+"""Functions for keys that do not correspond to a single property: two properties for a value, or a property
+for two values.
+"""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Appearance of the features in the tree and the 3D view."""
+"""View providers: appearance of the features in the tree and the 3D view."""
 
 from collections.abc import Callable
 from typing import Any, ClassVar
@@ -12,11 +12,11 @@ from freecad.elastica_wb.host.resources import icon
 
 
 class View(Unsaved):
-    """Base class of all view providers. They store nothing."""
+    """Base class of all view providers. They have no data."""
 
     icon_name = "Elastica"
     panel_of: ClassVar[Callable[[Any], Any]]
-    """Makes the panel of a feature. The graphical interface sets it."""
+    """Function that makes the panel of a feature. The graphical interface sets it."""
 
     def __init__(self, provider: Any) -> None:
         provider.Proxy = self
@@ -52,7 +52,7 @@ class StripView(View):
     icon_name = "Elastica_Strip"
 
     def claimChildren(self) -> list[Any]:
-        """Return the sketch, unless it is in a body."""
+        """Return the sketch for the tree, unless it is in a body."""
         source = self.Object.Curve[0] if self.Object.Curve else None
         group = None if source is None else source.getParentGeoFeatureGroup()
         return (
@@ -72,11 +72,11 @@ class ModelView(View):
     icon_name = "Elastica_Interlock"
 
     def claimChildren(self) -> list[Any]:
-        """Return the strips, which are shown separately only if the model has no slots."""
+        """Return the strips for the tree. Strips outside of a model have no slots."""
         return list(self.Object.Strips)
 
     def onDelete(self, _provider: Any, _elements: Any) -> bool:
-        """Show the strips that the model hid, unless they failed."""
+        """Make the strips visible that the model had hidden, unless they failed."""
         for strip in self.Object.Strips:
             if not any(is_model(user) for user in strip.InList if user is not self.Object):
                 strip.HiddenByError = "Invalid" in strip.State
@@ -116,7 +116,7 @@ class NearestView(View):
 
 
 class BentView(View):
-    """View provider of a strip's curve that is bent further."""
+    """View provider of the curve of a strip with moved ends."""
 
     icon_name = "Elastica_Bend"
 

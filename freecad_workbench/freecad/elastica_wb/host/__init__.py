@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Integration in FreeCAD: Qt, preferences, units, words, progress, errors."""
+"""Integration in FreeCAD: Qt, preferences, units, translations, progress, errors."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Charts as pictures in panels."""
+"""Charts for panels."""
 
 from collections.abc import Sequence
 from typing import Any

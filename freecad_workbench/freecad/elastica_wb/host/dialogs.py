@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Messages in windows that do not block."""
+"""Windows with messages that do not block FreeCAD."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,14 +14,14 @@ from freecad.elastica_wb.host.words import report, report_error, report_warning,
 
 from elastica_cad._text import printable
 
-STATUS_MS = 20_000  # long enough to read the message after a look at the view
-MOST_FILES = 12  # that a window lists
+STATUS_MS = 20_000  # duration, ms, of a message in the status bar, long enough for reading it
+MOST_FILES = 12  # largest number of files that a window lists
 
 _open_boxes: list[Any] = []
 
 
 def show_message(sentence: str) -> None:
-    """Show a sentence in the report view, in the status bar and in a window that does not block."""
+    """Show a sentence in the report view, in the status bar, and in a window that does not block FreeCAD."""
     sentence = worded(sentence)
     report_error(sentence)
     Gui.getMainWindow().statusBar().showMessage(sentence, STATUS_MS)
@@ -49,7 +49,7 @@ def _show(words: str) -> Any:
     box.setObjectName("ElasticaTold")
     box.setIcon(QtWidgets.QMessageBox.Information)
     box.setWindowTitle("Elastica")
-    box.setTextFormat(QtCore.Qt.PlainText)  # a label may look like HTML
+    box.setTextFormat(QtCore.Qt.PlainText)  # plain text, because a label may look like HTML
     box.setText(printable(words))
     box.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
     box.setStandardButtons(QtWidgets.QMessageBox.Ok)

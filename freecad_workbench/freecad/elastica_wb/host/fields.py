@@ -14,19 +14,20 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import titled_sheets
 from freecad.elastica_wb.host.words import worded
 
-LARGEST = 1e9  # limit of numbers without a declared limit
+LARGEST = 1e9  # limit of numbers whose field declares no limit
 WHOLE = 1_000_000
-SHEET_LETTERS = 14  # visible letters of a sheet's name in a narrow panel
-NARROWEST_PX = 105  # minimum width for a length with its unit
+SHEET_LETTERS = 14  # number of letters of a sheet's name that are visible in a narrow panel
+NARROWEST_PX = 105  # least width, pixels, of a box for a length with its unit
 TRIES = 10
 
 _aside: list[Any] = []
 
-UNTYPED = ("", "\t", "\r", "\x1b")  # keys that enter no text: arrows, Tab, Enter, Escape
-EXACT, SHOWN = "exactValue", "shownValue"  # the value that was set, and the value that the box shows
+UNTYPED = ("", "\t", "\r", "\x1b")  # text of key events that enter no text: arrows, Tab, Enter, Escape
+# properties of a box with the exact value, and with the rounded value that the box shows
+EXACT, SHOWN = "exactValue", "shownValue"
 UNITS = {"App::PropertyLength": "mm", "App::PropertyDistance": "mm", "App::PropertyAngle": "deg"}
 NUMBER_CHANGED = QtCore.SIGNAL("valueChanged(double)")
-"""Signal of FreeCAD's box with a number. Python cannot read the quantity of the other signal."""
+"""Signal of FreeCAD's box with a number. The box has another signal, whose quantity Python cannot read."""
 
 
 def field_for(obj: Any, name: str) -> Any:
@@ -53,25 +54,27 @@ def field_for(obj: Any, name: str) -> Any:
 
 
 def put_away(widget: Any) -> None:
-    """Delete a widget of `field_for`. Otherwise a widget bound to a property still receives its formulas."""
+    """Delete a widget of `field_for`, because a widget that is bound to a property would continue to react to
+    its formulas.
+    """
     widget.blockSignals(True)
     widget.setParent(None)
     widget.deleteLater()
 
 
 def put_choices_of(box: Any, obj: Any, name: str) -> None:
-    """Fill a list widget with the choices of a property."""
+    """Fill a combo box with the choices of a property."""
     put = put_sheets if name in obj.Proxy.sheets else put_choices
     put(box, obj.getEnumerationsOfProperty(name))
 
 
 def put_choices(box: Any, choices: list[str]) -> None:
-    """Fill a list widget with choices, shown in the user's language."""
+    """Fill a combo box with choices in the language of the user."""
     _put_items(box, [(translate("Elastica", choice), choice) for choice in choices])
 
 
 def put_sheets(box: Any, names: list[str]) -> None:
-    """Fill a list widget with sheets below the titles of their kinds. The titles cannot be chosen."""
+    """Fill a combo box with sheets, grouped under titles of their kinds. Titles cannot be chosen."""
     _put_items(box, [(worded(text), name) for text, name in titled_sheets(names)])
     box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)  # panels are narrow
     box.setMinimumContentsLength(SHEET_LETTERS)
@@ -99,7 +102,7 @@ def value_of(widget: Any) -> Any:
         return widget.text()
     if _is_quantity(widget):
         displayed, exact = float(widget.property("rawValue")), widget.property(EXACT)
-        # FreeCAD's box keeps only what it shows: a kerf of 0.2 mm would become 0.01 in
+        # FreeCAD's box stores only the displayed digits: a kerf of 0.2 mm would become 0.01 in
         return float(exact) if exact is not None and displayed == widget.property(SHOWN) else displayed
     return widget.value()
 
@@ -149,7 +152,7 @@ def _signal_of(widget: Any) -> Any:
 
 
 def into_sight(widget: Any) -> None:
-    """Scroll to a widget of a panel, which may be higher than the window."""
+    """Scroll a panel, which may be higher than the window, to a widget."""
     above = widget.parentWidget()
     while above is not None:
         if isinstance(above, QtWidgets.QScrollArea):
@@ -158,7 +161,9 @@ def into_sight(widget: Any) -> None:
 
 
 def calm(form: Any) -> None:
-    """Make widgets ignore the wheel until they are clicked, and keep the precision of typed numbers."""
+    """Make the widgets of a form ignore the mouse wheel until they are clicked, and keep the precision of
+    typed numbers.
+    """
     keeper = _Keeper(form)
     for kind in (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox):
         for widget in form.findChildren(kind):
@@ -173,15 +178,18 @@ def calm(form: Any) -> None:
 
 @cache
 def _loader() -> Any:
-    """Return the loader of FreeCAD's widgets. It is cached, because PySide deletes the widgets with it."""
+    """Return the loader of FreeCAD's widgets.
+
+    It is cached, because PySide deletes the widgets when their loader is deleted.
+    """
     return Gui.UiLoader()
 
 
 def quantity_box() -> Any:
     """Make FreeCAD's input field for quantities.
 
-    PySide may reuse the wrapper of a deleted widget for a new widget at the same address. Such a box is kept, so
-    that its address stays occupied, and another box is made.
+    PySide may reuse the Python wrapper of a deleted widget for a new widget at the same address. A box with
+    such a wrapper is not used but kept in memory, so that the next box has another address.
     """
     for _ in range(TRIES):
         box = _loader().createWidget("Gui::QuantitySpinBox")
@@ -199,7 +207,7 @@ def _is_quantity(widget: Any) -> bool:
 
 
 def _is_emptied(widget: Any) -> bool:
-    """Return True if the user emptied a box whose empty state has a meaning. Qt would restore the earlier text."""
+    """Return True if the user has emptied a box that may be empty. Otherwise Qt would restore the earlier text."""
     may_be_empty = isinstance(widget, QtWidgets.QDoubleSpinBox) and bool(widget.specialValueText())
     return may_be_empty and not widget.cleanText().strip()
 
@@ -209,10 +217,10 @@ def _takes_numbers(widget: Any) -> bool:
 
 
 def _widen(box: Any) -> None:
-    """Accept every length during typing. A length that is too large is refused later.
+    """Remove the limits of a box while the user types. Lengths that are too large are refused later.
 
-    FreeCAD's box drops a key that makes the length too large. In "0.15 mm" it drops the m (0.15 m) and reads 0.15
-    in.
+    FreeCAD's box ignores a key that would make the length too large. While "0.15 mm" is typed, it ignores the
+    first m (0.15 m is too large) and reads 0.15 in.
     """
     if box.property("minimum") < 0:
         box.setProperty("minimum", -LARGEST)
@@ -220,15 +228,18 @@ def _widen(box: Any) -> None:
 
 
 class _Keeper(QtCore.QObject):
-    """Passes the wheel on to the panel's scroll area, and keeps the precision of typed numbers."""
+    """Event filter that passes the mouse wheel to the scroll area of the panel, and keeps the precision of
+    typed numbers.
+    """
 
     def eventFilter(self, widget: Any, event: Any) -> bool:
-        """Pass the wheel on from a widget without focus, and read typed numbers exactly."""
+        """Pass on the mouse wheel from a widget without focus, and read typed numbers exactly."""
         kind = kind_of(event)
         if kind == QtCore.QEvent.KeyPress and event.text() == "." and _takes_numbers(widget):
             point = str(widget.locale().decimalPoint())
             if point != ".":
-                # FreeCAD's box drops the point as a thousands separator: 0.5 mm would become 5 mm, shown as 0.5
+                # FreeCAD's box would ignore the point as a separator of thousands: 0.5 mm would become 5 mm,
+                # displayed as 0.5
                 typed = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Comma, event.modifiers(), point)
                 QtWidgets.QApplication.sendEvent(widget, typed)
                 return True
@@ -241,13 +252,14 @@ class _Keeper(QtCore.QObject):
         if kind == QtCore.QEvent.KeyPress and event.text() not in UNTYPED and _is_quantity(widget):
             widget.setProperty(EXACT, None)
         elif kind == QtCore.QEvent.FocusOut and _is_quantity(widget) and widget.property(EXACT) is None:
-            QtCore.QTimer.singleShot(0, lambda: _settle(widget))  # after the box has read the typed text
+            # run this after the box has read the typed text
+            QtCore.QTimer.singleShot(0, lambda: _settle(widget))
         return False
 
 
 def _settle(box: Any) -> None:
-    """Store the typed value. The box sends no signal if its rounded value is the same as before."""
-    with suppress(RuntimeError):  # the panel was closed
+    """Store the typed value, because the box sends no signal if its rounded value has not changed."""
+    with suppress(RuntimeError):  # raised if the panel was closed
         displayed = float(box.property("rawValue"))
         box.setProperty(EXACT, displayed)
         box.setProperty(SHOWN, displayed)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Objects of a document: whether they exist, their kinds, proxies and view providers, and sensors for them."""
+"""Helpers for document objects: existence, kind, proxies, view providers and sensors."""
 
 from collections.abc import Callable
 from typing import Any
@@ -12,11 +12,11 @@ import FreeCAD as App
 FEATURES = "freecad.elastica_wb.features."
 
 view_providers: dict[str, Callable[[Any], Any]] = {}
-"""Makers of view providers by kind of feature. The graphical interface fills it."""
+"""Class of the view provider for each kind of feature. The graphical interface fills this mapping."""
 
 
 def lives(obj: Any) -> bool:
-    """Return True if an object is in its document. Objects that only the undo history holds do not count."""
+    """Return True if an object is in its document, and not only in the undo history."""
     try:
         return obj.Document is not None and obj in obj.Document.Objects
     except (ReferenceError, RuntimeError):
@@ -26,7 +26,7 @@ def lives(obj: Any) -> bool:
 def feature_kind(obj: Any) -> str:
     """Return the kind of a feature of this workbench, such as "Strip", or "" for other objects.
 
-    No feature module is imported for this.
+    This function imports no module of a feature.
     """
     proxy = type(getattr(obj, "Proxy", None))
     return proxy.__name__.removesuffix("Feature") if proxy.__module__.startswith(FEATURES) else ""
@@ -58,7 +58,7 @@ def is_flat(obj: Any) -> bool:
 
 
 def is_rings(obj: Any) -> bool:
-    """Return True if an object is the rings at the ends of strips."""
+    """Return True if an object is a feature of rings."""
     return feature_kind(obj) == "Rings"
 
 
@@ -81,10 +81,11 @@ def document_lives(document: Any) -> bool:
 
 
 def sensor(kind: Any, callback: Callable[..., None]) -> Any:
-    """Return a Coin sensor that calls a method only as long as the method's object is referenced elsewhere.
+    """Return a Coin sensor that calls a method as long as the object of the method is referenced elsewhere.
 
-    pivy never releases the function that a sensor calls. A card and its widgets would stay in memory, and PySide
-    would reuse their wrappers for new widgets at the same addresses.
+    The sensor holds only a weak reference, because pivy never releases the function that a sensor calls.
+    Otherwise a card and its widgets would stay in memory, and PySide would reuse their wrappers for new
+    widgets at the same addresses.
     """
     method = WeakMethod(callback)
 
@@ -97,22 +98,22 @@ def sensor(kind: Any, callback: Callable[..., None]) -> Any:
 
 
 class Unsaved:
-    """A proxy of an object or a view provider. A file stores only its class."""
+    """Base of proxies of objects and view providers. Files store only the class of a proxy."""
 
     def dumps(self) -> None:
-        """Return None: there is nothing to save."""
+        """Return None, because a proxy has no data to be saved."""
 
     def loads(self, state: Any) -> None:
-        """Do nothing: there is nothing to load."""
+        """Do nothing, because a proxy has no data."""
 
     __getstate__ = dumps
     __setstate__ = loads
 
 
 def dress(obj: Any) -> None:
-    """Give a feature the view provider of its kind, if there is a window and it has no view provider.
+    """Set the view provider of a feature, if FreeCAD has a window and the feature has no view provider.
 
-    A file that freecadcmd wrote holds no view providers.
+    Files that were written by freecadcmd contain no view providers.
     """
     make = view_providers.get(feature_kind(obj))
     if make is not None and isinstance(getattr(obj.ViewObject, "Proxy", None), (int, type(None))):

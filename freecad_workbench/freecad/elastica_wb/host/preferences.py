@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The user's preferences and their defaults."""
+"""Preferences of the user and their default values."""
 
 from typing import Any
 
@@ -31,7 +31,7 @@ CHOICES = {
     "DxfVersion": ("R2010", "R12", "R2000", "R2004", "R2007", "R2013", "R2018"),
     "Curves": ("spline", "arc", "polyline"),
 }
-"""Choices in the order of the preferences page. FreeCAD stores the number of the choice."""
+"""Choices in the order of the preferences page. FreeCAD stores the index of the choice."""
 
 
 def get(name: str) -> Any:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Long computations with FreeCAD's progress bar. Escape stops them."""
+"""Long computations with a progress bar, which the Escape key stops."""
 
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -15,26 +15,27 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.refusals import note
 
 Step = Callable[[int], bool]
-"""Function that takes the number of parts done, and returns False to stop."""
+"""Function that is called with the number of finished parts, and returns False if the user stops the work."""
 
 Answer, Item = TypeVar("Answer"), TypeVar("Item")
 
-QUIET_S = 0.5  # s before the progress bar appears
+QUIET_S = 0.5  # time, s, before the progress bar appears
 PULSE_S = 0.02  # s
 
 _workers = ThreadPoolExecutor(max_workers=2, thread_name_prefix="elastica")
 
 
 def begun(work: Callable[..., Answer], *arguments: Any) -> "Future[Answer]":
-    """Start work in a thread and return its future."""
+    """Start a function in another thread and return its future."""
     return _workers.submit(work, *arguments)
 
 
 @contextmanager
 def progress(title: str, count: int = 0) -> Iterator[Step]:
-    """Show FreeCAD's progress bar for work of `count` parts. The step that it yields returns False after Escape.
+    """Show FreeCAD's progress bar for work of `count` parts. Yield a `Step`, which returns False after Escape.
 
-    FreeCAD blocks mouse and keys meanwhile. In a recompute, this bar takes the place of the recompute's bar.
+    In the meantime FreeCAD blocks mouse and keyboard. In a recompute, this bar replaces the bar of the
+    recompute.
     """
     if not App.GuiUp:
         yield lambda _done: True
@@ -71,12 +72,9 @@ def progress(title: str, count: int = 0) -> Iterator[Step]:
 
 
 def in_background(title: str, work: Callable[..., Answer], *arguments: Any) -> Answer:
-    """Do work in a separate thread and return its result. After half a second the user can stop it.
+    """Run a function in another thread and return its result. After half a second the user can stop it.
 
-    Raises
-    ------
-    NotConvergedError
-        The user stopped it.
+    Raises ------ NotConvergedError The user stopped the work.
     """
     if not App.GuiUp:
         return work(*arguments)
@@ -97,24 +95,23 @@ def in_background(title: str, work: Callable[..., Answer], *arguments: Any) -> A
 
 
 def go_on(step: Step | None, done: int, stopped: str) -> None:
-    """Report the number of parts done.
+    """Report the number of finished parts.
 
     Raises
     ------
     NotConvergedError
-        The user stopped the work; with the text `stopped`.
+        The user stopped the work. The message is `stopped`.
     """
     if step is not None and not step(done):
         raise NotConvergedError("stopped: {why}", why=note(stopped))
 
 
 def in_steps(title: str, items: Sequence[Item], work: Callable[[Item], Answer]) -> list[Answer]:
-    """Do work on each item in this thread and return the results. The user can stop it between two items.
+    """Apply a function to each item in this thread and return the results.
 
-    Raises
-    ------
-    NotConvergedError
-        The user stopped it.
+    The user can stop the work between items.
+
+    Raises ------ NotConvergedError The user stopped the work.
     """
     answers = []
     with progress(title, len(items)) as step:

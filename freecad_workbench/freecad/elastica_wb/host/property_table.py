@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Tables of properties. Missing properties are added, so that files of earlier versions gain newer properties."""
+"""Declared properties of features.
+
+Missing properties are added, so that files of earlier versions get new properties.
+"""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -16,14 +19,15 @@ from elastica_cad.declared import Field
 from elastica_cad.design.records import written
 from elastica_cad.errors import InputError
 
-OUTPUT, TRANSIENT = 8, 2  # FreeCAD's flags: a change causes no recompute; not saved
+# FreeCAD's flags for properties: a change causes no recompute; the value is not saved
+OUTPUT, TRANSIENT = 8, 2
 
 
 @dataclass(frozen=True)
 class Property:
-    """A property of a feature. `default` is a value other than FreeCAD's default, or the list of choices.
+    """A property of a feature. `default` is a value that differs from FreeCAD's default, or the list of choices.
 
-    The help shows the `example`, if there is one, after its text.
+    An `example` is displayed after the help.
     """
 
     kind: str
@@ -38,31 +42,31 @@ class Property:
 
     @property
     def type_id(self) -> str:
-        """FreeCAD's name of the property's type."""
+        """FreeCAD's name of the type of the property."""
         return f"App::Property{self.kind}"
 
     @property
     def translated_help(self) -> str:
-        """The help of the property in the user's language."""
+        """Help for the property in the language of the user."""
         text = worded(str(App.Qt.translate("App::Property", self.help)))
         return f"{text} {self.example}" if self.example else text
 
 
 def result(kind: str, name: str, help: str, **shown: bool) -> Property:
-    """Return the property for a result. `shown` sets options of `Property`."""
+    """Return the property for a result. `shown` contains further fields of `Property`."""
     return Property(kind, name, "Result", help, result=True, **shown)
 
 
 KINDS = {"number": "Float", "count": "Integer", "flag": "Bool", "text": "String", "choice": "Enumeration"}
 UNITS = {"mm": "Length", "rad": "Angle"}
 NOTHING = "none"
-"""Choice that leaves an optional field out."""
+"""Choice that means that an optional field is not set."""
 
 
 def declared_property(
     field: Field, group: str, name: str = "", *, given: Any = None, example: str = ""
 ) -> Property:
-    """Return the property of a declared field. `name` and `given` replace the field's name and default."""
+    """Return the property of a declared field. `name` and `given` replace the name and default of the field."""
     kind, name, default = written(field.kind), name or field.name.title().replace("_", ""), field.default
     called = KINDS.get(kind.name) or ("StringList" if kind.name == "list" else "String")
     if kind.name == "number":
@@ -85,7 +89,7 @@ def values_of(obj: Any, fields: Mapping[str, Field]) -> dict[str, Any]:
 
 
 def ensure(obj: Any, table: Iterable[Property]) -> None:
-    """Add missing properties, replace those of another type, and set how the editor shows them."""
+    """Add missing properties, replace properties of another type, and set their display in the property editor."""
     for entry in table:
         value = None
         if entry.name in obj.PropertiesList and obj.getTypeIdOfProperty(entry.name) != entry.type_id:
@@ -103,12 +107,14 @@ def ensure(obj: Any, table: Iterable[Property]) -> None:
 
 
 def require_choices(obj: Any, table: Iterable[Property]) -> None:
-    """Refuse a formula whose value is not a choice. FreeCAD would take the first choice for an unknown name.
+    """Refuse a formula whose value is not one of the choices.
+
+    FreeCAD would set the first choice for an unknown name.
 
     Raises
     ------
     InputError
-        A formula gives an invalid choice; with the property, the formula and its value.
+        A formula has an invalid choice as its value. The message states property, formula and value.
     """
     formulas = _formulas(obj)
     for name in [entry.name for entry in table if entry.kind == "Enumeration"]:
@@ -125,7 +131,7 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
     choices = obj.getEnumerationsOfProperty(name)
     try:
         value = obj.evalExpression(formula)
-    except Exception as error:  # FreeCAD raises many classes of errors
+    except Exception as error:  # FreeCAD raises errors of many classes
         raise InputError(
             "The formula of {name} cannot be computed ({formula}). Correct or remove the formula.",
             name=name,
@@ -147,14 +153,14 @@ def _require_choice(obj: Any, name: str, formula: str) -> None:
 def _is_choice(value: Any, choices: list[str]) -> bool:
     if isinstance(value, str):
         return value in choices
-    # FreeCAD truncates a number
+    # FreeCAD truncates a number to an index
     return isinstance(value, (int, float)) and -1 < value < len(choices)
 
 
 def is_misread(obj: Any, name: str) -> bool:
-    """Return True if a formula gave an invalid choice.
+    """Return True if the value of a formula is an invalid choice.
 
-    The property is then empty, or has its first choice for an unknown name.
+    The property is then empty, or it has its first choice if the value is an unknown name.
     """
     present, formula = getattr(obj, name), _formulas(obj).get(name)
     if present is None or formula is None:
@@ -162,16 +168,16 @@ def is_misread(obj: Any, name: str) -> bool:
     choices = obj.getEnumerationsOfProperty(name)
     if present != choices[0]:
         return False
-    with suppress(Exception):  # a formula that cannot be computed chooses nothing
+    with suppress(Exception):  # raised if the formula cannot be computed
         return not _is_choice(obj.evalExpression(formula), choices)
     return False
 
 
 def choose_again(obj: Any, name: str, chosen: str | None) -> None:
-    """Restore an earlier choice, or else take the first.
+    """Restore an earlier choice, or else set the first choice.
 
-    A number out of range leaves the property without a choice. In that state FreeCAD 1.0 and 1.1 accept neither a
-    name nor a number, only the list together with a number.
+    After a number out of range, the property has no choice. FreeCAD 1.0 and 1.1 then accept neither a name
+    nor a number, but only the list of choices together with a number.
     """
     choices = obj.getEnumerationsOfProperty(name)
     if choices:
@@ -179,15 +185,16 @@ def choose_again(obj: Any, name: str, chosen: str | None) -> None:
 
 
 MESSAGES = ("Verdict", "Reasons", "Reports", "Overlaps", "LeftOut", "Held", "Sideways")
-"""Properties with messages. They show the messages of `RECORDS` in the user's words."""
+"""Properties with messages. They contain the messages of the property `RECORDS` in the language of the user."""
 
 RECORDS = result("String", "Messages", "Messages in all languages", hidden=True)
 
 
 def put(obj: Any, **values: Any) -> None:
-    """Set the properties whose value differs, so that an unchanged result adds nothing to the undo history.
+    """Set the properties whose values differ, so that unchanged results are not added to the undo history.
 
-    Messages are set in the user's words. Their records are stored, because another user may open the file.
+    Messages are set in the language of the user. Their records are stored, because another user may open the
+    file.
     """
     messages = {name: value for name, value in values.items() if name in MESSAGES}
     if messages:
@@ -198,8 +205,8 @@ def put(obj: Any, **values: Any) -> None:
 
 
 def reword(obj: Any) -> None:
-    """Show the stored messages of an object in the user's words."""
-    with suppress(LookupError, TypeError, ValueError):  # the file was edited by hand
+    """Set the stored messages of an object in the language of the user."""
+    with suppress(LookupError, TypeError, ValueError):  # raised if the file was edited by hand
         _put(obj, {name: _worded(name, unpacked(data)) for name, data in _records(obj).items()})
 
 

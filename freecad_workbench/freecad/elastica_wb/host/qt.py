@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Qt in all supported releases (PySide of FreeCAD 0.20 has no QtWidgets), and the widgets of 3D views."""
+"""Qt in all supported releases of FreeCAD, and the widgets of 3D views.
+
+PySide of FreeCAD 0.20 has no QtWidgets.
+"""
 
 import gc
 from collections.abc import Callable
@@ -27,12 +30,16 @@ __all__ = [
     "when_free",
 ]
 
-ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction  # moved in Qt 6
-AGAIN_MS = 20  # before a document that recomputes is checked again: its progress bar lets timers run
+ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction  # in Qt 6, QAction is in QtGui
+# time, ms, after which a recomputing document is checked again; timers run during its progress bar
+AGAIN_MS = 20
 
 
 def later(work: Callable[[], Any], wait: int = 0, parent: Any = None) -> Any:
-    """Return a timer that does work once, `wait` ms after each start. It is deleted with its `parent`."""
+    """Return a timer that calls a function once, `wait` ms after each start.
+
+    The timer is deleted with its `parent`.
+    """
     timer = QtCore.QTimer(parent)
     timer.setSingleShot(True)
     timer.setInterval(wait)
@@ -41,7 +48,7 @@ def later(work: Callable[[], Any], wait: int = 0, parent: Any = None) -> Any:
 
 
 def when_free(work: Callable[[], Any]) -> None:
-    """Do work soon, but not during a computation."""
+    """Call a function soon, but not during a computation."""
 
     def look() -> None:
         if is_busy():
@@ -53,15 +60,15 @@ def when_free(work: Callable[[], Any]) -> None:
 
 
 def is_busy() -> bool:
-    """Return True if a document recomputes or a progress bar waits for work."""
+    """Return True if a document is recomputing or a progress bar is displayed."""
     return EscapeKey.watching > 0 or any(document.Recomputing for document in App.listDocuments().values())
 
 
 def surface_of(view: Any) -> Any | None:
     """Return the widget on which a 3D view is drawn, or None if PySide returns the wrapper of a closed view.
 
-    Qt may put a new view at the address of a closed view. PySide then returns the old wrapper as long as something
-    refers to it. Therefore unused reference cycles are collected first.
+    A new view may have the address of a closed view. PySide then returns the old wrapper as long as it is
+    referenced. Therefore reference cycles are collected first.
     """
     for attempt in (1, 2):
         try:
@@ -76,22 +83,23 @@ def surface_of(view: Any) -> Any | None:
 
 
 def kind_of(event: Any) -> Any | None:
-    """Return the type of an event, or None if PySide passes a widget's wrapper instead of an event.
+    """Return the type of an event, or None if PySide passes the wrapper of a widget instead of an event.
 
-    An event may be at the address of a deleted widget, and the old wrapper has no event type.
+    This happens if the event has the address of a deleted widget, whose wrapper has no event type.
     """
     return event.type() if isinstance(event, QtCore.QEvent) else None
 
 
 class InputLater(QtCore.QObject):
-    """Delays shortcuts and timers until nothing is computed, and ignores the mouse wheel.
+    """Event filter that delays shortcuts and timers until computations have ended, and ignores the mouse wheel.
 
-    FreeCAD's progress bar blocks keys and mouse buttons, but not shortcuts, timers and the wheel. An undo during a
-    recompute cannot delete objects, and its step is lost. Timers that repaint windows and show the bar continue.
+    FreeCAD's progress bar blocks keys and mouse buttons, but not shortcuts, timers and the wheel. An undo
+    during a recompute cannot delete objects, and its step is lost. Timers that repaint windows and display
+    the bar are not delayed.
     """
 
     def watch(self) -> None:
-        """Start watching. Qt calls the filter that was installed last first."""
+        """Install the filter. Qt calls the most recently installed filter first."""
         QtCore.QCoreApplication.instance().installEventFilter(self)
 
     def leave(self) -> None:
@@ -99,7 +107,7 @@ class InputLater(QtCore.QObject):
         QtCore.QCoreApplication.instance().removeEventFilter(self)
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Delay an event. A delayed timer fires again after its interval."""
+        """Delay a shortcut or timer. A delayed timer fires again after its interval."""
         kind = kind_of(event)
         if kind == QtCore.QEvent.Shortcut and isinstance(watched, ACTION) and is_busy():
             when_free(watched.trigger)
@@ -113,7 +121,7 @@ class InputLater(QtCore.QObject):
 
 
 class EscapeKey(InputLater):
-    """Detects the Escape key, regardless of the keyboard focus."""
+    """Event filter that detects the Escape key, whatever widget has the keyboard focus."""
 
     watching = 0
     pressed = False
@@ -129,7 +137,7 @@ class EscapeKey(InputLater):
         super().leave()
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Keep Escape from all other receivers."""
+        """Note an Escape key, and hide it from all other receivers."""
         typed = kind_of(event) == QtCore.QEvent.KeyPress
         if typed and event.key() == QtCore.Qt.Key_Escape:
             self.pressed = True

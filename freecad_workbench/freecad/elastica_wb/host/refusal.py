@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Errors of features: a message as the feature's state, and one line in the report view.
+"""Errors of features: a message as the state of the feature, and one line in the report view.
 
-FreeCAD turns an exception of `execute` into the feature's state. It also prints a traceback, the name of the class
-and the message. The traceback lists the Python functions that the exception left, so it is empty if only compiled
-code raised and passed on the exception. Therefore Python returns the error as a value, and compiled code raises it.
-FreeCAD then prints the caller of the recompute instead.
+FreeCAD stores an exception of `execute` as the state of the feature. It also prints a traceback, the name of
+the class and the message. The traceback lists the Python functions through which the exception passed. It is
+empty if only compiled code raises and passes on the exception. Therefore Python functions return the error as
+a value, and compiled code raises it. FreeCAD then prints the caller of the recompute instead.
 
-FreeCAD 1.x also prints the state of each failed object when the recompute ends. There the first line is suppressed.
+FreeCAD 1.x also prints the state of each failed object at the end of the recompute. In this case the first
+line is suppressed.
 """
 
 import os
@@ -28,31 +29,34 @@ from elastica_cad.errors import ElasticaError, InputError, MissingDependencyErro
 from elastica_cad.refusals import note
 
 FAILURES = (ElasticaError, ImportError, Part.OCCError, Base.FreeCADError)
-"""Exceptions that `execute` turns into messages. Any other exception is a bug and keeps its traceback."""
+"""Exceptions that `execute` converts to messages.
+
+Any other exception is a bug and is printed with its traceback.
+"""
 
 LOST_LINK = re.compile(r"[Oo]bject: (.+)\n.*[Ff]ile: (.+)")
-"""FreeCAD's message for a link whose file is missing or whose document was closed."""
+"""Pattern for FreeCAD's message on a link whose file is missing or whose document was closed."""
 
 
 FORMULA = re.compile(r"(.*)\nin property binding '.*\.(\w+)'\s*", re.DOTALL)
-"""FreeCAD's message for an object with a formula that cannot be computed."""
+"""Pattern for FreeCAD's message on a formula that cannot be computed."""
 
 
 class _Speaker(type):
-    """Metaclass that prints the name of the failed object as the name of the class."""
+    """Metaclass by which the printed name of an error's class is the name of the failed object."""
 
     who = ""
 
     def __str__(cls) -> str:
-        return f" Elastica, {cls.who}"  # printed after the place of the recompute
+        return f" Elastica, {cls.who}"  # printed after the caller of the recompute
 
 
 class RefusalError(ValueError, metaclass=_Speaker):
-    """The error that `execute` raises if an object cannot be made."""
+    """Error that `execute` raises if an object cannot be made."""
 
 
 def refused(obj: Any, error: ElasticaError) -> RefusalError:
-    """Return the exception that `raising` raises for an object's error."""
+    """Return the exception that `raising` raises for an error of an object."""
     RefusalError.who = obj.Label
     if REPEATS and "Recompute" in obj.State:
         _silence.begin()
@@ -60,14 +64,15 @@ def refused(obj: Any, error: ElasticaError) -> RefusalError:
 
 
 REPEATS = int(App.Version()[0]) >= 1
-"""Whether this FreeCAD prints the state of failed objects when a recompute ends."""
+"""True if this version of FreeCAD prints the state of failed objects at the end of a recompute."""
 
 
 class _Silence:
-    """Stops all printing of errors until the next object is recomputed or the recompute ends."""
+    """Suppresses all printing of errors until the next object is recomputed or the recompute ends."""
 
     def __init__(self) -> None:
-        self._observers: list[str] | None = None  # that printed errors before; None before the first silence
+        # observers that print errors, or None before errors were suppressed for the first time
+        self._observers: list[str] | None = None
 
     def begin(self) -> None:
         """Stop printing errors."""
@@ -93,12 +98,15 @@ _silence = _Silence()
 
 
 def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]:
-    """Return a function that does work and raises the returned error, without a Python function in between."""
-    return partial(reduce, or_, (_Worker(work), _Thrower()))  # called with obj: obj | _Worker | _Thrower
+    """Return a function that calls `work` and raises the error that it returns, without a Python function in
+    the traceback.
+    """
+    # a call with obj computes obj | _Worker | _Thrower
+    return partial(reduce, or_, (_Worker(work), _Thrower()))
 
 
 class _Worker:
-    """`obj | worker` does the work and returns an error or `_Made`."""
+    """Operand for which `obj | worker` calls the function, and returns an error or `_Made`."""
 
     def __init__(self, work: Callable[[Any], RefusalError | None]) -> None:
         self._work = work
@@ -108,7 +116,7 @@ class _Worker:
 
 
 class _Made:
-    """Result without an error: nothing is raised."""
+    """Result without an error, for which nothing is raised."""
 
     def __or__(self, _thrower: object) -> None:
         return None
@@ -119,13 +127,13 @@ next(_ended, None)
 
 
 class _Thrower:
-    """`refusal | thrower` raises the refusal."""
+    """Operand for which `refusal | thrower` raises the refusal."""
 
     __ror__ = staticmethod(_ended.throw)
 
 
 def explained(error: Exception) -> ElasticaError:
-    """Return an exception of `FAILURES` as an error with advice."""
+    """Convert an exception of `FAILURES` to an error with an instruction."""
     if isinstance(error, ElasticaError):
         return error
     if isinstance(error, ImportError):
@@ -142,7 +150,7 @@ def explained(error: Exception) -> ElasticaError:
 def why_not_made(obj: Any) -> str:
     """Return the error of an object or of its sources, or "" if there is none.
 
-    FreeCAD skips the dependents of a failed object, and they have no error state.
+    FreeCAD skips objects that depend on a failed object, and these have no error state.
     """
     failed = [source for source in (obj, *obj.OutListRecursive) if "Invalid" in source.State]
     first = next((source for source in failed if not set(source.OutListRecursive) & set(failed)), None)
@@ -155,7 +163,7 @@ def why_not_made(obj: Any) -> str:
 
 
 def why_not_computed(obj: Any) -> str:
-    """Return the error of an object's formula, or "" if there is none."""
+    """Return the error of a formula of an object, or "" if there is none."""
     match = FORMULA.fullmatch(str(obj.getStatusString())) if "Invalid" in obj.State else None
     if match is None:
         return ""
@@ -167,12 +175,12 @@ def why_not_computed(obj: Any) -> str:
 
 
 def is_broken_link(obj: Any) -> bool:
-    """Return True if an object is a link whose target was deleted or is not found."""
+    """Return True if an object is a link whose target was deleted or is missing."""
     return bool(obj.TypeId.startswith("App::Link")) and getattr(obj, "LinkedObject", obj) is None
 
 
 def broken_link_message(obj: Any) -> str:
-    """Return the problem of a broken link, with advice."""
+    """Return a message on a broken link, with an instruction."""
     lost = LOST_LINK.search(str(obj.getStatusString()))
     if lost:
         return note(
@@ -188,7 +196,7 @@ def broken_link_message(obj: Any) -> str:
 
 
 def _why_not_made_by_others(obj: Any) -> str:
-    """Return a message for an object of FreeCAD. FreeCAD's text is written for programmers."""
+    """Return a message on a failed object of FreeCAD, because FreeCAD's text is written for programmers."""
     status = str(obj.getStatusString())
     if is_broken_link(obj) or LOST_LINK.search(status):
         return broken_link_message(obj)

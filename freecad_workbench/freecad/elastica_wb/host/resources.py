@@ -15,18 +15,21 @@ TRIES = 10
 HERE = Path(__file__).resolve()
 
 RESOURCES = next(at / "resources" for at in (HERE.parents[1], HERE.parents[3]) if (at / "resources").is_dir())
-"""Folder that `make addon` writes beside the modules. In a checkout it is beside `freecad`."""
+"""Folder of resources.
+
+`make addon` writes it beside the modules; in a checkout it is beside the folder `freecad`.
+"""
 
 _aside: list[Any] = []
 
 
 def translate(context: str, words: str) -> str:
-    """Return the words in the user's language."""
+    """Return a text in the language of the user."""
     return str(App.Qt.translate(context, words))
 
 
 def QT_TRANSLATE_NOOP(_context: str, words: str) -> str:
-    """Mark words for lupdate. They are translated where they are shown."""
+    """Mark a text for lupdate. The text is translated when it is displayed."""
     return words
 
 
@@ -38,8 +41,9 @@ def icon(name: str) -> str:
 def load_panel(name: str) -> Any:
     """Make a widget from its .ui file.
 
-    PySide may reuse the wrapper of a deleted widget for a new widget at the same address, as in FreeCAD 1.0 with
-    Python 3.13. Such a form is kept, so that its addresses stay occupied, and the file is loaded again.
+    PySide may reuse the Python wrapper of a deleted widget for a new widget at the same address, for example
+    in FreeCAD 1.0 with Python 3.13. A form with such a wrapper is kept in memory, so that its addresses stay
+    occupied, and the file is loaded again.
     """
     import FreeCADGui as Gui
 
@@ -53,7 +57,7 @@ def load_panel(name: str) -> Any:
 
 @cache
 def quantities_of(name: str) -> dict[str, float]:
-    """Return the values of the quantity boxes in a .ui file. The boxes keep only the digits that they show."""
+    """Return the values of the quantity boxes in a .ui file. The boxes store only the displayed digits."""
     tree = ElementTree.parse(RESOURCES / "ui" / f"{name}.ui")
     values = {}
     for widget in tree.iter("widget"):
@@ -64,7 +68,7 @@ def quantities_of(name: str) -> dict[str, float]:
 
 
 def _sound(form: Any) -> bool:
-    """Return True if every widget has a wrapper of its own class."""
+    """Return True if the wrapper of every widget has the class of the widget."""
     from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 
     for widget in vars(form).values():

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The available sheets: built-in sheets, and sheets that the user keeps in a TOML file."""
+"""The available sheets: built-in sheets, and the user's sheets in a TOML file."""
 
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
@@ -30,7 +30,10 @@ def own_sheets_file() -> Path:
 
 
 def own_sheets() -> dict[str, Sheet]:
-    """Return the user's sheets by name. An unreadable file is reported in the report view and counts as empty."""
+    """Return the user's sheets by name.
+
+    An unreadable file is treated as empty, and reported in the report view.
+    """
     path = own_sheets_file()
     try:
         state = path.stat()
@@ -41,7 +44,10 @@ def own_sheets() -> dict[str, Sheet]:
 
 @lru_cache(maxsize=1)
 def _read(path: Path, *_state: int) -> dict[str, Sheet]:
-    """Read the file. Its state is part of the cache key, because every recompute needs the sheets."""
+    """Read the file.
+
+    The result is cached, because every recompute needs the sheets; the state of the file is part of the key.
+    """
     try:
         return dict(load_sheets(path))
     except InputError as error:
@@ -55,7 +61,7 @@ def save_own_sheets(sheets: Iterable[Sheet]) -> None:
     Raises
     ------
     InputError
-        The file cannot be written, or its present content cannot be read and would be lost.
+        The file cannot be written, or its current contents cannot be read and would be lost.
     """
     text = "\n".join(sheet.toml() for sheet in sheets)
     path = own_sheets_file()
@@ -74,15 +80,16 @@ def save_own_sheets(sheets: Iterable[Sheet]) -> None:
 
 
 def sheet_list() -> list[str]:
-    """Return the names of all sheets, the user's own first."""
+    """Return the names of all sheets, the user's sheets first."""
     user_sheets = list(own_sheets())
     return user_sheets + [name for name in sheet_names() if name not in user_sheets]
 
 
 def titled_sheets(names: Iterable[str]) -> Iterator[tuple[str, str | None]]:
-    """Yield titles of kinds, and below each the full names and names of its sheets. A title has no name.
+    """Yield the entries of a list of sheets: the title of each kind with None, followed by full name and name
+    of its sheets.
 
-    The user's own sheets come first, with sheets that only the document knows.
+    The user's sheets come first, together with sheets that are stored only in the document.
     """
     groups: dict[str, list[tuple[str, str]]] = {}
     built_in = built_in_figures().keys() - own_sheets().keys()
@@ -110,7 +117,7 @@ def sheet_called(name: str, saved: str = "") -> Sheet:
     user_sheets = own_sheets()
     if name in user_sheets:
         return user_sheets[name]
-    if name in built_in_figures():  # every recompute calls this, so skip the search for files
+    if name in built_in_figures():  # skip the search for files, because every recompute calls this function
         return _built_in(name)
     if name in sheet_names():
         return Sheet.named(name)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Messages as the user reads them: language, names of fields, unit of length and decimal point of FreeCAD.
+"""Wording of messages for the user: language, names of fields, unit of length and decimal point of FreeCAD.
 
-The core and the workbench make records: an English template and its values. A catalogue translates the templates. A
-template that is not in the catalogue stays in English.
+A message of the core or the workbench is a record with an English template and values. A catalogue contains
+the translations of templates. Templates that are not in the catalogue are displayed in English.
 """
 
 from collections.abc import Iterable
@@ -24,11 +24,11 @@ NAMES = {
     "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText", "limits": "Follow",
     "limits.keep_out": "KeepOut", "limits.stiffness_bounds": "StiffnessBounds",
 }  # fmt: skip
-"""Properties whose names do not follow from their keys. Users' files contain these names."""
+"""Names of properties that cannot be derived from their keys. Users' files contain these names."""
 
 
 def name_of(path: str) -> str:
-    """Return the property of a key, such as MaxWidth, RatioLimit or KeepLength."""
+    """Return the name of the property of a key, such as MaxWidth, RatioLimit or KeepLength."""
     if path in NAMES:
         return NAMES[path]
     table, _, key = path.rpartition(".")
@@ -38,7 +38,8 @@ def name_of(path: str) -> str:
     return f"Keep{name}" if table == "keep" else name
 
 
-USUAL_MM = 10.0  # mm: FreeCAD shows all lengths in its unit for the width of a strip
+# typical width of a strip, mm; lengths in messages have the unit in which FreeCAD displays this length
+USUAL_MM = 10.0
 
 
 @dataclass(frozen=True)
@@ -50,24 +51,24 @@ class Unit:
 
 
 def shown_unit() -> Unit:
-    """Return the unit in which FreeCAD shows lengths."""
+    """Return the unit in which FreeCAD displays lengths."""
     _, size, name = App.Units.Quantity(USUAL_MM, App.Units.Length).getUserPreferred()
     return Unit({'"': "in", "'": "ft"}.get(name, name), size)
 
 
 class Words(Translated):
-    """Translates messages to the user's language and unit."""
+    """Formatter of messages in the language and unit of the user."""
 
     def __init__(self, language: str, unit: Unit, point: str) -> None:
         super().__init__(language)
         self.unit, self.size, self.point = unit.name, unit.size, point
 
     def field(self, name: str) -> str:
-        """Return the property of a field."""
+        """Return the name of the property of a field."""
         return name_of(name)
 
     def format_field(self, value: Any, spec: str) -> str:
-        """Return a value as text; `max_width` has two properties."""
+        """Format a value of a message. For `max_width` there are two properties."""
         return "MaterialWidth" if isinstance(value, MaterialWidth) else super().format_field(value, spec)
 
 
@@ -77,19 +78,27 @@ def user_language() -> str:
 
 
 def worded(text: str, unit: Unit | None = None) -> str:
-    """Return a record in the user's words. Translated texts and the user's names stay as they are."""
+    """Return a message in the language of the user.
+
+    Texts that are not messages, such as names, are returned unchanged.
+    """
     words = Words(user_language(), unit or shown_unit(), decimal_point())
     return printable(words.sentence(text)) if text else ""
 
 
 def capital(sentence: str) -> str:
-    """Return the sentence with a capital letter, unless it begins with a user's name and a colon."""
+    """Return the sentence with an initial capital letter, unless it begins with the name of an object and a
+    colon.
+    """
     first = sentence.partition(" ")[0]
     return sentence if first.endswith(":") else sentence[:1].upper() + sentence[1:]
 
 
 def together(named: Iterable[tuple[str, str]]) -> list[str]:
-    """Return each sentence once, after the names of all its objects. Empty sentences are left out."""
+    """Combine equal sentences on several objects.
+
+    Each sentence is preceded by the names of its objects; empty sentences are left out.
+    """
     names: dict[str, list[str]] = {}
     for name, sentence in named:
         names.setdefault(sentence, []).append(name)
@@ -103,11 +112,11 @@ def together(named: Iterable[tuple[str, str]]) -> list[str]:
 
 
 TYPES = {kind.__name__: kind for kind in (Length, FieldName, MaterialWidth, Listed, Either, Span, Point)}
-"""Types of values that a message shows in its own way."""
+"""Types of values in messages with a special format."""
 
 
 def packed(value: Any) -> Any:
-    """Return a message or one of its values as data for JSON, which `unpacked` reads."""
+    """Convert a message or one of its values to data for JSON, which `unpacked` reads."""
     if isinstance(value, Refusal):
         inside, where = ({k: packed(v) for k, v in part.items()} for part in (value.values, value.where))
         return {"text": value.text, "values": inside, "where": where}
@@ -124,7 +133,7 @@ def _plain(value: Any) -> float | str:
 
 
 def unpacked(data: Any) -> Any:
-    """Return the message or the value that `packed` made into data."""
+    """Convert the data of `packed` to the message or value."""
     if isinstance(data, list):
         return [unpacked(item) for item in data]
     if not isinstance(data, dict):
@@ -137,7 +146,7 @@ def unpacked(data: Any) -> Any:
 
 
 def decimal_point() -> str:
-    """Return the decimal point that FreeCAD's input fields use."""
+    """Return the decimal separator that FreeCAD's input fields use."""
     if not App.GuiUp:
         return "."
     from freecad.elastica_wb.host.qt import QtCore
@@ -146,7 +155,7 @@ def decimal_point() -> str:
 
 
 def report(sentence: str, who: str = "") -> None:
-    """Report an action in the report view and in the terminal."""
+    """Report an action in the report view and in the terminal; `who` is the label of its object."""
     App.Console.PrintMessage(_line(sentence, who))
 
 
