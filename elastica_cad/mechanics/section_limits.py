@@ -17,7 +17,7 @@ STRAIN_SLACK = SEEN_APART
 BRITTLE_FACTOR = 1.5
 """Estimated breaking strain of wood and brittle plastics, as a multiple of the largest long-term strain."""
 
-BRITTLE = ("plywood", "wood", "veneer", "board", "composite", "brittle plastic")
+BRITTLE = ("plywood", "wood", "veneer", "board", "composite", "rod", "brittle plastic")
 """Kinds of sheets whose breaking strain is estimated with `BRITTLE_FACTOR`."""
 
 CRACKS = "the material may crack there"

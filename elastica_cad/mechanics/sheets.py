@@ -830,9 +830,14 @@ def sheet_names() -> list[str]:
 
 KINDS = {
     "card": "Card and paper", "plywood": "Plywood", "wood": "Solid wood, veneer and bamboo", "plastic": "Plastics",
-    "board": "Fibre boards", "metal": "Metals", "composite": "Composites",
+    "board": "Fibre boards", "metal": "Metals", "composite": "Composites", "rod": "Rods and flat bars",
 }  # fmt: skip
 """Titles of the kinds of sheets."""
+
+
+def cut_sheets() -> list[Sheet]:
+    """Return all sheets of `sheet_names` from which strips are cut: rods and bars are left out."""
+    return [sheet for sheet in map(Sheet.named, sheet_names()) if sheet.kind != "rod"]
 
 
 def sheets_by_kind() -> dict[str, list[Sheet]]:
@@ -989,8 +994,9 @@ def sheets_for_curve(
     (True, 5.6)
     """
     sharpest = float(np.abs(ExcessCurvature(curve, natural_curvature).survey).max())
-    known = map(Sheet.named, sheet_names())
-    scaled = [SheetForCurve(sheet, sharpest * sheet.thickness / (2 * sheet.max_strain)) for sheet in known]
+    scaled = [
+        SheetForCurve(sheet, sharpest * sheet.thickness / (2 * sheet.max_strain)) for sheet in cut_sheets()
+    ]
     return tuple(sorted(scaled, key=lambda sheet: sheet.scale))
 
 
@@ -1003,6 +1009,7 @@ _COLOR_BY_NAME = {
     "petg": (0.72, 0.85, 0.88),
     "acrylic": (0.66, 0.82, 0.90),
     "gfrp": (0.78, 0.80, 0.60),
+    "carbon": (0.24, 0.25, 0.27),
 }
 _COLOR_BY_KIND = {
     "plywood": (0.85, 0.70, 0.48),
@@ -1012,6 +1019,7 @@ _COLOR_BY_KIND = {
     "metal": (0.70, 0.72, 0.75),
     "plastic": (0.85, 0.87, 0.88),
     "composite": (0.78, 0.80, 0.60),
+    "rod": (0.78, 0.80, 0.60),
 }
 _USUAL_COLOR = (0.80, 0.74, 0.62)  # a colour between wood and card
 

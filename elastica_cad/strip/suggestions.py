@@ -17,7 +17,7 @@ from elastica_cad.geometry.plane_curve import split_at_corners
 from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie
 from elastica_cad.mechanics.equilibrium_check import largest_move
 from elastica_cad.mechanics.point_search import move_one_point
-from elastica_cad.mechanics.sheets import Sheet, sheet_names
+from elastica_cad.mechanics.sheets import cut_sheets, sheet_names
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
@@ -216,9 +216,9 @@ def _sheets(spec: StripSpec, share: float) -> Iterator[Change]:
     `share` is the strain divided by the limit of the present sheet. If that is a sheet of the user, only sheets of
     its kind are considered.
     """
-    own, listed = spec.material, sheet_names()
+    own, listed = spec.material, spec.material.name in sheet_names()
     bears = share * own.max_strain / own.thickness
-    known = (sheet for sheet in map(Sheet.named, listed) if sheet.kind == own.kind or own.name in listed)
+    known = (sheet for sheet in cut_sheets() if listed or sheet.kind == own.kind)
     for sheet in sorted(known, key=lambda sheet: (sheet.kind != own.kind, -sheet.thickness)):
         if sheet.max_strain / sheet.thickness >= bears:
             yield Change("sheet", sheet.name)

@@ -30,7 +30,7 @@ from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.elements import NOUNS, PlacedElement, PointForce, Rail
 from elastica_cad.mechanics.loads import PointMass, Weight
 from elastica_cad.mechanics.rod import Rod
-from elastica_cad.mechanics.sheets import Sheet, sheet_names
+from elastica_cad.mechanics.sheets import Sheet, cut_sheets
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.mechanics.thrust_line import thrust_sides
@@ -464,11 +464,11 @@ def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[
 def _sheets(request: Mapping[str, Any]) -> Record:
     """Return, for each sheet, the strain as a fraction of its limit, or the reason why the strip is impossible."""
     spec, rows = _spec(request), []
-    for name in sheet_names():
-        row: Record = {"name": name, "fits": False}
+    for sheet in cut_sheets():
+        row: Record = {"name": sheet.name, "fits": False}
         rows.append(row)
         try:
-            strip = spec.changed(sheet=Sheet.named(name)).make()
+            strip = spec.changed(sheet=sheet).make()
         except ElasticaError as problem:
             row["text"] = str(problem)
             continue

@@ -12,6 +12,7 @@ import trimesh
 
 import elastica_cad as ec
 from elastica_cad.cli import main
+from elastica_cad.mechanics.sheets import cut_sheets
 from elastica_cad.strip.suggestions import suggest
 from elastica_cad.strip.summary import strip_rows
 from elastica_cad.web.answers import Download, answer, requested_spec, with_point_near, without_point
@@ -99,7 +100,7 @@ def test_the_nearest_curve_can_be_made():
 
 def test_sheets_that_can_do_it_are_told_apart():
     rows = {row["name"]: row for row in asked("sheets")["sheets"]}
-    assert set(rows) == set(ec.sheet_names())
+    assert set(rows) == {sheet.name for sheet in cut_sheets()}
     assert rows["birch-plywood-0.8"]["fits"]
     assert not rows["acrylic-3"]["fits"]
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad import InputError, Sheet, load_sheets, sheet_names
+from elastica_cad import InputError, PlaneCurve, Sheet, load_sheets, sheet_names
 from elastica_cad.mechanics.sheets import (
     NominalRatio,
     least_plywood_radius,
@@ -14,6 +14,7 @@ from elastica_cad.mechanics.sheets import (
     library_folders,
     library_sheets,
     sheet_keys,
+    sheets_for_curve,
 )
 from tests.refusals import refusal_test
 
@@ -84,7 +85,7 @@ def test_every_built_in_sheet_states_source_and_ranges():
         assert 0.002 < sheet.max_strain < 0.02
         assert sheet.range_of("max_strain")[0] < sheet.range_of("max_strain")[1]
         assert sheet.kerf > 0 or "kerf not published" in sheet.source
-        assert (sheet.grain != "none") == (sheet.kind in ("plywood", "card", "composite", "wood"))
+        assert (sheet.grain != "none") == (sheet.kind in ("plywood", "card", "composite", "rod", "wood"))
         assert ("-across-" in name) == (sheet.grain == "across")
 
 
@@ -338,3 +339,9 @@ def test_a_sheets_file_of_a_windows_editor_is_read(tmp_path):
     path.write_bytes(text.encode("utf-16"))
     with pytest.raises(InputError, match="save it as text in UTF-8"):
         load_sheets(path)
+
+
+def test_rods_are_materials_of_bows_but_no_sheet_to_cut_from():
+    assert Sheet.named("carbon-rod-4").youngs_modulus == 127_000
+    gentle = PlaneCurve.arc((0, 0), 900, 0, 0.3)
+    assert all("rod" not in known.sheet.name for known in sheets_for_curve(gentle))
