@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Actions recorded in macros: calls, values and undo steps that can be replayed."""
+"""Recording of actions in macros: function calls, values of properties, and undo steps."""
 
 from collections.abc import Callable
 from typing import Any
@@ -17,7 +17,7 @@ MADE = "elastica_made"
 
 
 def recorded(make: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
-    """Call a function in a line that a macro records, and return its result."""
+    """Call a function by a Python line that macros record, and return its result."""
     modules = [make.__module__, *(["elastica_cad"] if any(map(_is_curve, arguments)) else [])]
     for module in modules:  # Gui.addModule records only modules that were not loaded before
         Gui.doCommand(f"import {module}")
@@ -30,29 +30,29 @@ def recorded(make: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
 
 
 def record_value(obj: Any, name: str, value: Any) -> None:
-    """Set a property in a line that a macro keeps."""
+    """Set a property by a Python line that macros record."""
     Gui.doCommand(f"{_written(obj)}.{name} = {_written(value)}")
 
 
 def record_call(obj: Any, method: str, *arguments: Any) -> None:
-    """Call a method of a document or of an object in a line that a macro keeps."""
+    """Call a method of a document or of an object by a Python line that macros record."""
     Gui.doCommand(f"{_written(obj)}.{method}({', '.join(map(_written, arguments))})")
 
 
 def record_recompute(document: Any) -> None:
-    """Recompute in a line that a macro keeps."""
+    """Recompute a document by a Python line that macros record."""
     record_call(document, "recompute")
 
 
 def record_step(document: Any, name: str) -> None:
-    """Begin an undo step in a line that a macro records, so that Cancel takes back the same there."""
+    """Begin an undo step by a Python line that macros record, so that the macro can also undo the changes."""
     record_call(document, "openTransaction", name)
 
 
 def record_end_of_step(document: Any, *, abort: bool = False) -> None:
-    """End an undo step, or take everything in it back, in lines that a macro keeps."""
+    """End an undo step, or with `abort` undo all its changes, by Python lines that macros record."""
     record_call(document, "abortTransaction" if abort else "commitTransaction")
-    # otherwise FreeCAD leaves the step of an unchanged document open for unrelated changes
+    # otherwise, FreeCAD would add later unrelated changes to the step if the document was not changed
     Gui.doCommand(f"App.closeActiveTransaction({abort})")
 
 

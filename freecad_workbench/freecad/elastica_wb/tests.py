@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Tests that FreeCAD's Test workbench runs, or `freecadcmd -t freecad.elastica_wb.tests`."""
+"""Tests of the workbench, run by FreeCAD's Test workbench or by `freecadcmd -t freecad.elastica_wb.tests`."""
 
 import tempfile
 import unittest
@@ -14,11 +14,11 @@ from freecad.elastica_wb import make_strip
 ARCH = ((0, 0), (30, 60), (70, 80), (120, 60), (150, 0))
 SNAKE = ((0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0))
 SLACK = 1e-9  # mm
-VOLUME = 1e-3  # of a volume: accuracy of OpenCASCADE's integration along splines
+VOLUME = 1e-3  # relative error of volumes, because of OpenCASCADE's integration along splines
 
 
 class ElasticaTest(unittest.TestCase):
-    """Makes strips and their files from a drawn spline."""
+    """Tests that make strips and their files from a drawn spline."""
 
     def setUp(self) -> None:
         """Open an empty document."""
@@ -29,7 +29,7 @@ class ElasticaTest(unittest.TestCase):
         App.closeDocument(self.document.Name)
 
     def draw(self, points: tuple[tuple[float, float], ...]) -> object:
-        """Draw a sketch with one spline of degree 4."""
+        """Make a sketch with a spline of degree 4."""
         curve, spans = Part.BSplineCurve(), len(points) - 4
         knots = [i / spans for i in range(spans + 1)]
         counts = [5, *[1] * (spans - 1), 5]
@@ -41,7 +41,7 @@ class ElasticaTest(unittest.TestCase):
         return sketch
 
     def test_a_strip_and_its_flat_part(self) -> None:
-        """Check that bent strip and flat part have the same volume."""
+        """Check that the bent strip and the flat part have the same volume."""
         strip = make_strip(self.draw(ARCH), MaxWidth="24 mm")
         flat = self.document.getObject("Flat")
         assert strip.State == ["Up-to-date"], strip.Verdict
@@ -60,7 +60,7 @@ class ElasticaTest(unittest.TestCase):
         assert strip.State == ["Up-to-date"], strip.Verdict
 
     def test_unknown_properties(self) -> None:
-        """Check that a misspelt property leaves nothing in the document."""
+        """Check that the document is unchanged after an error about a misspelt property."""
         sketch = self.draw(ARCH)
         message = ""
         try:
@@ -71,7 +71,7 @@ class ElasticaTest(unittest.TestCase):
         assert [obj.Name for obj in self.document.Objects] == [sketch.Name]
 
     def test_cutting_files(self) -> None:
-        """Check that the kit holds a DXF (with and without ezdxf), STEP, SVG and a cut list."""
+        """Check that DXF (with and without ezdxf), STEP, SVG and a cut list are written."""
         from freecad.elastica_wb.cutting_files import write_cutting_files
 
         strip = make_strip(self.draw(ARCH))

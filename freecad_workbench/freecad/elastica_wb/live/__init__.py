@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The overlay over a sketch during editing."""
+"""Live feedback over a sketch while it is edited."""

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The curve of a strip of given length between two clamps, edited by handles over an open sketch.
+"""Tool that draws the curve of a strip of given length between two clamped ends, edited by handles in an open
+sketch.
 
-The sketcher's solver cannot keep a length. Therefore a preview follows the drag, and the curve is drawn on release.
+The solver of the sketcher cannot keep the length of a curve. Therefore only a preview follows a drag, and the
+curve is drawn when the mouse is released.
 """
 
 from collections.abc import Callable
@@ -30,14 +32,17 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.mechanics.between_clamps import ElasticaBetween, elastica_between
 
-REACH = 0.25  # of the distance of the ends: distance of the tangents' handles
-SLACK = 1.3  # length of a new strip, in chords
-VIEW_SHARE = 0.3  # of the view's height: half the chord of a new curve
+REACH = 0.25  # distance of the handles of tangents from the ends, as a fraction of the distance of the ends
+SLACK = 1.3  # length of a new strip, as a multiple of its chord
+VIEW_SHARE = 0.3  # half the chord of a new curve, as a fraction of the height of the view
 DIFFERENT_MM = 1e-6
 
 
 class BetweenClamps:
-    """Draws the curve of a strip between two clamps in the open sketch: two ends, two tangents, one length."""
+    """Tool that draws the curve of a strip between two clamped ends.
+
+    Its parameters are two ends, two tangents and a length.
+    """
 
     def __init__(self, sketch: Any, view: Any) -> None:
         self.sketch = sketch
@@ -47,7 +52,8 @@ class BetweenClamps:
         self.card = LengthCard(view, self.length, self._lengthen, self._turn_over, stop)
         self.preview = Preview(view, placement)
         self._solve()
-        if self.angles is None and self.found is not None:  # tangents of the strip with free ends
+        # start with the tangents of the strip whose ends rotate freely
+        if self.angles is None and self.found is not None:
             turned = self.found.rod.angle
             self.angles = [float(turned[0]), float(turned[-1])]
         self.angles = self.angles or [0.0, 0.0]
@@ -58,29 +64,29 @@ class BetweenClamps:
             self._draw()
 
     def close(self) -> None:
-        """Remove everything from the view. The drawn curve stays."""
+        """Remove preview, handles and card from the view. The drawn curve is not removed."""
         App.removeDocumentObserver(self)
         Gui.removeDocumentObserver(self)
         self.preview.remove()
         self.card.remove()
 
     def slotResetEdit(self, provider: Any) -> None:
-        """End when the sketch is closed."""
+        """End the tool when the sketch is closed."""
         if getattr(provider, "Object", None) is self.sketch:
             stop()
 
     def slotUndoDocument(self, document: Any) -> None:
-        """End, because the curve has changed."""
+        """End the tool after an undo, because the curve has changed."""
         if document is self.sketch.Document:
             stop()
 
     def slotDeletedDocument(self, document: Any) -> None:
-        """End when the document is closed."""
+        """End the tool when the document is closed."""
         if getattr(document, "Document", document) is self.sketch.Document:
             stop()
 
     def _moved(self, handle: int, place: Place) -> None:
-        """Move an end (handles 0 and 1) or turn a tangent (handles 2 and 3)."""
+        """Move an end (handles 0 and 1) or rotate a tangent (handles 2 and 3)."""
         end = handle % 2
         if handle < 2:
             self.ends[end] = np.array(place)
@@ -114,18 +120,18 @@ class BetweenClamps:
             self.found = None
             self.card.show_message(str(error), good=False)
         points = np.zeros((0, 2)) if self.found is None else self.found.rod.position
-        order = [2, 0, 1, 3]  # from handle to handle through both ends
+        order = [2, 0, 1, 3]  # order of the drawn line: a tangent, the ends, the other tangent
         self.preview.show(np.zeros((0, 2)), points, None if self.angles is None else self._places()[order])
 
     def _draw(self) -> None:
-        """Draw the present curve, in one undo step."""
+        """Draw the current curve into the sketch, in one undo step."""
         self.preview.handles.put(self._places())
         if self.found is None:
             return
         document = self.sketch.Document
         record_step(document, translate("Elastica_Between", "Curve of given length"))
         self.number = recorded(replace_curve, self.sketch, self.number, self.found.curve)
-        record_call(self.sketch, "solve")  # solving moves points, so it is part of the step
+        record_call(self.sketch, "solve")  # recorded, because solving moves points
         record_end_of_step(document)
 
     def _places(self) -> FloatArray:
@@ -135,7 +141,11 @@ class BetweenClamps:
 
 
 def _taken(sketch: Any, view: Any) -> tuple[int | None, list[FloatArray], list[float] | None, float, int]:
-    """Return the start values of the selected curve, the only spline, a selected line, or a new curve."""
+    """Return number, ends, angles, length and side with which the tool starts.
+
+    They are those of the selected curve or only spline of the sketch, of a selected line, or of a new
+    curve.
+    """
     number = _chosen(sketch)
     if number is None:
         is_flat = str(view.getCameraType()) == "Orthographic"
@@ -184,7 +194,7 @@ def running() -> BetweenClamps | None:
 
 
 def switch() -> None:
-    """Start in the open sketch, or end."""
+    """Start the tool in the open sketch, or end it if it is running."""
     if running() is not None:
         stop()
         return
@@ -194,17 +204,19 @@ def switch() -> None:
 
 
 def stop() -> None:
-    """End. The drawn curve stays."""
+    """End the tool. The drawn curve is not removed."""
     while _running:
         _running.pop().close()
 
 
 WIDE_PX = 300
-PAUSE_MS = 150  # ms after the last key
+PAUSE_MS = 150  # time, ms, after the last key, until the length is used
 
 
 class LengthCard(QtCore.QObject):
-    """A card in the upper left corner of a view: a length, a button for the other side, and a button to finish."""
+    """Card in the upper left corner of a view with a length, a button that mirrors the curve, and a button
+    that ends the tool.
+    """
 
     def __init__(
         self,
@@ -247,7 +259,7 @@ class LengthCard(QtCore.QObject):
         self._pause = later(lambda: lengthened(value_of(self.length)), PAUSE_MS, self.frame)
         on_change(self.length, lambda *_: self._pause.start())
         self.side.clicked.connect(lambda *_: turned_over())
-        # do not delete a button while it is pressed
+        # delayed, because a button must not be deleted while it is pressed
         self.done.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, done))
         self.frame.setFixedWidth(WIDE_PX)
         self.frame.move(free_part(over).topLeft() + QtCore.QPoint(GAP_PX, GAP_PX))
@@ -263,7 +275,7 @@ class LengthCard(QtCore.QObject):
             self.frame.setFixedHeight(max(self.frame.layout().totalHeightForWidth(WIDE_PX), 0))
 
     def remove(self) -> None:
-        """Remove the card from the view, which may be closed already."""
+        """Remove the card. The view may be closed already."""
         with suppress(RuntimeError):
             self._pause.stop()
             self.frame.hide()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Contents of the overlay as plain points in the sketch plane. No window is needed."""
+"""Contents of the overlay as arrays of points in the plane of the sketch. This module works without a window."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -24,10 +24,12 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
-TEETH = 161  # of the comb: smooth on a screen
-COMB_HEIGHT = 0.2  # of the curve's extent
-LINE_MARGIN = 0.15  # of the curve's extent: how far inflection line and thrust line extend beyond the curve
-ON_LINE = 1e-4  # of the length: deviation that `check_equilibrium` corrects
+TEETH = 161  # number of teeth of the curvature comb, whose rim then looks smooth on a screen
+COMB_HEIGHT = 0.2  # height of the curvature comb, as a fraction of the extent of the curve
+# length by which inflection line and thrust line extend beyond the curve, as a fraction of its extent
+LINE_MARGIN = 0.15
+# deviation of inflections from a line that `check_equilibrium` corrects, as a fraction of the length
+ON_LINE = 1e-4
 
 
 Point = tuple[float, float]
@@ -39,28 +41,29 @@ def _nothing() -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """Lines and marks of the overlay, mm in the sketch's plane.
+    """Lines and marks of the overlay, mm in the plane of the sketch.
 
     Attributes
     ----------
     answer : Answer
-        The verdict that needs no search.
-    realizable : bool or None
-        None if only the solver can decide (with weight).
+        The result of the checks that need no search. realizable : bool or None True if a strip is possible.
+        None, for a curve with weight, if only the solver can decide this.
     comb, strained : tuple of (n, 2) arrays
-        Rim and teeth of the curvature comb, within the strain limit of the sheet and beyond it.
+        Rim and teeth of the curvature comb: parts within the strain limit of the sheet, and parts beyond the
+        limit.
     line : (2, 2) array or None
-        The inflection line, near the curve.
+        Part of the inflection line near the curve.
     on_line, off_line : (k, 2) arrays
-        Inflections on the line and off it.
+        Inflections on the line, and inflections that are not on it.
     crossings : (k, 2) array
         Inadmissible crossings of the line and the curve.
     labels : tuple of ((x, y), mm)
-        Arc lengths of these marks. The verdict refers to them.
+        Positions of these marks and their arc lengths, which the result of the check mentions.
     thrust : tuple of (2, 2) arrays
         Sides of the thrust line between its corners, for a curve with elements or point forces and without weight.
     stations : tuple of ((x, y), str)
-        Places of elements and point forces, with the kind at the first place of each.
+        Positions of rails, pins, ties and point forces. The first position of each has the name of its kind
+        as the text.
     cords : tuple of (2, 2) arrays
         Ties.
     """
@@ -80,7 +83,10 @@ class Picture:
 
 
 def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None) -> Picture:
-    """Return the overlay of a curve, supported and loaded as in `spec`. `scale` of the comb is in mm for 1/mm."""
+    """Return the overlay of a curve with the supports and loads of `spec`.
+
+    `scale` is the length of a tooth of the comb, mm, for a curvature of 1/mm.
+    """
     scale = scale or comb_scale(curve)
     try:
         rod_spec = spec.changed(curve=curve).rod_spec
@@ -89,7 +95,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     except ElasticaError as error:
         cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
         return Picture(cannot, False, *_combs(curve.sample(TEETH), spec, scale))
-    drawn_curve = smoothing.curve if smoothing.moved else curve  # including its straight ends
+    drawn_curve = smoothing.curve if smoothing.moved else curve  # the curve with its straight ends
     samples = drawn_curve.sample(TEETH)
     comb, strained = _combs(samples, spec, scale)
     places = dict(check.off_line) or dict.fromkeys(check.inflections, 0.0)
@@ -147,7 +153,7 @@ def comb_scale(curve: PlaneCurve) -> float:
 
 
 def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
-    """Return both edges (n, 2) of the strip, mm, laid flat into the plane along its curve."""
+    """Return lines (n, 2), mm, on both sides of the curve whose distance is the width of the strip."""
     samples = strip.rod.curve.sample(count)
     aside = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     half = strip.width(samples.s * (strip.width.length / samples.s[-1]))[:, None] / 2
@@ -157,7 +163,10 @@ def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
 def _combs(
     samples: CurveSamples, spec: StripSpec, scale: float
 ) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
-    """Return the combs on the outer side of the bend, as in FreeCAD: within the strain limit, and beyond it."""
+    """Return the parts of the comb within the strain limit and beyond it.
+
+    As in FreeCAD, teeth are on the outer side of the bend.
+    """
     normals = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     tips = samples.position - scale * samples.curvature[:, None] * normals
     bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))
@@ -166,7 +175,7 @@ def _combs(
     edges = np.flatnonzero(np.diff(strained)) + 1
     runs = np.split(np.arange(len(tips)), edges)
     combs: tuple[list[FloatArray], list[FloatArray]] = ([], [])
-    for run in runs:  # a rim continues to the first tooth of the next rim
+    for run in runs:  # the rim of a part continues to the first tooth of the next part
         combs[int(strained[run[0]])].extend([tips[run[0] : run[-1] + 2], *teeth[run]])
     return tuple(combs[0]), tuple(combs[1])
 
@@ -178,7 +187,9 @@ def _at(curve: PlaneCurve, places: Sequence[float] | FloatArray) -> FloatArray:
 
 
 def _inside(check: EquilibriumCheck, points: FloatArray) -> FloatArray:
-    """Return the inflection line beside the curve, slightly longer than the curve's projection on it."""
+    """Return the part of the inflection line that is slightly longer than the projection of the curve on the
+    line.
+    """
     along, start = np.asarray(check.line.direction), np.asarray(check.line.point)
     shadow = (points - start) @ along
     margin = LINE_MARGIN * float(np.ptp(points, axis=0).max())

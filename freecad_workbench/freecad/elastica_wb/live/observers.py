@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Watches documents from FreeCAD's start on; what is slow to import waits until it is needed."""
+"""Observers of documents, installed when FreeCAD starts. Large modules are imported on first use."""
 
 import sys
 from concurrent.futures import Future
@@ -19,12 +19,14 @@ from freecad.elastica_wb.live.sketches import (
     wants_overlay,
 )
 
-PAUSE_MS = 300  # after the last recompute, undo or redo
-SOUGHT_MS = 50  # between checks of work in another thread
+PAUSE_MS = 300  # time, ms, after the last recompute, undo or redo, until slow results are computed
+SOUGHT_MS = 50  # interval, ms, between checks whether work in another thread has ended
 
 
 class LaterResults:
-    """Computes slow results after a recompute: deviation of strips, overlaps in models, remarks on nests."""
+    """Observer that computes slow results after a recompute: deviation of strips, overlaps in models,
+    messages on nests.
+    """
 
     def __init__(self) -> None:
         self._waiting: dict[tuple[str, str], Any] = {}
@@ -38,7 +40,7 @@ class LaterResults:
             self._wait_for(obj)
 
     def slotUndoDocument(self, document: Any) -> None:
-        """Queue every model, because late results are not part of the undone step."""
+        """Queue every model, because an undo does not restore results that were computed after the recompute."""
         for obj in filter(is_model, document.Objects):
             self._wait_for(obj)
         self.slotRecomputedDocument(document)
@@ -50,12 +52,14 @@ class LaterResults:
             self._wait_for(obj)
 
     def slotDeletedObject(self, obj: Any) -> None:
-        """Queue the document's nests. The deleted object may have followed a strip, without a recompute."""
+        """Queue the nests of the document, because a feature that changed a strip may be deleted without a
+        recompute.
+        """
         for nest in filter(lives, self._nests.get(obj.Document.Name, ())):
             self._wait_for(nest)
 
     def slotDeletedDocument(self, document: Any) -> None:
-        """Forget the nests of the document."""
+        """Remove the nests of the document from the queue."""
         self._nests.pop(document.Name, None)
 
     slotRedoDocument = slotUndoDocument
@@ -70,7 +74,7 @@ class LaterResults:
         if not self._waiting:
             return
         first, obj = next(iter(self._waiting.items()))
-        # the user is dragging, or the document still recomputes: its progress bar lets timers run
+        # wait while the user drags, or while the document recomputes: timers run during its progress bar
         if QtWidgets.QApplication.mouseButtons() or (lives(obj) and obj.Document.Recomputing):
             self._timer.start(PAUSE_MS)
             return
@@ -81,7 +85,7 @@ class LaterResults:
         self._timer.start(0 if is_finished else SOUGHT_MS)
 
     def _finish(self, name: tuple[str, str], obj: Any) -> bool:
-        """Write the results. Return False if they are not computed yet."""
+        """Write the results of an object. Return False if they are not computed yet."""
         if is_strip(obj):
             from freecad.elastica_wb.features.strip import show_held
 
@@ -105,9 +109,9 @@ class LaterResults:
 
 WORKBENCH = "ElasticaWorkbench"
 CURVES = ("Nearest", "Bent", "Section")
-"""Features that are curves."""
+"""Kinds of features that are curves."""
 SEEN_ONLY = ("Visibility", "HiddenByError", "ShownByError", "Label", "Messages")
-"""Properties that do not affect a shape."""
+"""Properties that do not affect the shape of a feature."""
 _installed: list[Any] = []
 
 
@@ -121,13 +125,13 @@ def install() -> None:
 
 
 def is_on(sketch: Any) -> bool:
-    """Return True if this sketch shows its overlay."""
+    """Return True if the overlay of this sketch is on."""
     session = _session()
     return session is not None and session.sketch is sketch
 
 
 def switch(sketch: Any, *, on: bool) -> None:
-    """Turn the overlay of an open sketch on or off, and store that in the sketch."""
+    """Switch the overlay of an open sketch on or off, and store the state in the sketch."""
     from freecad.elastica_wb.live import session
 
     remember(sketch, on)
@@ -135,7 +139,7 @@ def switch(sketch: Any, *, on: bool) -> None:
 
 
 def start_if_wanted(sketch: Any) -> None:
-    """Start the overlay of an open sketch, if the sketch requests it."""
+    """Start the overlay of an open sketch if its stored state is on."""
     if lives(sketch) and edited_sketch() is sketch and wants_overlay(sketch):
         from freecad.elastica_wb.live import session
 
@@ -143,10 +147,12 @@ def start_if_wanted(sketch: Any) -> None:
 
 
 class Edits:
-    """Starts the overlay when a sketch is opened, and ends it when the sketch is closed."""
+    """Observer that starts the overlay when a sketch is opened, and ends it when the sketch is closed."""
 
     def slotInEdit(self, provider: Any) -> None:
-        """Start the overlay after this signal, because the sketcher draws its points only then."""
+        """Start the overlay when FreeCAD has handled this signal, because the sketcher draws its points only
+        then.
+        """
         sketch = getattr(provider, "Object", None)
         if is_sketch(sketch) and wants_overlay(sketch):
             QtCore.QTimer.singleShot(0, lambda: start_if_wanted(sketch))
@@ -166,7 +172,7 @@ class Edits:
 
 
 class Changes:
-    """Observes new sketches, released mouse buttons, undo, redo and pasted objects."""
+    """Observer of new sketches, changed and deleted objects, undo, redo and pasted objects."""
 
     def __init__(self) -> None:
         self._pending = False
@@ -179,7 +185,7 @@ class Changes:
         self._input = InputLater()
 
     def slotCreatedObject(self, obj: Any) -> None:
-        """Enable the overlay for sketches created in this workbench."""
+        """Switch the overlay on for sketches created in this workbench."""
         if _is_importing(obj.Document):
             self._pasted.append(obj)
             if len(self._pasted) == 1:
@@ -188,7 +194,7 @@ class Changes:
             remember(obj, True)
 
     def slotBeforeChangeObject(self, obj: Any, name: str) -> None:
-        """Remember a label, or the members of a container, before a change."""
+        """Store a label, or the members of a container, before a change."""
         if obj.Document.Restoring:
             return
         if name == "Label":
@@ -213,12 +219,12 @@ class Changes:
             self._soon()
 
     def slotBeforeRecomputeDocument(self, document: Any) -> None:
-        """Hold back shortcuts, because FreeCAD lets them through in a recompute."""
+        """Delay shortcuts, because FreeCAD does not block them in a recompute."""
         if any(map(is_ours, document.Objects)):
             self._input.watch()
 
     def slotRecomputedDocument(self, document: Any) -> None:
-        """Report errors to features that FreeCAD skipped because an object failed."""
+        """Set the error of features that FreeCAD skipped because an object failed."""
         self._input.leave()
         _shared("give_up", document)
 
@@ -228,9 +234,10 @@ class Changes:
             _imported("live.session").stop()
 
     def slotUndoDocument(self, document: Any) -> None:
-        """Note the changes of a step. The recompute waits, because the next step may delete the objects.
+        """Note the changes of an undone step, and recompute later, because the next undo may delete the objects.
 
-        An undo does not restore shapes that were computed after the step was closed.
+        The recompute is necessary because an undo does not restore shapes that were computed after the step
+        was closed.
         """
         step = self._changed.pop(document.Name, {})
         self._changed.clear()
@@ -255,9 +262,12 @@ class Changes:
                 recompute(_stale(ours, changed, half))
 
     def _after_paste(self) -> None:
-        """Recompute pasted features. Their sources may not be pasted, and FreeCAD 0.20 does not recompute them."""
+        """Recompute pasted features, because they may have been pasted without their sources, and FreeCAD
+        0.20 does not recompute them.
+        """
         pasted = [obj for obj in self._pasted if lives(obj)]
-        if any(_is_importing(obj.Document) for obj in pasted):  # its progress bar lets timers run
+        # wait, because timers run during its progress bar
+        if any(_is_importing(obj.Document) for obj in pasted):
             QtCore.QTimer.singleShot(AGAIN_MS, self._after_paste)
             return
         self._pasted = []
@@ -279,7 +289,7 @@ class Changes:
 
 
 def _is_importing(document: Any) -> bool:
-    """Return True if objects are being pasted or merged into a document."""
+    """Return True while objects are pasted or merged into a document."""
     return bool(getattr(document, "Importing", False))
 
 
@@ -289,7 +299,7 @@ def _here() -> bool:
 
 
 def _imported(module: str) -> Any:
-    """Return a module of this workbench, or None if nothing has imported it."""
+    """Return a module of this workbench if it has been imported, else None."""
     return sys.modules.get(f"freecad.elastica_wb.{module}")
 
 
@@ -307,7 +317,9 @@ def _shared(work: str, *subject: Any) -> None:
 
 
 def _renamed(obj: Any, old: str) -> None:
-    """Rename features named after an object, and update messages that contain the old name."""
+    """After an object was renamed, rename features that are named after it, and update messages with the old
+    name.
+    """
     module = _imported("features.proxy")
     if old and not obj.Document.Transacting and not _is_importing(obj.Document):
         for user in filter(is_ours, obj.InList):
@@ -319,23 +331,23 @@ def _renamed(obj: Any, old: str) -> None:
 
 
 def _hide_failed(sketch: Any) -> None:
-    """Hide the failed features of a closed sketch again. The sketcher restores their visibility."""
+    """Hide the failed features of a closed sketch again, because the sketcher makes them visible."""
     if lives(sketch):
         _shared("hide_failed", sketch)
 
 
 def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> list[Any]:
-    """Return the features whose shape does not match their properties, and their dependents.
+    """Return the features whose shape does not match their properties, and all features that depend on them.
 
-    Curves count if a source changed, and so do features that had failed before. `half` names objects that a step
-    restored without their shape, or whose shape it restored alone.
+    Curves and failed features are included if a source changed. `half` contains the names of objects of which
+    an undo restored either the shape or the properties, but not both.
     """
     from freecad.elastica_wb.features.strip import is_stale
 
     regrouped = any("Group" in names for names in changed.values())
     touched = set(changed) | ({obj.Name for obj in ours} if regrouped else set())
     stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, touched)]
-    # FreeCAD marks restored objects for recompute
+    # objects that an undo restored and FreeCAD marked for recompute
     restored = [obj for obj in ours if obj.Name in changed and "Touched" in obj.State and obj not in stale]
     for strip in filter(is_strip, restored):
         strip.purgeTouched()
@@ -357,20 +369,23 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
 
 
 def _names(objects: list[Any]) -> set[str]:
-    """Return names, because the objects may be deleted before use. FreeCAD lists an object in deletion as None."""
+    """Return the names of objects, because objects may be deleted later.
+
+    FreeCAD lists an object that is being deleted as None.
+    """
     return {obj.Name for obj in objects if obj is not None}
 
 
 def _containers_of(obj: Any) -> list[Any]:
-    """Return the container of a feature, and the containers that move only its sources."""
+    """Return the containers of a feature, and the containers that move only its sources."""
     parent = obj.getParentGeoFeatureGroup()
     return [*([parent] if parent is not None else []), *getattr(obj, "Containers", ())]
 
 
 def _is_half_undone(obj: Any, changed: dict[str, set[str]]) -> bool:
-    """Return True if a step restored only a shape or only its sources.
+    """Return True if an undo restored only the shape of a feature, or only its sources.
 
-    FreeCAD makes the recompute at the closing of a sketch a separate step.
+    This happens because FreeCAD records the recompute after closing a sketch as a separate step.
     """
     results = {entry.name for entry in obj.Proxy.properties if entry.result}
     properties = changed.get(obj.Name, set())

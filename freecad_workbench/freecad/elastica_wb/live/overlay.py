@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The overlay in the 3D view: a few Coin nodes that are never rebuilt. Only their points are replaced."""
+"""The overlay in the 3D view. It has a few permanent Coin nodes, whose points are replaced."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from pivy import coin
 from elastica_cad._types import FloatArray
 from elastica_cad.refusals import note
 
-LIFT_MM = 0.02  # above the sketch's lines
+LIFT_MM = 0.02  # distance, mm, of the overlay above the plane of the sketch
 FULL, DASHED, DOTTED = 0xFFFF, 0xF0F0, 0xCCCC
 DOT, DIAMOND, SQUARE = (
     coin.SoMarkerSet.CIRCLE_FILLED_9_9, coin.SoMarkerSet.DIAMOND_FILLED_9_9, coin.SoMarkerSet.SQUARE_FILLED_9_9,
@@ -30,14 +30,16 @@ COLORS: dict[Verdict, Color] = {
     Verdict.CANNOT: (0.85, 0.18, 0.18),
     Verdict.NOTHING: (0.42, 0.42, 0.45),
 }
-"""Red, green, blue. The medium lightness contrasts with light and dark backgrounds."""
+"""Color (red, green, blue) of each kind of result. Medium lightness contrasts with light and dark backgrounds."""
 HELD: Color = (0.10, 0.33, 0.66)
 LABEL, LABEL_GROUND, LABEL_SIZE = (1.0, 1.0, 1.0), (0.13, 0.13, 0.15), 10
 
 
 @dataclass(frozen=True)
 class Part:
-    """Lines with a width and a pattern, or marks, with their sign and text in the legend."""
+    """A part of the overlay: lines with a width and a pattern, or marks; with its symbol and text in the
+    legend.
+    """
 
     color: Color
     sign: str
@@ -71,7 +73,7 @@ PARTS = {
 
 
 class Overlay:
-    """The complete overlay of one sketch."""
+    """The overlay of a sketch."""
 
     def __init__(self, view: Any, placement: Any) -> None:
         self._scene = view.getSceneGraph()
@@ -103,11 +105,14 @@ class Overlay:
         self._write(())
 
     def show_width(self, edges: Sequence[FloatArray]) -> None:
-        """Show both edges of the strip; an empty sequence hides them."""
+        """Show both edges of the strip. An empty sequence hides them."""
         self._set(width=edges)
 
     def show_nearest(self, *curves: FloatArray) -> None:
-        """Show the nearest curve that can be bent, or the curves of a suggested change; none hides them."""
+        """Show the nearest possible curve, or the curves of a suggested change.
+
+        A call without curves hides them.
+        """
         self._set(nearest=curves)
 
     def shown(self) -> dict[str, int]:
@@ -132,14 +137,14 @@ class Overlay:
 
 
 def _label() -> Any:
-    """Return FreeCAD's label: text on a background, readable over everything."""
+    """Return a Coin node of FreeCAD's label class: text on a background, drawn over all objects."""
     label = coin.SoType.fromName("SoFrameLabel").createInstance()
     label.textColor, label.backgroundColor, label.size = LABEL, LABEL_GROUND, LABEL_SIZE
     return label
 
 
 class _Points:
-    """Lines or marks of one colour. Node fields are cached, because looking them up is slow."""
+    """Lines or marks of one colour. Fields of Coin nodes are cached, because looking them up is slow."""
 
     def __init__(self, root: Any, part: Part) -> None:
         points, paint = coin.SoCoordinate3(), coin.SoBaseColor()
@@ -157,7 +162,7 @@ class _Points:
         self.set([])
 
     def set(self, pieces: Sequence[FloatArray]) -> None:
-        """Replace the points. Each piece is a line."""
+        """Replace all points. Each array in `pieces` is a line."""
         pieces = [piece for piece in pieces if len(piece)]
         if not pieces and self.count == 0:
             return

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Previews in the 3D view: lines, a bent strip and handles to drag."""
+"""Previews in the 3D view: lines, a bent strip, and handles for dragging."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -18,11 +18,11 @@ from elastica_cad._types import ArrayLike, FloatArray
 Place = tuple[float, float]
 
 BEFORE, AFTER, FRAME = (0.6, 0.6, 0.6), (0.9, 0.35, 0.1), (0.1, 0.45, 0.95)
-GLASS = 0.35  # transparency of a previewed strip
+GLASS = 0.35  # transparency of the strip in a preview, 0 to 1
 
 
 class Preview:
-    """Two curves in a plane (before and after), the strip along the second curve, and handles."""
+    """Preview of a change of a curve: the curve before and after, the strip along the new curve, and handles."""
 
     def __init__(self, view: Any, placement: Any) -> None:
         self._view, self._placement = view, placement
@@ -41,7 +41,7 @@ class Preview:
         self._scene.addChild(self.root)
 
     def show(self, before: FloatArray, after: FloatArray, frame: FloatArray | None = None) -> None:
-        """Replace both curves (n, 2), mm, and the frame that connects the handles."""
+        """Replace both curves (n, 2), mm, and the line `frame` (n, 2) that connects the handles."""
         for points, line in (
             (before, self._before),
             (after, self._after),
@@ -52,7 +52,7 @@ class Preview:
             shape.numVertices.setValues(0, 1, [len(rows)])
 
     def show_strip(self, middle: FloatArray, width: FloatArray) -> None:
-        """Show the strip with widths (n,) along a curve (n, 2)."""
+        """Show the strip with widths (n,), mm, along a curve (n, 2), mm."""
         self._strip.set(middle, width)
 
     def add_handles(
@@ -61,7 +61,10 @@ class Preview:
         moved: Callable[[int, Place], None],
         released: Callable[[], None] | None = None,
     ) -> None:
-        """Add handles at places (n, 2). `moved` is called with the number and the new place of a dragged handle."""
+        """Add handles at points (n, 2).
+
+        `moved` is called with the number and the new position of a dragged handle.
+        """
         self.handles = Handles(self._view, self._placement, places, moved, released)
 
     def remove(self) -> None:
@@ -79,12 +82,12 @@ class Preview:
 
 
 class _Ribbon:
-    """A strip without thickness. Half of its width is on each side of the plane."""
+    """Surface of a strip without thickness. Half of its width is on each side of the plane."""
 
     def __init__(self, root: Any) -> None:
         material, hints = coin.SoMaterial(), coin.SoShapeHints()
         material.diffuseColor, material.transparency = AFTER, GLASS
-        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # lit on both sides
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # makes Coin light both sides
         self._points, self._mesh = coin.SoCoordinate3(), coin.SoQuadMesh()
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE
@@ -96,18 +99,19 @@ class _Ribbon:
         self._mesh.verticesPerRow, self._mesh.verticesPerColumn = len(middle), 2
 
 
-REACH_PX = 12  # px around a handle in which it takes the mouse
+REACH_PX = 12  # distance, pixels, from a handle within which the mouse grabs it
 SIZE_PX = 13  # px
 REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)
-EDGE_ON_SINE = 1e-6  # sine of the angle of view to the plane, below which the mouse has no place in the plane
+# the plane is seen edge-on if the sine of its angle to the line of sight is smaller than this
+EDGE_ON_SINE = 1e-6
 
 
 class Handles:
-    """Handles at places (n, 2) of a plane. `moved` is called with the number and the new place of a dragged handle.
+    """Handles at points (n, 2) of a plane.
 
-    `released` is called when the user releases a handle.
+    `moved` is called with the number and the new position of a dragged handle.
 
-    Mouse moves during a call of `moved` are skipped.
+    `released` is called when the user releases a handle. Mouse moves during a call of `moved` are ignored.
     """
 
     def __init__(
@@ -133,7 +137,7 @@ class Handles:
         self.put(places)
 
     def put(self, places: ArrayLike) -> None:
-        """Move the handles to other places (n, 2), mm."""
+        """Move the handles to other points (n, 2), mm."""
         self.places: FloatArray = np.array(places, dtype=float)
         _put(self._points, np.column_stack([self.places, np.zeros(len(self.places))]))
 
@@ -143,7 +147,7 @@ class Handles:
         return self._held is not None
 
     def on_screen(self) -> list[tuple[float, float]]:
-        """Return the pixels of the handles, from the lower left corner of the view."""
+        """Positions of the handles in pixels from the lower left corner of the view."""
         spots = []
         for x, y in self.places:
             px, py = self._view.getPointOnScreen(self._placement.multVec(App.Vector(x, y, 0)))
@@ -191,7 +195,7 @@ class Handles:
             self._moved(self._held, (float(x), float(y)))
 
     def _in_plane(self, pixel: FloatArray) -> FloatArray | None:
-        """Return the place in the plane under a pixel, or None if the plane is seen edge-on."""
+        """Return the point of the plane under a pixel, or None if the plane is seen edge-on."""
         back = self._placement.inverse()
         start, end = (
             np.array(tuple(back.multVec(p))) for p in self._view.projectPointToLine(*map(int, pixel))
@@ -210,7 +214,7 @@ def _put(coordinates: Any, rows: FloatArray) -> FloatArray:
 
 
 def plane_node(placement: Any) -> Any:
-    """Return a Coin node that places x and y in a plane."""
+    """Return a Coin transformation from x and y to points of a plane."""
     node = coin.SoMatrixTransform()
     rows = np.array(placement.toMatrix().A, dtype=float).reshape(4, 4).T
     node.matrix.setValue(*rows.ravel().tolist())
@@ -218,7 +222,7 @@ def plane_node(placement: Any) -> Any:
 
 
 def marks_in_plane(name: str, placement: Any) -> Any:
-    """Return a group for unlit marks in a plane, which are drawn over everything and ignore the mouse."""
+    """Return a Coin group for unlit marks in a plane. They are drawn over all objects and ignore the mouse."""
     light, pick, depth = coin.SoLightModel(), coin.SoPickStyle(), coin.SoDepthBuffer()
     light.model, pick.style = coin.SoLightModel.BASE_COLOR, coin.SoPickStyle.UNPICKABLE
     depth.test = False
@@ -230,7 +234,7 @@ def marks_in_plane(name: str, placement: Any) -> Any:
 
 
 def add_group(root: Any, *nodes: Any) -> None:
-    """Add nodes to a root in a group of their own."""
+    """Add nodes to a root node, in a separate group."""
     group = coin.SoSeparator()
     for node in nodes:
         group.addChild(node)
@@ -238,9 +242,9 @@ def add_group(root: Any, *nodes: Any) -> None:
 
 
 class _Mouse(QtCore.QObject):
-    """Takes events of the left mouse button before FreeCAD rotates the view or selects objects.
+    """Event filter that handles the left mouse button before FreeCAD rotates the view or selects objects.
 
-    Every navigation style uses that button, and some styles take it before the scene gets the event.
+    All navigation styles use this button, and some handle it before Coin's scene receives the event.
     """
 
     def __init__(self, view: Any, *answers: Callable[[FloatArray], bool]) -> None:
@@ -251,19 +255,20 @@ class _Mouse(QtCore.QObject):
         self._answers = dict(
             zip((kinds.MouseButtonPress, kinds.MouseMove, kinds.MouseButtonRelease), answers, strict=True)
         )
-        if self._widget is not None:  # otherwise the handles are visible, and the panel's numbers move them
+        # without a widget, the handles are visible but can be moved only by the numbers in the panel
+        if self._widget is not None:
             self._widget.installEventFilter(self)
 
     def leave(self) -> None:
-        """Stop watching. The view may be closed already."""
+        """Remove the event filter. The view may be closed already."""
         with suppress(RuntimeError):
             if self._widget is not None:
                 self._widget.removeEventFilter(self)
-        # a wrapper kept after its view would be reused for the next view
+        # release the wrapper, because PySide would reuse it for the next view
         self._widget = self._view = None
 
     def eventFilter(self, _widget: Any, event: Any) -> bool:
-        """Return True if a handle took the event. Other receivers do not get it then."""
+        """Return True if a handle used the event, so that other receivers do not get it."""
         answer = self._answers.get(kind_of(event))
         if answer is None:
             return False

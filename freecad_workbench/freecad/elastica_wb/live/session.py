@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Live feedback: the overlay of an open sketch follows every move of the mouse."""
+"""Live feedback: the overlay of an open sketch is updated at every move of the mouse."""
 
 import time
 from dataclasses import replace
@@ -52,10 +52,10 @@ from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip_spec import StripSpec
 
-REST_MS = 40  # ms without a mouse move before slower results are computed
+REST_MS = 40  # time, ms, without a mouse move, before slower results are computed
 NO_POLES = np.zeros((0, 2))
-SEEN = 24  # points of a curve that the card keeps visible
-PEEK_MS = 60  # ms between checks whether the nearest curve was found
+SEEN = 24  # number of points of a curve that the card tries not to hide
+PEEK_MS = 60  # interval, ms, between checks whether the nearest curve was found
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
@@ -63,7 +63,7 @@ _session: "Session | None" = None
 
 
 class Session:
-    """The overlay of one sketch, from the start to the end of its editing."""
+    """Controller of the overlay of a sketch, from the start to the end of its editing."""
 
     def __init__(self, sketch: Any, view: Any) -> None:
         self.sketch = sketch
@@ -91,11 +91,11 @@ class Session:
         self.refresh()
 
     def refresh(self) -> None:
-        """Show the sketch as it is in the document."""
+        """Update the overlay from the sketch as it is stored in the document."""
         self._soon.stop()
         self._scale = self._asks = None
         self._attach()
-        # assign the drawn points to the present geometry
+        # relate the drawn points to the current geometry
         self._dragged = Dragged(self.sketch, self._points()) if self._node is not None else None
         self._show(None)
 
@@ -116,18 +116,21 @@ class Session:
         document = self.sketch.Document
         try:
             curve, self._cost = find_nearest_to_drag(replace(self._allows, curve=self._curve))
-        except FAILURES as error:  # the user stopped it
+        except FAILURES as error:  # raised also if the user stopped the search
             self._show_answer(replace(self.card.answer, sentence=str(explained(error))))
             return
         self._placed = curve.control_points
         record_step(document, translate("Elastica", "Use the nearest curve"))
         recorded(curve_into, self.sketch, curve)
-        record_call(self.sketch, "solve")  # solving moves points, so it is part of the step
+        record_call(self.sketch, "solve")  # recorded, because solving moves points
         record_end_of_step(document)
         self.refresh()
 
     def _attach(self) -> None:
-        """Watch the points that the sketcher draws. Some releases draw a new node after new geometry."""
+        """Observe the points that the sketcher draws.
+
+        Some releases use a new Coin node after new geometry is added.
+        """
         if self._sensor is not None:
             self._sensor.detach()
         self._sensor = self._node = None
@@ -154,16 +157,17 @@ class Session:
             self._soon.start()
 
     def _follow(self) -> None:
-        """Update the overlay. Several mouse moves may have come since the last update."""
+        """Update the overlay. There may have been several mouse moves since the last update."""
         if self._dragged is not None and self._dragged.usable:
             points = self._points()
             try:
                 self._show(self._dragged.geometry(points))
-            except IndexError:  # the sketch has lost points; the release of the mouse updates it
+            # raised if the sketch has lost points; the overlay is updated when the mouse is released
+            except IndexError:
                 self._dragged = None
 
     def _show(self, geometry: list[Any] | None) -> None:
-        began = time.thread_time()  # CPU time of this thread, independent of other processes
+        began = time.thread_time()  # CPU time of this thread, which does not depend on other processes
         self._rest.stop()
         self._answer.stop()
         self.near = None
@@ -220,9 +224,10 @@ class Session:
             self._request()
 
     def _request(self) -> None:
-        """Start the search for the nearest curve in another thread. Results for older curves are ignored.
+        """Start the search for the nearest curve in another thread. Results for earlier curves are ignored.
 
-        The search does not take elements and point forces into account, so it is not started with them.
+        The search ignores rails, pins, ties and point forces, so it is not started for strips that have
+        them.
         """
         if self._asks.between or self._asks.rod_spec.point_forces:
             return
@@ -255,7 +260,7 @@ class Session:
         )
 
     def _spec(self) -> StripSpec:
-        """Return the request for the strip of this sketch. It cannot change during a drag."""
+        """Request for the strip of this sketch. It is constant during a drag."""
         if self._asks is None:
             asks = default_spec(self._curve)
             allows = RodSpec(self._curve, limits=Limits(CUTTABLE_RATIO, SAFE_MARGIN, sheet=asks.material))
@@ -266,7 +271,7 @@ class Session:
         return self._asks
 
     def _show_read(self, answer: Answer) -> None:
-        """Show an answer and how the sketch was read."""
+        """Show a result, with a line on the geometry of the sketch."""
         read = read_line((self.sketch, ()), self._geometry)
         self._show_answer(replace(answer, sentence=sentences([answer.sentence, read], "\n")))
 
@@ -278,7 +283,7 @@ class Session:
 
 
 class _OwnComb:
-    """Turns FreeCAD's curvature comb off while the overlay is shown."""
+    """Switch for FreeCAD's curvature comb, which is off while the overlay is displayed."""
 
     def __init__(self) -> None:
         self._group = App.ParamGet(SKETCHER)
@@ -287,7 +292,7 @@ class _OwnComb:
             self._group.SetBool(OWN_COMB, False)
 
     def restore(self) -> None:
-        """Restore the user's setting."""
+        """Restore the setting of the user."""
         if self._was:
             self._group.SetBool(OWN_COMB, True)
 

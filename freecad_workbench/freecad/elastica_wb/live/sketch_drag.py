@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Geometry of a sketch during a drag, read from the points that the sketcher draws.
+"""Geometry of a sketch during a drag, computed from the points that the sketcher draws.
 
-FreeCAD gives no notice of a drag before the mouse is released, but the sketcher redraws all points.
+FreeCAD does not notify observers of a drag before the mouse is released, but the sketcher draws all points
+again.
 """
 
 from collections.abc import Sequence
@@ -12,8 +13,9 @@ from typing import Any
 import FreeCAD as App
 import Part
 
-NEAR = 1e-4  # relative tolerance, because the points are drawn in single precision
-SOLVED_MM = 1e-2  # distance that the sketcher's solver leaves between circles and their poles
+NEAR = 1e-4  # relative tolerance of equal points, because points are drawn in single precision
+# largest distance, mm, between circles and their poles after the solver of the sketcher has run
+SOLVED_MM = 1e-2
 
 POINTS = {
     "Part::GeomPoint": 1,
@@ -26,14 +28,14 @@ POINTS = {
     "Part::GeomArcOfParabola": 3,
     "Part::GeomBSplineCurve": 2,
 }
-"""Number of points that the sketcher draws for each kind of geometry, in the order of the sketch."""
+"""Number of points that the sketcher draws for each type of geometry."""
 
 
 class Dragged:
-    """Rebuilds the geometry of a sketch from its drawn points.
+    """Reconstruction of the geometry of a sketch from its drawn points.
 
-    `usable` is False if the points are in an unknown order, or if a pole is not drawn as a point. The geometry is
-    then known only after the mouse is released.
+    `usable` is False if the points are in an unknown order, or if a pole is not drawn as a point. In this
+    case the geometry is known only after the mouse is released.
     """
 
     def __init__(self, sketch: Any, points: Sequence[Sequence[float]]) -> None:
@@ -51,13 +53,13 @@ class Dragged:
         }
         if any(None in circles for circles in self._poles.values()):
             return
-        for shift in (1, 0):  # 1.1 omits the origin
+        for shift in (1, 0):  # FreeCAD 1.1 does not draw the origin
             if sum(counts) + shift <= len(points) and self._fits(points, shift):
                 self.usable, self._shift = True, shift
                 return
 
     def geometry(self, points: Sequence[Sequence[float]]) -> list[Any]:
-        """Return the sketch's geometry with its points at their drawn positions."""
+        """Return the geometry of the sketch with its points at the drawn positions."""
         moved = list(self._geometry)
         for i, geometry in enumerate(self._geometry):
             if self._construction[i]:
@@ -83,7 +85,7 @@ class Dragged:
         return Part.ArcOfCircle(circle, first, last if last > first else last + 6.283185307179586)
 
     def _pole_circles(self, spline: int) -> list[int | None]:
-        """Return, for each pole, the number of the construction circle that shows it."""
+        """Return, for each pole of a spline, the number of the construction circle that displays it, or None."""
         pole_circles: list[int | None] = []
         taken: set[int] = set()
         for pole in self._geometry[spline].getPoles():
@@ -100,7 +102,7 @@ class Dragged:
         return pole_circles
 
     def _fits(self, points: Sequence[Sequence[float]], shift: int) -> bool:
-        """Return True if the drawn points match the geometry at rest."""
+        """Return True if the drawn points match the geometry that is stored in the document."""
         for i, circles in self._poles.items():
             for pole, circle in zip(self._geometry[i].getPoles(), circles, strict=True):
                 x, y = points[shift + self._first[circle]][:2]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Sketches and the overlay: the open sketch, its followers and its stored setting."""
+"""The open sketch, the strips that follow it, and its stored state of the overlay."""
 
 from collections.abc import Callable
 from typing import Any
@@ -13,10 +13,10 @@ from freecad.elastica_wb.host.objects import is_sketch, is_strip, lives
 from freecad.elastica_wb.host.qt import when_free
 
 MEMORY = "ElasticaLive"
-"""Property of a sketch that stores whether the sketch shows the overlay."""
+"""Property of a sketch that stores whether its overlay is on."""
 
 listeners: list[Callable[[bool], None]] = []
-"""Functions that are called with True when an overlay starts, and with False when it ends."""
+"""Functions that are called with True after an overlay starts, and with False after it ends."""
 
 
 def edited_sketch() -> Any:
@@ -37,7 +37,7 @@ def followers(sketch: Any) -> list[Any]:
 
 
 def remember(sketch: Any, on: bool) -> None:
-    """Store in the sketch whether it shows the overlay."""
+    """Store in the sketch whether its overlay is on."""
     if MEMORY not in sketch.PropertiesList:
         words = App.Qt.translate("App::Property", "Show live feedback while this sketch is open")
         sketch.addProperty("App::PropertyBool", MEMORY, "Elastica", words, 8)  # causes no recompute
@@ -45,7 +45,10 @@ def remember(sketch: Any, on: bool) -> None:
 
 
 def wants_overlay(sketch: Any) -> bool:
-    """Return the stored setting of a sketch. Without it, return True if a strip follows the sketch."""
+    """Return True if the overlay of a sketch is on.
+
+    If the sketch stores no state, return True if a strip follows it.
+    """
     if not preferences.get("LiveMode"):
         return False
     if MEMORY in sketch.PropertiesList:
@@ -54,7 +57,7 @@ def wants_overlay(sketch: Any) -> bool:
 
 
 def recompute(strips: list[Any]) -> None:
-    """Recompute only strips and their dependents."""
+    """Recompute strips and the features that depend on them, and no other objects."""
     alive = [strip for strip in strips if lives(strip)]
     if not alive:
         return

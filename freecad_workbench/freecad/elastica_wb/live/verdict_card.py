@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The verdict card in the view: a sentence, a legend and a button for the nearest curve."""
+"""The card over a 3D view with the result of the check: a sentence, a legend, and a button for the nearest
+curve.
+"""
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -17,22 +19,24 @@ from freecad.elastica_wb.live.overlay import COLORS, PARTS
 from freecad.elastica_wb.solving.verdicts import Answer, Verdict
 from pivy import coin
 
-GAP_PX = 12  # distance from the view's edges, and around the places to keep visible
-CUBE_PX = 140  # space for the navigation cube and the axes at the right edge
+GAP_PX = 12  # distance, pixels, from the edges of the view, and from points that must stay visible
+CUBE_PX = 140  # space, pixels, for the navigation cube and the axes at the right edge
 WIDEST_PX, FOLDED_PX = 480, 240
-SHARE = 0.45  # of the view's width, so that the curve has room beside the card
-LOOKED_MS = 100  # ms after the last move of the camera
+# largest width of the card, as a fraction of the width of the view, so that the curve is visible beside it
+SHARE = 0.45
+LOOKED_MS = 100  # time, ms, after the last move of the camera, until the card is placed again
 FOLDED = "CardFolded"
 
 
 class VerdictCard(QtCore.QObject):
-    """A frame over a view that ignores the mouse, with two buttons; `wanted` is called by the lower button.
+    """Frame over a view that ignores the mouse, with two buttons. The lower button calls `wanted`.
 
-    The card is in the corner of the view where it hides the fewest of the places to keep visible.
+    The card is placed in the corner of the view in which it hides the fewest of the points that must stay
+    visible.
     """
 
     def __init__(self, view: Any, wanted: Callable[[], None]) -> None:
-        # without a surface the card is placed on the area of all views
+        # if the view has no drawing widget, the card is placed over the area of all views
         self._view, self._over = view, surface_of(view) or Gui.getMainWindow().centralWidget()
         super().__init__(self._over)
         self.frame = QtWidgets.QFrame(self._over)
@@ -44,7 +48,7 @@ class VerdictCard(QtCore.QObject):
         for label in (self.heading, self.words, self.legend):
             label.setWordWrap(label is not self.heading)
             layout.addWidget(label)
-        # not inside the frame, which ignores the mouse
+        # outside of the frame, because the frame ignores the mouse
         self.button, self.fold = QtWidgets.QPushButton(self._over), QtWidgets.QPushButton(self._over)
         self.button.setObjectName("useNearest")
         self.fold.setObjectName("foldVerdict")
@@ -53,7 +57,7 @@ class VerdictCard(QtCore.QObject):
         self.fold.clicked.connect(self._turn)
         for part in (self.frame, self.button, self.fold):
             part.setStyleSheet(STYLE)
-            part.setFocusPolicy(QtCore.Qt.NoFocus)  # keys go to the sketcher
+            part.setFocusPolicy(QtCore.Qt.NoFocus)  # so that the sketcher receives keys
         self.answer: Answer | None = None
         self._tall = self._corner = 0
         self._places: Sequence[Any] = ()
@@ -62,8 +66,11 @@ class VerdictCard(QtCore.QObject):
         self._camera = sensor(coin.SoNodeSensor, self._looks_elsewhere)
 
     def show(self, answer: Answer, sentence: str, counts: Mapping[str, int]) -> None:
-        """Show a verdict. `sentence` is in the user's units, and `counts` counts the points of each part."""
-        with suppress(RuntimeError):  # the view was closed
+        """Show a result.
+
+        `sentence` is in the units of the user; `counts` has the number of points of each part of the overlay.
+        """
+        with suppress(RuntimeError):  # raised if the view was closed
             self._show(answer, sentence, _legend(counts))
         self.answer = answer
 
@@ -75,13 +82,13 @@ class VerdictCard(QtCore.QObject):
             self.words.setText(sentence)
             self.legend.setText(legend)
             tall = sum(label.heightForWidth(label.width()) for label in (self.words, self.legend))
-            if tall != self._tall:  # most mouse moves only change numbers
+            if tall != self._tall:  # most mouse moves only change numbers, and not the height of the card
                 self._tall = tall
                 self._place()
         self.frame.show()
 
     def offer(self, words: str, *, usable: bool = True) -> None:
-        """Set the text of the button. The button is never hidden again."""
+        """Set the text of the button and show it. The button is not hidden afterwards."""
         with suppress(RuntimeError):
             if words != self.button.text():
                 self.button.setText(words)
@@ -92,11 +99,11 @@ class VerdictCard(QtCore.QObject):
         """Keep the card off these points in space."""
         with suppress(RuntimeError):
             self._places = places
-            self._place()  # first, because it raises an error if the view is closed
+            self._place()  # raises an error if the view was closed
             self._camera.attach(self._view.getCameraNode())
 
     def remove(self) -> None:
-        """Remove the card from the view, which may be closed already."""
+        """Remove the card. The view may be closed already."""
         self._camera.detach()
         with suppress(RuntimeError):
             self._over.removeEventFilter(self)
@@ -104,17 +111,17 @@ class VerdictCard(QtCore.QObject):
                 part.hide()
                 part.deleteLater()
             self.deleteLater()
-        # a wrapper kept after its view would be reused for the next view
+        # release the wrapper, because PySide would reuse it for the next view
         self._over = self._view = None
 
     def eventFilter(self, _watched: Any, event: Any) -> bool:
-        """Place the card again after a change of the view's size."""
+        """Place the card again after the size of the view has changed."""
         if kind_of(event) == QtCore.QEvent.Resize:
             self._place()
         return False
 
     def _looks_elsewhere(self) -> None:
-        """Place the card again after a camera move. Camera and timer may outlive the view."""
+        """Place the card again after a camera move. The view may be closed before its camera and timer."""
         with suppress(RuntimeError):
             self._soon.start()
 
@@ -123,8 +130,8 @@ class VerdictCard(QtCore.QObject):
         self._place()
 
     def _place(self) -> None:
-        """Set the width of the card for easy reading, and place card and buttons in a free corner."""
-        if self._over is None:  # FreeCAD is closing the view, and a camera move is reported late
+        """Set the width of the card, and place the card and its buttons in a corner."""
+        if self._over is None:  # FreeCAD may report a camera move while it is closing the view
             return
         folded, over = preferences.get(FOLDED), self._over
         self.fold.setText("▴" if folded else "▾")
@@ -149,9 +156,9 @@ class VerdictCard(QtCore.QObject):
         self.fold.show()
 
     def _free_corner(self) -> tuple[int, int]:
-        """Return the upper left corner of the frame at which it hides the fewest places.
+        """Return the position of the frame's upper left corner at which the frame hides the fewest points.
 
-        The present corner is kept if no other hides fewer.
+        The current position is preferred to other positions with the same number.
         """
         over, size = self._over, self.frame.size()
         part = free_part(over)
@@ -196,7 +203,7 @@ PANELS, NOWHERE = "Gui::OverlayTabWidget", QtCore.QPoint(0, 0)
 
 
 def _legend(counts: Mapping[str, int]) -> str:
-    """Return the legend of the colours in use."""
+    """Return the legend of the displayed parts."""
     return " &nbsp; ".join(
         f'<span style="color: {hex_of(part.color)};">{part.sign}</span>'
         f"&nbsp;{translate('Elastica', part.words).replace(' ', '&nbsp;')}"
@@ -206,7 +213,7 @@ def _legend(counts: Mapping[str, int]) -> str:
 
 
 def heading_style(verdict: Verdict) -> str:
-    """Return the style sheet of a heading in the colour of a verdict."""
+    """Return the style sheet of a heading in the colour of a result."""
     return f"background: {hex_of(COLORS[verdict])}; color: white; font-weight: bold; padding: 4px 8px;"
 
 
@@ -221,4 +228,4 @@ STYLE = """
 #useNearest { padding: 3px 10px; }
 #foldVerdict { border: none; padding: 3px 8px; color: white; background: transparent; }
 """
-"""White on dark in any theme, because style sheets do not know their colours and the view may have any colour."""
+"""Style of the card. It is white on dark in every theme, because the view behind it may have any colour."""

@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Task panels. Their .ui files have the names of the modules."""
+"""Task panels. The .ui file of a panel has the name of its module."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel to bend a strip by its ends. Nothing else changes until OK."""
+"""The panel for bending a strip by moving its ends. The document is not changed before OK."""
 
 from typing import Any
 
@@ -22,7 +22,10 @@ from elastica_cad.strip.strip import strip_sideways
 
 
 class BendPanel(Panel):
-    """Displacements and rotations of both ends, by numbers or by handles. The strip follows the mouse."""
+    """Panel with displacements and rotations of both ends, set by numbers or handles.
+
+    The preview follows the mouse.
+    """
 
     file = "bend"
     icon_name = "Elastica_Bend"
@@ -53,12 +56,12 @@ class BendPanel(Panel):
             self._safely_changed()
 
     def changed(self) -> None:
-        """Bend from the present shape to the ends that the widgets set."""
+        """Bend the strip from its current shape to the ends that the widgets define."""
         self.rod = self._bent(1.0, self.rod)
         self._show(self.rod)
 
     def dragged(self, end: int, place: tuple[float, float]) -> None:
-        """Read the handle of the start (0) or the end (1), moved to a place in the curve's plane."""
+        """Move the start (0) or the end (1) to the position of its dragged handle in the plane of the curve."""
         shift, name = np.asarray(place) - self.rest.position[-end], ("Start", "End")[end]
         widgets = (getattr(self.form, f"{name}{axis}") for axis in "XY")
         for widget, value in zip(widgets, shift, strict=True):
@@ -66,7 +69,7 @@ class BendPanel(Panel):
         self._safely_changed()
 
     def play(self, *_: Any) -> None:
-        """Show the whole motion in small steps."""
+        """Animate the whole motion in small steps."""
         from freecad.elastica_wb.host.qt import QtWidgets
 
         rod = self.rest
@@ -78,7 +81,7 @@ class BendPanel(Panel):
             self.rod = rod
 
     def finished(self) -> None:
-        """Store the moves in a feature that follows the strip."""
+        """Store the displacements and rotations in a feature that depends on the strip."""
         self._timer.stop()
         moves = {name: self.value(name) for name in MOVES}
         if self.feature is None and not any(moves.values()):

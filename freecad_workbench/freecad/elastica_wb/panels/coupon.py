@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of the coupon: a test strip to cut, whose droop gives the stiffness of the sheet."""
+"""The panel of the coupon, a test strip from whose droop the stiffness of the sheet is computed."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -38,7 +38,9 @@ from elastica_cad.strip.solids import FlatSolid
 
 
 class CouponPanel(Panel):
-    """Makes the coupon in the document and as a file, reads droops, and saves the calibrated sheet."""
+    """Panel that makes the coupon in the document and as a file, reads measured droops, and saves the
+    calibrated sheet.
+    """
 
     file = "coupon"
     icon_name = "Elastica_Coupon"
@@ -55,7 +57,7 @@ class CouponPanel(Panel):
         self.changed()
 
     def changed(self) -> None:
-        """Show the overhang to use and the result of the readings."""
+        """Show the overhang to be used, and the result of the readings."""
         sheet = sheet_called(self.value("sheet"))
         longest = Length(coupon_overhang(sheet))
         words: list[str] = [note("Longest overhang of the coupon: {longest:g}", longest=longest)]
@@ -73,7 +75,7 @@ class CouponPanel(Panel):
         self.show_message(sentences(words, "\n"))
 
     def _pressed(self, button: Callable[[], None], *_: Any) -> None:
-        """Call a button's function and show its error in the panel."""
+        """Call the function of a button, and show its error in the panel."""
         with self.telling():
             button()
 
@@ -133,10 +135,10 @@ def readings_of(text: str) -> tuple[list[float], list[float]]:
     Raises
     ------
     InputError
-        The text has another form.
+        The text does not have this form.
     """
     pairs = []
-    commas = ";" in text or decimal_point() == ","  # then commas are decimal points
+    commas = ";" in text or decimal_point() == ","  # if this is True, commas are decimal separators
     for part in text.split(";" if commas else ","):
         try:
             overhang, droop = (float(number.replace(",", ".")) for number in part.split("="))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of the export: kinds of files, options and folder."""
+"""The panel for writing cutting files: kinds of files, options and folder."""
 
 import os
 from importlib.util import find_spec
@@ -34,7 +34,7 @@ from elastica_cad.strip.pieces import Piece
 
 
 class ExportPanel(Panel):
-    """OK writes the files. The document is not changed."""
+    """Panel whose OK writes the files. The document is not changed."""
 
     file = "export"
     icon_name = "Elastica_Export"
@@ -82,7 +82,7 @@ class ExportPanel(Panel):
             self.form.folder.setText(folder)
 
     def _show_sheet(self, wanted: bool) -> None:
-        """Show the size of the sheets if a nest is requested."""
+        """Show the widgets for the size of the sheets only if nested sheets are requested."""
         for name in ("sheetWidth", "label_5_Sheetwidth", "sheetHeight", "label_6_Sheetheight"):
             getattr(self.form, name).setVisible(wanted)
 
@@ -104,9 +104,9 @@ class ExportPanel(Panel):
             self.browse()
         if not self.form.folder.text().strip():
             raise InputError(translate("Elastica", "choose a folder for the files"))
-        # ~ stays if the home folder does not exist
+        # "~" is not replaced if the home folder does not exist
         folder = Path(os.path.expanduser(self.form.folder.text().strip()))
-        if not folder.is_absolute():  # users do not know FreeCAD's working directory
+        if not folder.is_absolute():  # refused, because users do not know FreeCAD's working folder
             raise InputError(translate("Elastica", "Enter the full path of the folder, or press Browse."))
         with progress(
             QT_TRANSLATE_NOOP("Elastica", "Writing files"), len(self.pieces) + len(self.strips)
@@ -132,9 +132,9 @@ class ExportPanel(Panel):
 
 
 def _usual_folder(document: Any) -> str:
-    """Return the last folder, else the document's folder, else "" (the user must choose)."""
+    """Return the last used folder, else the folder of the document, else "", so that the user has to choose."""
     last = preferences.get("ExportFolder")
-    if last and os.path.isdir(last):  # also False for a folder without permission
+    if last and os.path.isdir(last):  # False also for a folder without permission
         return str(last)
     return str(Path(document.FileName).parent) if document.FileName else ""
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Contents of the panels of all features."""
+"""Definitions of the panels of all features."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
@@ -52,7 +52,7 @@ from elastica_cad.strip.summary import (
 
 
 def strip_rows(obj: Any) -> Sequence[Row]:
-    """Return the rows on the strip that the shape shows; none if its curve was lost since."""
+    """Return the rows of the report on the strip of the current shape. There are none if the curve is lost."""
     try:
         strip = shown_strip(obj)
     except FAILURES:
@@ -70,13 +70,16 @@ def strip_rows(obj: Any) -> Sequence[Row]:
 
 
 def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
-    """Return the rows, marked as errors if one of these results is outside its limit."""
+    """Return the rows. They are marked as errors if one of the properties `results` is beyond its limit."""
     failed = bool({*results} & {*obj.Fails})
     return [replace(row, severity="error") if failed else row for row in rows]
 
 
 def _accuracy(obj: Any, strip: Strip) -> Row:
-    """Return the row on accuracy: "…" if it is not known yet, or "-" if the footnote explains its absence."""
+    """Return the row on accuracy.
+
+    Its text is "…" until it is computed, or "-" if the footnote explains why it is missing.
+    """
     if strip.rod.acting:
         return not_computed_row()
     held = held_shape(strip) if obj.Held else None
@@ -84,12 +87,12 @@ def _accuracy(obj: Any, strip: Strip) -> Row:
 
 
 def _flat_footnote(obj: Any) -> str:
-    """Return how the strip is bent before assembly, which the flat part does not show."""
+    """Return the instruction for pre-bending the strip, because the flat part does not show the pre-bend."""
     return "\n".join(map(worded, pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))])))
 
 
 def _where(name: str, *values: object) -> Callable[[Any], bool]:
-    """Return a function that checks whether a property has one of these values."""
+    """Return a function of an object that checks whether its property `name` has one of these values."""
     return lambda obj: getattr(obj, name) in values
 
 
@@ -300,7 +303,10 @@ FLEXURE = Layout(
 
 
 def _force_chart(part: Flexure) -> Any:
-    """Return the force over the travel of the pushed point, or of the end for a part with two settings."""
+    """Return the chart of the force over the travel.
+
+    For a bistable part, it is the travel of the pushed point, for other parts the travel of the end.
+    """
     travel = part.travel
     if part.pair.bistable:
         unit = shown_unit()
@@ -327,7 +333,7 @@ LAYOUTS = {
 
 
 def panel_of(obj: Any, others: Iterable[Any] = ()) -> Panel:
-    """Return the panel of a feature, which also edits other features of its kind."""
+    """Return the panel of a feature. It also edits the features `others` of the same kind."""
     if feature_kind(obj) == "Bent":
         return BendPanel(obj.Strip, obj)
     return PropertyPanel(obj, LAYOUTS[feature_kind(obj)], others)

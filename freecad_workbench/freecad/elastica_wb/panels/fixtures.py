@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of fixtures: printed blocks for the ends, a slotted plate, and rings."""
+"""The panel for making holders: printed blocks, a slotted plate, and rings."""
 
 from typing import Any
 
@@ -19,14 +19,14 @@ from elastica_cad.errors import InputError
 
 
 class FixturesPanel(Panel):
-    """Makes the fixtures that are ticked, in one undo step."""
+    """Panel that makes the ticked kinds of holders, in one undo step."""
 
     file = "fixtures"
     icon_name = "Elastica_Fixtures"
     step = "End fixtures and base plate"
 
     def __init__(self, sources: list[Any]) -> None:
-        """Open the panel for sources. If all are base plates, take the strips on them."""
+        """Open the panel for sources. If all sources are base plates, their strips are used."""
         super().__init__(sources[0].Document, sources)
         held = [source for obj in sources if is_plate(obj) for source in obj.Sources]
         self.sources = [obj for obj in sources if not is_plate(obj)] or list(dict.fromkeys(held))
@@ -36,12 +36,13 @@ class FixturesPanel(Panel):
         set_value(self.form.slot, preferences.get("Clearance"))
 
     def finished(self) -> None:
-        """Make the fixtures. An error keeps the panel open."""
+        """Make the holders. After an error, the panel stays open."""
         form = self.form
         if not any(box.isChecked() for box in (form.plate, form.rings, form.blocks)):
             raise InputError(translate("Elastica", "Select blocks, a plate or rings."))
         holders = []
-        if form.plate.isChecked():  # first, because its errors should not wait for the blocks
+        # made first, because its errors should be reported before the slower blocks are made
+        if form.plate.isChecked():
             holders.append(recorded(baseplate.create, self.document, self.sources))
             record_value(holders[-1], "Sheet", self.value("sheet"))
             record_value(holders[-1], "Placement.Base.z", self.value("plateHeight"))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Base of all task panels: a form, one undo step from opening to OK, and delayed updates."""
+"""Base class of all task panels: a form, an undo step from opening to OK, and delayed updates."""
 
 import gc
 from collections.abc import Iterable, Iterator
@@ -22,11 +22,11 @@ from freecad.elastica_wb.recording import record_end_of_step, record_recompute, 
 from elastica_cad._text import printable
 from elastica_cad.errors import InputError
 
-PAUSE_MS = 60  # ms after the last key before the panel computes
+PAUSE_MS = 60  # time, ms, after the last key, until the panel computes its results
 
 
 class Panel:
-    """A task panel. `changed` is called shortly after the user touches a widget."""
+    """A task panel. `changed` is called shortly after the user changes a widget."""
 
     file = ""
     icon_name = "Elastica"
@@ -38,22 +38,23 @@ class Panel:
     opened: "Panel | None" = None
 
     def __init__(self, document: Any = None, subjects: Iterable[Any] = ()) -> None:
-        """Open the panel. It changes `document`, and it needs the objects `subjects`."""
+        """Open the panel. It may change `document`; it is closed if one of the objects `subjects` is deleted."""
         Panel.opened = self
         self.subjects = list(subjects)
         self._homes = [subject.Document for subject in self.subjects] + [document]
         self.form = self.make_form()
         calm(self.form)
-        self.form.message.setTextFormat(QtCore.Qt.PlainText)  # a label may look like HTML
+        self.form.message.setTextFormat(QtCore.Qt.PlainText)  # plain text, because a label may look like HTML
         self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
         self.document = document
         self._timer = later(self._safely_changed, PAUSE_MS, self.form)
-        # earlier changes without an undo step, such as those in the console, are not part of this step
+        # earlier changes outside of an undo step, such as changes in the console, must not become part of
+        # this step
         if self.step and not (document.HasPendingTransaction and App.getActiveTransaction()):
             record_step(document, self.step)
 
     def make_form(self) -> Any:
-        """Make the form. The message is at the top, where it is visible without scrolling."""
+        """Make the form. Its message is at the top, so that it is visible without scrolling."""
         form = load_panel(self.file)
         for name, value in quantities_of(self.file).items():
             set_value(getattr(form, name), value)
@@ -66,7 +67,7 @@ class Panel:
         return value_of(getattr(self.form, name))
 
     def accept(self) -> bool:
-        """Apply the panel (OK). All changes since its opening are one undo step."""
+        """Apply the panel (OK). All changes since its opening form a single undo step."""
         try:
             self._all_there()
             self.finished()
@@ -81,7 +82,7 @@ class Panel:
         return True
 
     def reject(self) -> bool:
-        """Cancel: restore the state before the panel."""
+        """Restore the state before the panel was opened (Cancel)."""
         self._timer.stop()
         if self.document is not None and document_lives(self.document):
             record_end_of_step(self.document, abort=True)
@@ -90,7 +91,7 @@ class Panel:
         return True
 
     def abandon(self) -> None:
-        """Close the panel after its document was closed. Do not touch the document or its view."""
+        """Close the panel after its document was closed, without using the document or its view."""
         if self.form is None:
             return
         if self.step:
@@ -100,24 +101,24 @@ class Panel:
         gc.collect()
 
     def getStandardButtons(self) -> int:
-        """Return the buttons: OK (or Save) and Cancel, or Close for a panel that only shows results."""
+        """Return the buttons: OK (or Save) and Cancel, or Close for a panel that only displays results."""
         kinds = QtWidgets.QDialogButtonBox
         wanted = [kinds.Close] if self.only_tells else [getattr(kinds, self.done), kinds.Cancel]
         return sum(int(getattr(button, "value", button)) for button in wanted)
 
     def isAllowedAlterSelection(self) -> bool:
-        """Return True: the user may select while the panel is open."""
+        """Return True, because the user may select objects while the panel is open."""
         return True
 
     def isAllowedAlterView(self) -> bool:
-        """Return True: the user may change the view."""
+        """Return True, because the user may change the view while the panel is open."""
         return True
 
     def changed(self) -> None:
-        """Compute and show the results of the widgets."""
+        """Compute and show the results for the values of the widgets."""
 
     def finished(self) -> None:
-        """Apply the panel after OK. An exception keeps it open."""
+        """Apply the panel after OK. If it raises an exception, the panel stays open."""
 
     def closed(self) -> None:
         """Remove the preview from the view."""
@@ -134,14 +135,14 @@ class Panel:
 
     @contextmanager
     def telling(self) -> Iterator[None]:
-        """Show an error in the panel."""
+        """Show errors of a `with` block in the panel."""
         try:
             yield
         except FAILURES as error:
             self.show_message(str(explained(error)))
 
     def watch(self, *names: str) -> None:
-        """Call `changed` after the user touches one of these widgets."""
+        """Call `changed` after the user changes one of these widgets."""
         for name in names:
             on_change(getattr(self.form, name), self.soon)
 
@@ -150,13 +151,13 @@ class Panel:
         self._timer.start()
 
     def now(self) -> None:
-        """Call `changed` at once if a call is waiting."""
+        """Call `changed` immediately if a delayed call is waiting."""
         if self._timer.isActive():
             self._timer.stop()
             self._safely_changed()
 
     def _all_there(self) -> None:
-        """Raise an error if the user deleted an object of the panel."""
+        """Raise an error if the user has deleted an object of the panel."""
         if not all(map(lives, self.subjects)):
             raise InputError(translate("Elastica", "The edited object was deleted. Press Cancel."))
 
@@ -172,14 +173,14 @@ class Panel:
         if Gui.ActiveDocument is not None:
             Gui.ActiveDocument.resetEdit()
         Gui.Control.closeDialog()
-        # FreeCAD deletes the widgets. A wrapper that is still referenced (signals form cycles)
+        # FreeCAD deletes the widgets. A wrapper that is still referenced, for example by a cycle of signals,
         # would be reused for the next widget at the same address.
         self.form = None
         gc.collect()
 
 
 class _Documents:
-    """Closes the panel of a closed document, even if the panel only reads the document."""
+    """Observer that closes a panel when its document is closed."""
 
     def slotDeletedDocument(self, document: Any) -> None:
         panel = Panel.opened
@@ -188,7 +189,7 @@ class _Documents:
             panel.let_go()
             panel.document, panel.preview = None, None
             panel._homes = []
-            # FreeCAD is still destroying the document, and an undo now would crash
+            # delayed, because FreeCAD is destroying the document, and an undo would crash
             QtCore.QTimer.singleShot(0, panel.abandon)
 
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of the projective edit: four handles around a curve, the transformed curve and its verdict."""
+"""The panel of the projective edit: four handles around a curve, the transformed curve, and the result of its
+check.
+"""
 
 from typing import Any
 
@@ -35,7 +37,10 @@ FIELDS = [f"{axis}{number}" for number in (1, 2, 3, 4) for axis in "xy"]
 
 
 class ProjectivePanel(Panel):
-    """Transforms a curve by four handles. OK writes poles and weights into the sketch, in one undo step."""
+    """Panel that transforms a curve by four handles.
+
+    OK writes poles and weights into the sketch, in one undo step.
+    """
 
     file = "projective"
     icon_name = "Elastica_Projective"
@@ -59,12 +64,12 @@ class ProjectivePanel(Panel):
         self.reset()
 
     def reset(self, *_: Any) -> None:
-        """Put the handles back on the box around the drawn curve."""
+        """Move the handles back to the corners of the box around the drawn curve."""
         self._fill(self.corners)
         self._safely_changed()
 
     def dragged(self, number: int, place: tuple[float, float]) -> None:
-        """Show the curve of a dragged handle at once, and its strip when the mouse rests."""
+        """Show the transformed curve during a drag, and its strip when the mouse rests."""
         places = self.handles.copy()
         places[number] = place
         self._fill(places)
@@ -102,7 +107,10 @@ class ProjectivePanel(Panel):
             recorded(curve_into, self.sketch, evened(self.curve))
 
     def _spec(self) -> StripSpec:
-        """Return the request for the strip of the sketch with the transformed curve, or for a usual strip."""
+        """Return the request for the strip of the sketch with the transformed curve.
+
+        Without a strip, use the preferences.
+        """
         if self._asks is None:
             specs = (spec_of(strip, drawn_curve(strip.Curve, strip)) for strip in followers(self.sketch))
             self._asks = next(specs, default_spec(self.drawn))
@@ -114,7 +122,7 @@ class ProjectivePanel(Panel):
             self.preview.show(self.drawn.sample(201).position, self.curve.sample(201).position, around)
 
     def _fill(self, places: FloatArray) -> None:
-        """Show places in the widgets, which round them."""
+        """Show the positions of the handles in the widgets, which round them."""
         self.handles, self._shown = places, []
         for name, value in zip(FIELDS, places.ravel(), strict=True):
             widget = getattr(self.form, name)
@@ -124,7 +132,7 @@ class ProjectivePanel(Panel):
             self.preview.handles.put(places)
 
     def _typed(self) -> None:
-        """Read the typed numbers. Numbers that the user did not change keep their full precision."""
+        """Read the numbers in the widgets. Numbers that the user did not change keep their full precision."""
         values = [self.value(name) for name in FIELDS]
         places = np.where(np.array(values) == self._shown, self.handles.ravel(), values)
         self._fill(places.reshape(4, 2))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of a feature: a labelled widget for each property, updated in both directions."""
+"""The panel of a feature: a labelled widget for each property. Widgets and properties are synchronized."""
 
 import gc
 from collections import defaultdict
@@ -44,45 +44,44 @@ from elastica_cad.report_rows import Row
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.suggestions import Suggestion
 
-IDLE_MS = 400  # after the last change, until the search for changes that help begins
-PEEK_MS = 60  # between checks whether it has ended
+IDLE_MS = 400  # time, ms, after the last change, until the search for suggestions begins
+PEEK_MS = 60  # interval, ms, between checks whether the search has ended
 STYLES = {
     severity: f' style="color: {hex_of(COLORS[verdict])};"'
     for severity, verdict in (("error", Verdict.CANNOT), ("warning", Verdict.BREAKS))
 }
-"""Colours of rows by their severity: red if the strip fails by a number, orange for other warnings."""
+"""Style of rows by their severity: red if a result is beyond its limit, orange for other warnings."""
 
 
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching for changes that help")
-BUTTON_LETTERS = 32  # in a line of a button, which must not widen the panel
-MOST_SUGGESTED = 5  # buttons for changes that may help
+BUTTON_LETTERS = 32  # largest number of letters in a line of a button, so that it does not widen the panel
+MOST_SUGGESTED = 5  # largest number of buttons for suggested changes
 
 
 @dataclass(frozen=True)
 class Layout:
-    """Contents of the panel for a kind of feature.
+    """Definition of the panel for a kind of feature.
 
     Attributes
     ----------
     title, icon_name, step : str
     groups : mapping
-        The properties of each group, by its title.
+        Names of the properties in each group, by the title of the group.
     table : tuple of Property
         Declarations of the properties.
     applies : mapping
-        For a property, the function that returns whether it applies to an object. Otherwise it is hidden.
+        For a property, the function that returns True if it has an effect for an object. Otherwise it is
+        hidden.
     source : str
-        Property with the curve, which the user can pick again; empty for none.
+        Property with the curve, which the user can pick again, or "".
     results : callable
-        Rows below the message. A detail that names a property stands for its help.
+        Function that returns the rows below the message. A detail that is the name of a property is replaced
+        by its help.
     actions : tuple of (label, callable)
-        Buttons that replace the feature and close the panel.
-    picture : callable
-        A pixmap below the rows, or None.
-    suggestions : callable
-        Changes that may help, as texts with the values of properties. Each has a button.
-    footnote : callable
-        Late results, shown below all widgets.
+        Labels and functions of buttons that replace the feature and close the panel. picture : callable
+        Function that returns a pixmap for the space below the rows, or None. suggestions : callable Function
+        that returns suggested changes: texts with new values of properties. Each has a button. footnote :
+        callable Function that returns the text of slow results below all widgets.
     """
 
     title: str
@@ -100,15 +99,16 @@ class Layout:
 
 
 class PropertyPanel(Panel):
-    """Edits the properties of a feature, or of several features of a kind, and updates numbers and shapes.
+    """Panel that edits the properties of a feature, or of several features of a kind, and updates results and
+    shapes.
 
-    A widget writes only its property, and shows changes made elsewhere. For several features, the widgets show the
-    values of the first feature and write into all of them.
+    A widget writes only its property, and shows changes that are made elsewhere. For several features,
+    widgets show the values of the first feature and change all features.
     """
 
     def __init__(self, obj: Any, layout: Layout, others: Iterable[Any] = ()) -> None:
         self.objects = list(dict.fromkeys([obj, *others]))
-        if len(self.objects) > 1:  # each feature has its own curve and numbers
+        if len(self.objects) > 1:  # curve and results differ between the features, so they are not shown
             layout = replace(layout, source="", results=lambda _: (), footnote=lambda _: "")
         self.object, self.layout = obj, layout
         for shown in self.objects:
@@ -135,7 +135,7 @@ class PropertyPanel(Panel):
         self._show()
 
     def make_form(self) -> Any:
-        """Make the form: message and numbers at the top, then the groups of properties."""
+        """Make the form: message and results at the top, then the groups of properties."""
         form = QtWidgets.QWidget()
         form.setWindowTitle(translate("Elastica", self.layout.title))
         outer = QtWidgets.QVBoxLayout(form)
@@ -179,7 +179,7 @@ class PropertyPanel(Panel):
                 setattr(form, name, widget)
                 set_value(widget, _plain(getattr(self.object, name)))
             outer.addWidget(box)
-        form.footnote = QtWidgets.QLabel()  # late results must not move the widgets
+        form.footnote = QtWidgets.QLabel()  # at the bottom, so that slow results do not move the widgets
         form.footnote.setWordWrap(True)
         outer.addWidget(form.footnote)
         outer.addStretch(1)
@@ -200,24 +200,26 @@ class PropertyPanel(Panel):
         self._recompute()
 
     def finished(self) -> None:
-        """Apply the pending changes and record them for macros."""
+        """Apply pending changes, and record them for macros."""
         self.now()
         self._record()
 
     def _record(self) -> None:
         """Record the final value of each changed property for macros."""
-        # without changes, the objects may already be deleted
+        # nothing is read without changes, because the objects may already be deleted
         for obj, name in self._unbound(self._changed) if self._changed else ():
             record_value(obj, name, _plain(getattr(obj, name)))
         self._changed.clear()
 
     def _unbound(self, names: Iterable[str]) -> list[tuple[Any, str]]:
-        """Return features and properties of these names, without properties that a formula sets."""
+        """Yield pairs of a feature and the name of a property, except properties that are set by a formula."""
         bound = {(obj, path) for obj in self.objects for path, *_ in obj.ExpressionEngine}
         return [(obj, name) for obj in self.objects for name in names if (obj, name) not in bound]
 
     def closed(self) -> None:
-        """Stop watching the document. Widgets bound to an object must be deleted before it."""
+        """Stop observing the document, and delete the widgets, because widgets bound to an object must be
+        deleted before it.
+        """
         App.removeDocumentObserver(self)
         self._stop_picking()
         self._refresh.stop()
@@ -237,17 +239,19 @@ class PropertyPanel(Panel):
         self.closed()
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
-        """Update the panel after a change: by the property editor, a formula, an undo or a recompute."""
+        """Update the panel after a property was changed by the property editor, a formula, an undo or a
+        recompute.
+        """
         if self.form is None or obj not in self.objects:
             return
         if obj is self.object and name in self.fields and not self._writing:
-            # a formula also moves its widget, whose pending value is older
+            # discard the pending value of the widget, because the value of a formula is newer
             self._touched.pop(name, None)
             self._refill(name)
         self._refresh.start()
 
     def addSelection(self, document: str, name: str, element: str, _place: Any) -> None:
-        """Take a curve that the user picks in the view."""
+        """Use a curve that the user picks in the view."""
         source = App.getDocument(document).getObject(name)
         if source is None:
             return
@@ -308,13 +312,13 @@ class PropertyPanel(Panel):
             self._show_if_used(layout.source, self.form.sourceLabel, self.form.source, self.form.pick)
 
     def _show_if_used(self, name: str, *widgets: Any) -> None:
-        """Show the widgets of a property if the property applies to the feature, and hide them otherwise."""
+        """Show the widgets of a property if it has an effect for the feature, else hide them."""
         used = name not in self.layout.applies or self.layout.applies[name](self.object)
         for widget in widgets:
             widget.setVisible(used)
 
     def _explained(self, row: Row) -> str:
-        """Return the details of a row."""
+        """Return the details of a row as the text of a tooltip."""
         return " ".join(self.helps.get(detail) or worded(detail) for detail in row.details)
 
     def _words(self) -> str:
@@ -329,7 +333,7 @@ class PropertyPanel(Panel):
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))
 
     def _suggest(self) -> None:
-        """Show a button for each change that makes the strip possible, or that a remark suggests."""
+        """Show a button for each change that makes the strip possible, or that a message on the strip suggests."""
         self._preview(None)
         self._suggested = defaultdict(list)
         for suggestion in self._tried:
@@ -347,7 +351,9 @@ class PropertyPanel(Panel):
             button.setVisible(bool(text))
 
     def _begin_search(self) -> None:
-        """Search for changes that help, unless the user holds a mouse button or an earlier search still runs."""
+        """Start the search for suggestions, unless the user is pressing a mouse button or an earlier search
+        is running.
+        """
         if self._refused is None:
             return
         runs = self._search is not None and not self._search.done()
@@ -359,7 +365,7 @@ class PropertyPanel(Panel):
         self._look.start()
 
     def _end_search(self) -> None:
-        """Show the changes when the search has ended, unless the request has changed since."""
+        """Show the suggestions when the search has ended, unless the request has changed in the meantime."""
         if not self._search.done():
             self._look.start()
         elif self._searched is self._refused:
@@ -383,7 +389,7 @@ class PropertyPanel(Panel):
         self._overlay.show_nearest(*(strip.rod.position for strip in strips))
 
     def _take(self, number: int) -> None:
-        """Apply a suggested change to the features that it is for."""
+        """Apply a suggested change."""
         for obj, change in [*self._suggested.values()][number]:
             if isinstance(change, Suggestion) and change.change.field in DRAWN:
                 sketch, _ = obj.Curve
@@ -435,7 +441,7 @@ class PropertyPanel(Panel):
             Gui.Selection.clearSelection()
             Gui.Selection.addObserver(
                 self, 0
-            )  # with the full path, because parts seen through a link belong to the link
+            )  # with the full path, because a part that is displayed through a link is a part of the link
             source, _ = getattr(self.object, self.layout.source) or (None, ())
             if source is not None:
                 source.Visibility = True
@@ -447,25 +453,28 @@ class PropertyPanel(Panel):
 
 
 class _ChangeButton(QtWidgets.QPushButton):
-    """Button of a suggested change. It calls `preview` with its number, or with None when the mouse leaves it."""
+    """Button of a suggested change.
+
+    It calls `preview` with its number when the mouse enters it, and with None when the mouse leaves.
+    """
 
     def __init__(self, number: int, preview: Callable[[int | None], None]) -> None:
         super().__init__()
         self._number, self._preview = number, preview
 
     def enterEvent(self, event: Any) -> None:
-        """Show the change."""
+        """Show the curve of the suggested change."""
         self._preview(self._number)
         super().enterEvent(event)
 
     def leaveEvent(self, event: Any) -> None:
-        """Hide the change."""
+        """Hide the curve of the suggested change."""
         self._preview(None)
         super().leaveEvent(event)
 
 
 def table_of(rows: Sequence[Row]) -> str:
-    """Return rows as the text of a label; empty for none."""
+    """Return rows as a table in HTML for a label, or "" if there are none."""
     table = "".join(
         f"<tr><td>{worded(row.label)}&nbsp;&nbsp;</td><td{STYLES.get(row.severity, '')}>"
         f"{html_text(worded(row.text))}</td></tr>"
@@ -475,7 +484,7 @@ def table_of(rows: Sequence[Row]) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Return the number of a quantity. Other values stay as they are."""
+    """Return the number of a quantity. Other values are returned unchanged."""
     return getattr(value, "Value", value)
 
 

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel for rails, pins, ties and loads of a strip: placed by clicks, moved by their marks, or by numbers."""
+"""The panel for rails, pins, ties and loads of a strip.
+
+They are placed by clicks, and moved by dragging or by numbers.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -39,16 +42,17 @@ from elastica_cad.mechanics.loads import PointMass, Weight
 
 Places = list[tuple[float, float]]
 
-PLACE_DIGITS = 2  # of places, mm
+PLACE_DIGITS = 2  # decimals of positions, mm
 USUAL_FORCE_N, USUAL_MASS_G = (0.0, -1.0), 10.0
 PROPERTIES = ("Between", "Loads")
 
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of element or load: number of clicks, and function that makes it from points on the curve.
+    """A kind of element or load: the number of clicks that place it, and the function that makes it.
 
-    The function takes the points of the clicks (x, y) and their distances along the curve, mm.
+    The arguments of the function are the points (x, y) of the clicks, and their distances along the curve,
+    mm.
     """
 
     clicks: int
@@ -65,11 +69,16 @@ KINDS = {
     QT_TRANSLATE_NOOP("Elastica", "Force"): Kind(1, lambda _, places: PointForce(places[0], USUAL_FORCE_N)),
     QT_TRANSLATE_NOOP("Elastica", "Hung mass"): Kind(1, lambda _, places: PointMass(places[0], USUAL_MASS_G)),
 }
-"""Rails and pins keep their point in space, ties and loads their fraction of the length."""
+"""Kinds of elements and loads. If the curve changes, rails and pins keep their point in space, ties and
+loads their position as a fraction of the length.
+"""
 
 
 class RailsPanel(Panel):
-    """Edits the properties Between and Loads of a strip. The overlay follows a dragged mark."""
+    """Panel that edits the properties Between and Loads of a strip.
+
+    The overlay is updated while a mark is dragged.
+    """
 
     file = "rails"
     icon_name = "Elastica_Rails"
@@ -97,7 +106,7 @@ class RailsPanel(Panel):
         with self.telling():
             self._show()
 
-    # --- the user's input
+    # --- input by the user
 
     def changed(self) -> None:
         """Write the numbers of the chosen element into the strip, and recompute the document."""
@@ -114,13 +123,13 @@ class RailsPanel(Panel):
                 record_value(self.object, name, value)
 
     def closed(self) -> None:
-        """Stop picking, and remove the marks from the view."""
+        """Stop observing the selection, and remove the marks from the view."""
         Gui.Selection.removeObserver(self)
         self.let_go()
         super().closed()
 
     def let_go(self) -> None:
-        """Remove the handles, which hold the view."""
+        """Remove the handles, because they refer to the view."""
         if self.handles is not None:
             self.handles.remove()
             self.handles = None
@@ -128,8 +137,9 @@ class RailsPanel(Panel):
     def addSelection(
         self, document: str, _name: str, element: str, place: tuple[float, float, float]
     ) -> None:
-        """Take a place of the curve that the user clicks in the view."""
-        if not element or document != self.object.Document.Name:  # chosen in the tree
+        """Use a point of the curve that the user clicks in the view."""
+        # the selection was made in the tree or in another document
+        if not element or document != self.object.Document.Name:
             return
         x, y, _ = self.drawn.world.inverse().multVec(App.Vector(*place))
         self.clicked((x, y))
@@ -175,11 +185,14 @@ class RailsPanel(Panel):
         self._show_numbers()
 
     def _dragged(self, mark: int, point: tuple[float, float]) -> None:
-        """Move an element along the curve with its mark. The strip is computed when the mouse is released."""
+        """Move an element along the curve while its mark is dragged.
+
+        The strip is computed when the mouse is released.
+        """
         self.chosen, key = self._keys()[mark]
         try:
             place = self._distance(point)
-        except InputError:  # the mouse is off the curve
+        except InputError:  # raised if the mouse is not near the curve
             return
         item = self.items[self.chosen]
         kept = isinstance(getattr(item, key), tuple)
@@ -191,7 +204,7 @@ class RailsPanel(Panel):
     # --- places
 
     def _distance(self, point: tuple[float, float]) -> float:
-        """Return the distance along the drawn curve, mm, of the place nearest to a point."""
+        """Return the distance along the drawn curve, mm, to the point of the curve nearest to `point`."""
         curve = self._along()
         return round(float(PlacedElement.on(Pin(point), curve, curve).s[0]), PLACE_DIGITS)
 
@@ -200,16 +213,16 @@ class RailsPanel(Panel):
         return x, y
 
     def _along(self) -> Any:
-        """Return the curve along which places are measured."""
+        """Return the curve along which positions are measured."""
         rod_spec = self.spec.rod_spec
         return rod_spec.drawn or rod_spec.curve
 
     def _keys(self) -> list[tuple[int, str]]:
-        """Return the item and the field of each mark."""
+        """Return, for each mark, the number of its item and the name of the field with its position."""
         return [(i, key) for i, item in enumerate(self.items) for key in keys_of(item)]
 
     def _marks(self) -> FloatArray:
-        """Return the places (k, 2) of all marks on the drawn curve."""
+        """Return the points (k, 2) of all marks on the drawn curve."""
         places = [place for item in self.items for place in places_of(item)]
         points = [place if isinstance(place, tuple) else self._point(place) for place in places]
         return np.array(points, dtype=float).reshape(-1, 2)
@@ -227,7 +240,7 @@ class RailsPanel(Panel):
             return PointMass(place, self.value("mass"))
         return replace(item, at=self._point(place) if self.value("fixed") else place)
 
-    # --- what the panel shows
+    # --- display
 
     def _write(self) -> None:
         for name, lines in acting_lines(self.items).items():
@@ -287,7 +300,7 @@ class RailsPanel(Panel):
         return self._distance(place) if isinstance(place, tuple) else float(place)
 
     def _draw(self) -> Answer:
-        """Draw marks and thrust line, and return the verdict."""
+        """Draw marks and thrust line, and return the result of the check."""
         try:
             elements = tuple(item for item in self.items if not is_load(item))
             spec = self.spec.changed(between=elements, loads=tuple(filter(is_load, self.items)))

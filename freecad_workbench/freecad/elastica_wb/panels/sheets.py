@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of the sheet library: built-in sheets with their sources, and the user's sheets."""
+"""The panel of the sheet library: built-in sheets with the sources of their data, and the user's sheets."""
 
 from dataclasses import replace
 from typing import Any
@@ -19,7 +19,7 @@ NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "pois
 
 
 class SheetsPanel(Panel):
-    """Shows a sheet. Save stores a changed sheet under a new name; Cancel discards the change."""
+    """Panel that shows a sheet. Save stores a changed sheet under a new name, and Cancel discards the changes."""
 
     file = "sheets"
     icon_name = "Elastica_Sheets"
@@ -36,7 +36,7 @@ class SheetsPanel(Panel):
         self.shown()
 
     def shown(self, *_: Any) -> None:
-        """Show the numbers of the selected sheet."""
+        """Show the data of the selected sheet."""
         name = self.value("sheets")
         self.seen = sheet = self.own.get(name) or sheet_called(name)
         self.form.name.setText(name)
@@ -52,7 +52,7 @@ class SheetsPanel(Panel):
         ))  # fmt: skip
 
     def remove(self, *_: Any) -> None:
-        """Remove one of the user's sheets."""
+        """Remove the selected sheet, which must be one of the user's sheets."""
         if self.own.pop(self.value("sheets"), None) is None:
             self.show_message(translate("Elastica", "Built-in sheets stay: keep yours under another name."))
             return
@@ -60,13 +60,13 @@ class SheetsPanel(Panel):
         self.shown()
 
     def sheet(self) -> Sheet:
-        """Return the sheet that the widgets describe."""
-        # widgets round: unchanged numbers keep their full precision, and nominal numbers stay nominal
+        """Return the sheet that the widgets define."""
+        # only numbers that the user has changed, because widgets round the displayed numbers
         typed = {field: self.value(field) for field in NUMBERS if self.value(field) != self.filled[field]}
-        # the observed range of another number does not apply to a typed number
+        # remove the published range of a property for which the user typed another number
         ranges = {f"{field}_range": None for field in typed if hasattr(self.seen, f"{field}_range")}
         name, source = self.form.name.text().strip(), " ".join(self.form.source.toPlainText().split())
-        if typed.get("shear_modulus") == 0:  # an empty field: the modulus is estimated
+        if typed.get("shear_modulus") == 0:  # the field is empty, so the modulus is estimated
             typed["shear_modulus"] = None
         return replace(self.seen, name=name, source=source, **typed, **ranges)
 
@@ -78,7 +78,7 @@ class SheetsPanel(Panel):
         changed = {name: sheet for name, sheet in self.own.items() if self.before.get(name) != sheet}
         removed = self.before.keys() - self.own.keys()
         if changed or removed:
-            # keep sheets that another window saved meanwhile
+            # includes sheets that another window has saved in the meantime
             now = own_sheets() | changed
             save_own_sheets(sheet for name, sheet in now.items() if name not in removed)
             keep_sheets()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of the tolerance study: it bends many varied strips and shows a plot and a table."""
+"""The panel of the tolerance study, which bends many strips with random errors and shows a chart and a table."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import Any
@@ -19,7 +19,7 @@ from elastica_cad.refusals import Length, note
 
 
 class TolerancePanel(Panel):
-    """Runs on request. The user can stop it and see the results up to then."""
+    """Panel that runs the study on request. The user can stop it and see the results so far."""
 
     file = "tolerance"
     icon_name = "Elastica_Tolerance"
@@ -75,13 +75,13 @@ class Stopped(Exception):  # noqa: N818 - not an error, but a decision of the us
 
 
 class Watched:
-    """An executor that works in this thread and shows its progress after every task."""
+    """Executor that runs tasks in this thread, and shows its progress after every task."""
 
     def __init__(self, title: str) -> None:
         self._title = title
 
     def map(self, work: Callable[..., Any], *arguments: Iterable[Any], **_chunks: int) -> Iterator[Any]:
-        """Yield the results one by one, like `concurrent.futures`.
+        """Yield the result of each task, as `map` of the executors in `concurrent.futures` does.
 
         Raises
         ------
@@ -96,11 +96,13 @@ class Watched:
                 yield work(*task)
 
 
-ROW, WIDTH = 24, 300  # px: height of a row, width of the picture
+ROW, WIDTH = 24, 300  # height of a row, and width of the chart, pixels
 
 
 def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
-    """Draw rows (name, usual, worst), mm, with a dark bar for the usual value and a light bar for the worst."""
+    """Draw a chart of rows (name, usual value, worst value), mm, with a dark bar for the usual value and a
+    light bar for the worst.
+    """
     largest = max((worst for _, _, worst in rows), default=0.0) or 1.0
     picture = QtGui.QPixmap(WIDTH, ROW * len(rows) + 10)
     picture.fill(QtGui.QColor("white"))

@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Solved strips and their shapes, cached by request."""
+"""Computation of strips and their shapes, with caches."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Strips and nearest curves by request. Equal requests are solved once."""
+"""Cached strips and nearest curves. Equal requests are computed once."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -40,9 +40,12 @@ Result = TypeVar("Result")
 
 
 def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
-    """Cache results and errors by arguments: of a hundred strips the present and the previous ones, for undo.
+    """Cache the results and errors of a function.
 
-    FreeCAD recomputes a failed object at each change of the document, also if the change is unrelated.
+    The size suffices for the current and previous state of a hundred strips.
+
+    Errors are cached because FreeCAD recomputes a failed object at each change of the document, also if the
+    change is unrelated.
     """
 
     @lru_cache(maxsize=256)
@@ -56,7 +59,7 @@ def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
     def result_or_error(*arguments: Any) -> Result:
         result = outcome(*arguments)
         if isinstance(result, ElasticaError):
-            raise result.with_traceback(None)  # without the frames of earlier calls
+            raise result.with_traceback(None)  # without the traceback of earlier calls
         return result
 
     return result_or_error
@@ -68,24 +71,27 @@ STEPS, FINER = 641, 21
 def sharpest_bend(
     curve: PlaneCurve, rest: NaturalCurvature, samples: CurveSamples | None = None
 ) -> tuple[float, float]:
-    """Return the largest curvature change of a strip along a curve, 1/mm, and its position, mm.
+    """Return the largest change of curvature, 1/mm, from the natural curvature of a strip to a curve, and its
+    position, mm.
 
-    The steps around the largest value are searched again with finer steps.
+    The search is repeated with smaller steps near the largest value.
     """
     samples = curve.sample(STEPS) if samples is None else samples
     s, t = samples.s, samples.t
     most = int(np.argmax(np.abs(samples.curvature - nodal_curvature(rest, s))))
     fine = np.linspace(t[max(most - 1, 0)], t[min(most + 1, t.size - 1)], FINER)
-    places = np.append(np.interp(fine, t, s), s[-1])  # a pre-bent strip is as long as its curve
+    # positions on the pre-bent strip equal positions on the curve, because both have the same length
+    places = np.append(np.interp(fine, t, s), s[-1])
     bend = np.abs(curve.curvature_at(np.append(fine, t[-1])) - nodal_curvature(rest, places))
     best = int(np.argmax(bend))
     return float(bend[best]), float(places[best])
 
 
 MANY_HOLES = 100
-HEADROOM = 1.003  # times less curvature than the limit, for a rod whose curve is drawn as a spline
-STRICTER, BEYOND = 4, 1.3  # largest number of searches; factor on the excess over the limit
-AS_DRAWN_MM = 0.05  # a curve whose nearest curve is closer than this keeps all limits
+HEADROOM = 1.003  # factor by which the curvature limit is reduced for a rod whose curve is drawn as a spline
+# largest number of searches; factor by which each search corrects the excess over the limit
+STRICTER, BEYOND = 4, 1.3
+AS_DRAWN_MM = 0.05  # a curve that is nearer than this, mm, to its nearest curve meets all limits
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
 
@@ -100,7 +106,7 @@ def solve_strip(spec: StripSpec) -> Strip:
     Raises
     ------
     ElasticaError
-        The strip cannot be made; the message states the problem, its place and a solution.
+        The strip cannot be made. The message states the problem, its position and an instruction.
     """
     spec = _first_equal(spec.in_plane)
     return in_background(SEARCHING, _strip, spec) if spec.may_change else _strip(spec)
@@ -108,7 +114,7 @@ def solve_strip(spec: StripSpec) -> Strip:
 
 @remembered
 def changes_that_help(spec: StripSpec, fields: tuple[str, ...]) -> tuple[Suggestion, ...]:
-    """Return the changes of these fields that make a refused strip possible. The search takes seconds."""
+    """Return changes of the given fields that make a refused strip possible. The search takes some seconds."""
     try:
         _strip(spec.in_plane)
     except ElasticaError as problem:
@@ -117,32 +123,32 @@ def changes_that_help(spec: StripSpec, fields: tuple[str, ...]) -> tuple[Suggest
 
 
 def moved_by_smoothing(spec: StripSpec) -> float:
-    """Return how far smoothing moves the curve of a request that is solved, mm."""
+    """Return the distance, mm, by which smoothing moves the curve of a request."""
     return _first_equal(spec.in_plane).rod_spec.smoothing.moved
 
 
 @remembered
 def _first_equal(spec: StripSpec) -> StripSpec:
-    """Return the first of equal requests, which has computed its smoothing already."""
+    """Return the first of equal requests, whose smoothing is already computed."""
     return spec
 
 
 def find_nearest(spec: RodSpec) -> NearestRod:
-    """Return the rod nearest to a curve that may change."""
+    """Return the nearest rod within the limits of a request."""
     return in_background(SEARCHING, find_rod, spec)
 
 
 def find_nearest_to_draw(spec: RodSpec) -> NearestRod:
-    """Return the nearest rod for a curve to be drawn. Its spline also keeps the limits."""
+    """Return the nearest rod for drawing its curve: the spline of the curve is also within the limits."""
     return in_background(SEARCHING, find_nearest_now, spec)
 
 
 @remembered
 def find_nearest_now(spec: RodSpec) -> NearestRod:
-    """Return the same as `find_nearest_to_draw`, in this thread and without a progress bar.
+    """Do the same as `find_nearest_to_draw`, in this thread and without a progress bar.
 
-    The curvature of a spline differs from that of its rod by some thousandths. Therefore the rod keeps the same
-    distance from its limits.
+    The curvature of a spline differs from that of its rod by some thousandths. Therefore the limits of the
+    rod are stricter by this amount.
     """
     limits = spec.limits
     most = None if limits is None else limits.largest_curvature
@@ -160,15 +166,18 @@ def find_nearest_now(spec: RodSpec) -> NearestRod:
     return find_rod(spec)
 
 
-ROOMS = (1.1, 1.25, 1.5)  # times stricter limits, tried in turn: a curve with few poles differs from its rod
-FARTHER, NEAR_SHARE = 3, 0.01  # times as far away, or in lengths: so much few poles are worth
+# factors by which limits are stricter, tried in turn, because a curve with few poles differs from its rod
+ROOMS = (1.1, 1.25, 1.5)
+# largest distance that is accepted for a curve with few poles: a multiple of that of the nearest curve, or a
+# fraction of the length
+FARTHER, NEAR_SHARE = 3, 0.01
 SPANS = (8, 12, 16, 20)
 
 
 def find_nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
-    """Return a nearest curve with few enough poles to drag, and a message on its extra deviation.
+    """Return a nearest curve with few enough poles for dragging, and a message on its larger deviation.
 
-    If few poles cannot keep the limits, return the nearest curve with all its poles.
+    If no such curve is within the limits, return the nearest curve with all its poles.
     """
     return in_background(SEARCHING, _nearest_to_drag, spec)
 
@@ -202,14 +211,14 @@ def _nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
 
 
 def _keeps_limits(spec: RodSpec) -> bool:
-    """Return True if the curve itself can be bent within the limits."""
+    """Return True if a strip can be bent into the curve of the request within the limits."""
     most, ratio = spec.limits.largest_curvature, spec.limits.ratio
     if most is not None and sharpest_bend(spec.curve, spec.natural_curvature)[0] > most * (1 + STRAIN_SLACK):
         return False
     try:
         if ratio is not None and find_rod(replace(spec, limits=None, keep=None)).ratio > ratio:
             return False
-        again = find_rod(spec)  # the slow search comes last
+        again = find_rod(spec)  # checked last, because the search is slow
     except ElasticaError:
         return False
     return bool(again.met and again.deviation <= AS_DRAWN_MM)
@@ -225,7 +234,9 @@ def judged(rod: Rod) -> Stability | None:
 
 @remembered
 def held_shape(strip: Strip) -> HeldShape | None:
-    """Return the shape of a strip as made, with its ends held as designed. None if it is far from the design."""
+    """Return the shape of a strip as cut, with its ends held as designed, or None if the shape is far from
+    the design.
+    """
     try:
         return strip.held()
     except NotConvergedError:
@@ -234,8 +245,11 @@ def held_shape(strip: Strip) -> HeldShape | None:
 
 @remembered
 def bent_shape(strip: Strip) -> Part.Shape:
-    """Return the bent strip with its curve in the xy plane. A laminate has both layers."""
-    # thousands of holes take seconds: compute them in a thread, with a progress bar that can be cancelled
+    """Return the body of the bent strip, with its curve in the xy plane.
+
+    The body of a laminate has both layers.
+    """
+    # bodies with thousands of holes take seconds, so they are computed in a thread, with a progress bar
     many = len(strip.holes) > MANY_HOLES
     layers = (
         in_background(QT_TRANSLATE_NOOP("Elastica", "Bending the strip"), _bent, strip)
@@ -257,7 +271,7 @@ def _bent(strip: Strip) -> tuple[BodyRecord, ...]:
 
 @remembered
 def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
-    """Return one layer of the strip as cut, in the xy plane."""
+    """Return the body of a layer of the strip as cut, in the xy plane."""
     records = FlatSolid.layers(strip)
     if strip.layout.stack is not None:
         return Part.Compound([make_solid(record) for record in glued(records)])
@@ -267,7 +281,7 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
 
 @remembered
 def find_rod(spec: RodSpec) -> Any:
-    """Return the rod, or the nearest rod if the curve may change."""
+    """Return the rod of a request, or the nearest rod if the curve may be changed."""
     return solve_rod(spec)
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Verdicts on curves and strips: can, cannot or breaks, with the reasons in words."""
+"""Results of the checks of curves and strips (possible, impossible, would break), with reasons in words."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 SLENDER = 2.0
-"""Smallest ratio of length to width for which a strip bends as a rod."""
+"""Smallest ratio of length to width for which a strip can be modelled as a rod."""
 
 
 @dataclass(frozen=True)
@@ -33,12 +33,10 @@ class Fault:
     Attributes
     ----------
     words : str
-        A few words for a headline.
-    sentence : str
-    number : str
-        Property of a strip with the number that is out of bounds.
+        Short text for a heading. sentence : str Text as a full sentence. number : str Name of the property
+        with the result that is beyond its limit.
     curve_helps : bool
-        Whether the nearest curve within limits may be without it.
+        True if the nearest curve within limits may not have this fault.
     """
 
     words: str
@@ -71,7 +69,7 @@ def strip_faults(strip: Strip) -> Iterator[Fault]:
 
 
 def width_fault(length: float, width: float | None) -> Fault | None:
-    """Return the fault of a strip that is too wide for its length (mm), or None."""
+    """Return the fault of a strip that is too wide for its length (both mm), or None."""
     if width is None or length >= SLENDER * width:
         return None
     sentence = note(
@@ -91,17 +89,19 @@ def strain_words(verdict: StrainVerdict) -> str:
 
 
 def is_bent_beforehand(strip: Strip) -> bool:
-    """Return True if a strip is bent before assembly."""
+    """Return True if a strip is pre-bent before assembly."""
     return bool(np.any(strip.rod.natural_curvature))
 
 
 def pre_bend_messages(named: Iterable[tuple[str, Strip]]) -> list[str]:
-    """Return how named strips are bent before assembly, with one message for strips that are bent alike."""
+    """Return instructions for named strips that are pre-bent before assembly: one message for all strips with
+    the same pre-bend.
+    """
     return together((name, pre_bend_message(strip)) for name, strip in named)
 
 
 class Verdict(Enum):
-    """Possible verdicts on a curve."""
+    """Possible results of the check of a curve."""
 
     CAN = "can"
     BREAKS = "breaks"
@@ -111,7 +111,7 @@ class Verdict(Enum):
 
 @dataclass(frozen=True)
 class Answer:
-    """A verdict with a short text, an explanation, and whether another curve may help."""
+    """Result of a check: the verdict, a short text, an explanation, and True if another curve may help."""
 
     verdict: Verdict
     words: str
@@ -122,7 +122,7 @@ class Answer:
 def quick_answer(
     curve: PlaneCurve, samples: CurveSamples, spec: StripSpec, check: EquilibriumCheck
 ) -> Answer:
-    """Return the verdict that needs no search: equilibrium, strain of the skin, widths."""
+    """Return the result of the checks that need no search: equilibrium, strain at the surface, widths."""
     if check.undecided is not None:
         return _undecided(check)
     if not check.realizable:
@@ -134,7 +134,7 @@ def quick_answer(
 
 
 def strip_answer(strip: Strip) -> Answer:
-    """Return the verdict on a finished strip."""
+    """Return the result of the checks of a finished strip."""
     faults, check = list(strip_faults(strip)), strip.rod.check
     if faults:
         return _failing(faults)
@@ -153,7 +153,7 @@ def _failing(faults: list[Fault]) -> Answer:
 
 
 def refusal_answer(error: ElasticaError) -> Answer:
-    """Return the verdict for an error: the cause is the curve, or a request for the strip."""
+    """Return the result for an error, which is caused by the curve or by an option of the strip."""
     if isinstance(error, NotRealizable):
         if isinstance(error.check, EquilibriumCheck) and error.check.undecided is not None:
             return _undecided(error.check)
@@ -165,7 +165,7 @@ def refusal_answer(error: ElasticaError) -> Answer:
 
 
 def sentence_of(answer: EquilibriumCheck | Strip | ElasticaError) -> str:
-    """Return an answer as one sentence for the status bar."""
+    """Return the result of a check, a strip or an error as a sentence for the status bar."""
     if isinstance(answer, Strip):
         return note(
             "A pre-bent strip takes this curve: {width} wide, stiffness ratio {ratio:.3g}, strain {used} % "
