@@ -56,7 +56,7 @@ def test_taper_and_weight():
 
 @pytest.mark.parametrize(
     ("end", "length", "side", "says"),
-    [((70, 0), 60.0, 1, "longer"), ((0, 0), 60.0, 1, "must not be 0"), ((70, 0), 80.0, 2, "side is 2")],
+    [((70, 0), 60.0, 1, "longer"), ((0, 0), 60.0, 1, "larger than 0"), ((70, 0), 80.0, 2, "side is 2")],
 )
 def test_refused(end, length, side, says):
     with pytest.raises(InputError, match=says):

@@ -60,11 +60,11 @@ class TestLaminateWithWeight:
 
     @pytest.mark.parametrize("options", [{"keep": Keep()}, {"natural_curvature": 1e-3}])
     def test_follows_its_curve_exactly(self, options):
-        with pytest.raises(InputError, match="a laminate can follow only a drawn curve"):
+        with pytest.raises(InputError, match="a laminate can only be made for the drawn curve"):
             make_strip(ARCH, "card-200gsm", style=self.STYLE, gravity=True, **options)
 
     def test_gravity_of_another_sheet(self):
-        with pytest.raises(InputError, match="must be upright"):
+        with pytest.raises(InputError, match="Make this plane vertical"):
             make_strip(ARCH, "card-200gsm", style=self.STYLE, gravity=Gravity(50.0, (0, -1)))
 
 

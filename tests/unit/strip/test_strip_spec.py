@@ -152,7 +152,7 @@ class TestLoads:
         [
             ({"gravity": None}, "loads need gravity"),
             ({"gravity": (0, 0, -1), "frame": LEVEL}, "loads need gravity"),
-            ({"gravity": True, "limits": Limits(ratio=3)}, "must follow its curve exactly"),
+            ({"gravity": True, "limits": Limits(ratio=3)}, "can only be made for the drawn curve itself"),
         ],
     )
     def test_refusals(self, fields, match):
@@ -186,7 +186,7 @@ class TestLoads:
         ({"max_width": None}, "needs max_width or min_width"),
         (
             {"samples": 99, "limits": Limits(ratio=3)},
-            "samples can be set only for a strip",
+            "samples can only be set if the strip",
         ),
     ],
 )
