@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
+from typing import TypeVar
 
 import numpy as np
 
@@ -14,6 +15,8 @@ from elastica_cad.mechanics.loads import ExcessCurvature, NaturalCurvature, Supp
 from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.optimal_balance import balance_of
 from elastica_cad.mechanics.support_search import MOST_RATIO
+
+Found = TypeVar("Found")
 
 MOST_POINTS = 30
 """Largest number of control points for which the search is done."""
@@ -109,6 +112,56 @@ def move_one_point(
                 found.append((least, move))
         for least, move in sorted(found, key=lambda pair: pair[0]):
             yield move.index, move.at(least)
+
+
+def move_while_possible(
+    start: FloatArray,
+    end: FloatArray,
+    possible: Callable[[FloatArray], Found | None],
+    step: float,
+    halvings: int,
+) -> Found | None:
+    """Return the result at a possible place nearer to an impossible `end`, or None without one near `start`.
+
+    The way is straight, or else along x or y. It ends within `step` of the border of the possible places, or after
+    `halvings` trials. A caller that needs the border repeats the call from the place that was reached.
+
+    Parameters
+    ----------
+    start, end : ndarray, shape (2,) or (n, 2)
+        A possible place, or n places that move together, and the impossible end.
+    possible : callable
+        Returns a result for a possible place, and None for an impossible one.
+    step : float
+        Distance of places that are not told apart.
+    halvings : int
+        Largest number of trials after the first on a way.
+
+    Examples
+    --------
+    >>> def within(place):
+    ...     return place if np.hypot(*place) < 10 else None
+    >>> move_while_possible(np.zeros(2), np.array([30.0, 40.0]), within, 0.1, 9).round(1).tolist()
+    [6.0, 8.0]
+    """
+    way = end - start
+    axes = np.eye(2)[np.argsort(-np.abs(way).reshape(-1, 2).max(axis=0))]
+    for along in (way, *(way * axis for axis in axes)):
+        size = float(np.hypot(*along.T).max())
+        if size <= step:
+            continue
+        if along is not way and (found := possible(start + along)) is not None:
+            return found
+        low, high, found = step, size, possible(start + step / size * along)
+        for _ in range(halvings if found is not None else 0):
+            if high - low <= step:
+                break
+            middle = float(np.sqrt(low * high))
+            result = possible(start + middle / size * along)
+            low, high, found = (low, middle, found) if result is None else (middle, high, result)
+        if found is not None:
+            return found
+    return None
 
 
 @dataclass(frozen=True)

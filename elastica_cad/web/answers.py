@@ -29,7 +29,9 @@ from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.elements import NOUNS, PlacedElement, PointForce, Rail
 from elastica_cad.mechanics.loads import PointMass, Weight
+from elastica_cad.mechanics.point_search import move_while_possible
 from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet, cut_sheets
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
@@ -44,7 +46,7 @@ from elastica_cad.strip.lettering import text_strokes
 from elastica_cad.strip.solids import FlatSolid, PrismSolid
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
-from elastica_cad.strip.styles import Bends
+from elastica_cad.strip.styles import Bends, Plain
 from elastica_cad.strip.suggestions import Suggestion, suggest
 from elastica_cad.strip.summary import strip_rows
 from elastica_cad.strip.travel import bend_strip
@@ -61,6 +63,9 @@ Record = dict[str, Any]
 
 LEAST_STEP = 1e-3
 """Smallest tolerance, mm, to which the last possible position of a dragged point is searched."""
+
+HALVINGS = 2
+"""Largest number of trials per answer that reduce the distance of a dragged point to its last possible position."""
 
 PLACE_DIGITS = 6
 """Decimals of a position along the curve, mm. With fewer decimals, the rounded end could be beyond the curve."""
@@ -191,81 +196,83 @@ def _strip(request: Mapping[str, Any]) -> Record:
 
     On request, a dragged point stops at its last possible position.
     """
-    record = _shown_strip(request)
-    if "hold" not in request or "refused" not in record:
-        return record
-    place, stopped = _stopped(request, request["hold"])
-    return _shown_strip(stopped) | {"point": place}
+    spec, kept = _with_kept_fractions(request)
+    holds = "hold" in request
+    if holds and _is_too_sharp(spec):
+        return _stopped(request)
+    try:
+        rod, strip = _made(spec)
+    except ElasticaError as problem:
+        if holds:
+            return _stopped(request)
+        refusal = {"elements": _elements(spec)} | _drawn(spec) | refused(problem)
+        return _checked(spec, kept) | refusal
+    return _shown(spec, kept, rod, strip, bool(request.get("live")))
 
 
-def _shown_strip(request: Mapping[str, Any]) -> Record:
+def _checked(spec: StripSpec, kept: Record) -> Record:
+    """Return the check of a strip's curve, and the curve."""
+    check, drawn = spec.rod_spec.check, spec.rod_spec.drawn or spec.rod_spec.curve
+    path = {"points": _rounded(drawn.sample(DRAWN_NODES + 1).position, 3), "length": drawn.length}
+    return {"theorem": _theorem(check), "text": str(check), "path": path, "kept": kept}
+
+
+def _shown(spec: StripSpec, kept: Record, rod: Rod | NearestRod, strip: Strip, live: bool) -> Record:
     """Return the check, shape, flat part and numbers of a strip.
 
     The page requests them at every move of the pointer.
     """
-    spec, kept = _with_kept_fractions(request)
-    check, drawn = spec.rod_spec.check, spec.rod_spec.drawn or spec.rod_spec.curve
-    path = {"points": _rounded(drawn.sample(DRAWN_NODES + 1).position, 3), "length": drawn.length}
-    record: Record = {"theorem": _theorem(check), "text": str(check), "path": path, "kept": kept}
-    try:
-        rod = solve_rod(spec.rod_spec)
-        strip = spec.make(rod)
-    except ElasticaError as problem:
-        return record | {"elements": _elements(spec)} | _drawn(spec) | refused(problem)
+    record = _checked(spec, kept)
     record |= {"elements": _elements(spec, strip), "thrust": _thrust_line(strip.rod)}
     near = rod if isinstance(rod, NearestRod) else None
     record |= _shape(strip) | {
         "flat": _flat(strip.drawings()),
         "length": round(strip.rod.length, 2),
         "deviation": None if near is None else round(near.deviation, 3),
-        "rows": _rows(strip_rows(strip, near, quick=bool(request.get("live")))),
+        "rows": _rows(strip_rows(strip, near, quick=live)),
     }
     return record | (_drawn(spec) if spec.may_change else {})
 
 
-def _stopped(request: Mapping[str, Any], hold: Mapping[str, Any]) -> tuple[list[float], Record]:
-    """Return the last position of a dragged control point for which a strip is possible, and the request with it.
+def _made(spec: StripSpec) -> tuple[Rod | NearestRod, Strip]:
+    rod = solve_rod(spec.rod_spec)
+    return rod, spec.make(rod)
 
-    `hold` has the index of the point, its last possible position `from`, and the tolerance `step`, mm. The
-    point moves from there towards the requested position as far as possible, and then along x or y.
+
+def _stopped(request: Mapping[str, Any]) -> Record:
+    """Return the strip with the dragged control point nearer to its impossible position.
+
+    `request["hold"]` has the index of the point, its last possible position `from`, and the tolerance `step`, mm.
+    If the point cannot move, the record has only this position.
     """
-    design, k, step = request["design"], request.get("strip", 0), max(float(hold["step"]), LEAST_STEP)
+    hold, design, k = request["hold"], request["design"], request.get("strip", 0)
     strip = design["strips"][k]
+    curve, index = strip["curve"], hold["point"]
 
-    def moved(place: FloatArray) -> Record:
-        spline = [*strip["curve"]["spline"]]
-        spline[hold["point"]] = place.round(PLACE_DIGITS).tolist()
+    def shown(place: FloatArray) -> Callable[[], Record] | None:
+        spline = [*curve["spline"]]
+        spline[index] = place.round(PLACE_DIGITS).tolist()
         strips = [*design["strips"]]
-        strips[k] = strip | {"curve": strip["curve"] | {"spline": spline}}
-        return {**request, "design": design | {"strips": strips}}
+        strips[k] = strip | {"curve": curve | {"spline": spline}}
+        with suppress(ElasticaError):
+            spec, kept = _with_kept_fractions({**request, "design": design | {"strips": strips}})
+            if not _is_too_sharp(spec):
+                rod, made = _made(spec)
+                return lambda: _shown(spec, kept, rod, made, True) | {"point": spline[index]}
+        return None
 
-    def farthest(start: FloatArray, way: FloatArray) -> FloatArray:
-        size, low, high = float(np.hypot(*way)), 0.0, step
-        while high < size and _is_possible(moved(start + high / size * way)):
-            low, high = high, 2 * high
-        high = min(high, size)
-        while high - low > step:
-            middle = (low + high) / 2
-            low, high = (middle, high) if _is_possible(moved(start + middle / size * way)) else (low, middle)
-        return start + low / size * way if low else start
-
-    start, end = (np.array(xy, dtype=float) for xy in (hold["from"], strip["curve"]["spline"][hold["point"]]))
-    place = farthest(start, end - start)
-    for axis in np.argsort(-np.abs(end - place)):
-        along = farthest(place, np.where(np.arange(2) == axis, end - place, 0.0))
-        if np.any(along != place):
-            place = along
-            break
-    return place.round(PLACE_DIGITS).tolist(), moved(place)
+    start, end = (np.array(xy, dtype=float) for xy in (hold["from"], curve["spline"][index]))
+    found = move_while_possible(start, end, shown, max(float(hold["step"]), LEAST_STEP), HALVINGS)
+    return {"point": hold["from"]} if found is None else found()
 
 
-def _is_possible(request: Mapping[str, Any]) -> bool:
-    """Return True if the strip of a request can be made."""
-    with suppress(ElasticaError):
-        spec, _ = _with_kept_fractions(request)
-        spec.make(solve_rod(spec.rod_spec))
-        return True
-    return False
+def _is_too_sharp(spec: StripSpec) -> bool:
+    """Return True if the drawn curve alone shows that the strip would break. The rod is not computed."""
+    bends = spec.smooth or spec.natural_curvature or spec.loads or spec.gravity is not None
+    if spec.may_change or spec.ignore_limits or bends or not isinstance(spec.style, Plain):
+        return False
+    sharpest = float(np.abs(spec.curve.survey.curvature).max())
+    return judge_strain(spec.material, sharpest * spec.material.thickness / 2).refused
 
 
 def _with_kept_fractions(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:

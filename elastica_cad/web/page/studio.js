@@ -254,11 +254,12 @@ class Studio {
       this.wanted = null;
       this.curve(design).spline[k] = wanted;
       const answer = await this.channel.ask({ do: "strip", design, strip, length, live: true, hold: { point: k, from, step: 1 / this.drawing.view.scale } });
-      if (!answer || answer.refused) continue; // where even the last position is not possible, nothing moves
+      if (!answer?.position) continue; // the point stays at the border
       this.shown = answer.id;
       this.answered = answer;
       this.edit((curve) => { curve.spline[k] = answer.point ?? wanted; }, this.fresh);
       this.answered = null;
+      if (answer.point) this.wanted ??= wanted; // the border may be farther on
     }
     this.leading = false;
     if (this.drawing.grabbed == null) this.released();
