@@ -52,7 +52,7 @@ class Constraint(ABC):
 def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
     """Return at most MOST_ROWS of the `indices`.
 
-    Local maxima of `urgency` (n,) have priority, and the rest is evenly spaced.
+    Indices of local maxima of `urgency` (n,) are selected first. The other selected indices are evenly spaced.
 
     If a step violates an omitted row, the next quadratic program contains it as a local maximum.
     """
@@ -144,7 +144,7 @@ class EndForce(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class Through(Constraint):
-    """The rod passes through `target`, near the fraction `place` (0..1) of its length."""
+    """Condition that the rod passes through `target`, near the fraction `place` (0..1) of its length."""
 
     name: str = "points"
     target: tuple[float, float] = (0.0, 0.0)
@@ -193,7 +193,7 @@ class Through(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class InflectionLine(Constraint):
-    """The moment is 0 on the line through `point` along `direction`.
+    """Condition that the moment is 0 on the line through `point` along `direction`.
 
     Without weight, the moment M = a + <b, gamma> is defined in the whole plane.
     """
@@ -296,14 +296,14 @@ _CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
 
 
 def _cubic_shares(u: float) -> tuple[FloatArray, FloatArray]:
-    """Return weights (4,) for the value at u of the cubic through values at 0, 1, 2, 3, and for its derivative."""
+    """Return the weights (4,) of values at 0, 1, 2, 3 in a cubic interpolation at u, and in its derivative."""
     return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
 
 
 # fraction of a limit above which a value enters the quadratic program, because a step may reach the limit
 _NEAR = 0.6
 _STEP = 1e-5  # relative step of K in finite differences of the strain
-_ROOM = 0.01  # reserve for larger curvatures between nodes, as a fraction of the largest stiffness
+_ROOM = 0.01  # safety margin for larger curvatures between nodes, as a fraction of the largest stiffness
 # relative step of K and curvature in finite differences of dM/dkappa; it is large, to smooth kinks
 _TANGENT_STEP = 1e-3
 
@@ -320,7 +320,7 @@ class MarginLimit(Constraint):
 
     @property
     def scale(self) -> float:
-        """Difference from the required margin that is scaled to 1."""
+        """Unit of the values: difference from the required margin."""
         return max(10.0, abs(self.limit))
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
@@ -348,7 +348,7 @@ class MarginLimit(Constraint):
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
         """Return the derivatives with respect to K (n+1,) and M (n+1,), from those with respect to dM/dkappa.
 
-        The latter are None if M has no effect.
+        The derivatives with respect to M are None if M has no effect.
         """
         _ = rod
         return by_tangent.copy(), None
@@ -409,7 +409,7 @@ class LargestSection(Constraint):
     price: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the largest stiffness at each node over its stiffness, minus 1 and a reserve (n+1,)."""
+        """Return the ratio of largest to present stiffness at the nodes (n+1,), minus 1 and a safety margin."""
         most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
         return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _ROOM)
 

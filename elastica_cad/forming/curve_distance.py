@@ -79,7 +79,7 @@ class TargetCurve:
         return np.asarray(s)
 
     def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
-        """Return 1 - kappa d, the slope in Newton's method for nearest places; it is kept away from 0."""
+        """Return the slope 1 - kappa d in Newton's method for nearest points; the least value is 0.3."""
         i = np.rint(s * (self.position.shape[0] - 1)).astype(int)
         direction = self._directions[i]
         off = points - position
@@ -228,16 +228,16 @@ class LargestDistance:
         return float((self.factors * np.hypot(off[:, 0], off[:, 1])).max())
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return a model in which the distances of the farthest nodes are the peaks."""
+        """Return a local model of the largest distance, from the nodes with the largest distances."""
         _, normal = offsets(self.target, rod)
         signed, far = self._peaks(rod)
         p = rod.z.size
         across = _across(normal, sensitivities)
         slopes = self.factors[far, None] * across[far]
-        # distance in equilibrium, where a node may be on the other side of the target
+        # signed distance in equilibrium; it is negative if a node is on the other side of the target
         at = signed[far] + slopes[:, p]
         rows = np.sign(at)[:, None] * slopes[:, :p]
-        # the small mean-square term selects one of several steps with equal peaks
+        # the small mean-square term selects one of several steps with the same largest distance
         return LocalModel(
             0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
         )
@@ -279,9 +279,9 @@ def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
 
 
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
-    """Return a model of half the mean square of r + J d, weighted by `shares` (k,).
+    """Return a model of half the mean square of r + J d as a function of d, with the weights `shares` (k,).
 
-    The last column of J is first added to r.
+    The last column of J is not multiplied by d, but added to r.
     """
     p, roots = J.shape[1] - 1, np.sqrt(shares)
     A = J * roots[:, None]

@@ -28,7 +28,7 @@ _FIRST_SPANS, _MOST_SPANS = 24, 240
 _SHORTEST_SPAN = 1e-3  # shortest span in rod lengths; shorter spans would fit rounding errors
 _SAME_LENGTHS = 1e-6  # distance of an inflection from an end, in rod lengths, below which it is at the end
 _PARDONED = 2.0  # largest accepted error, as a multiple of the tolerance, if more spans do not reduce it
-# factor on the number of edges; the second rod of the extrapolation has twice as many
+# factor on the number of edges for the first rod of the extrapolation; the second rod has twice as many edges
 _FINER = 4
 
 
@@ -164,7 +164,7 @@ def _continuous(rod: Rod) -> _Shape:
     kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
     kappa_0 = np.interp(s, rod.s / size, kappa_0)
     bends, (start, end) = _zeros(s, curvature - kappa_0), rod.supports.ends
-    # zeros near an end that is free to turn are rounding errors of the zero at that end
+    # the curvature is zero at an end that is free to turn; zeros near that end are rounding errors
     bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
     position = (position - position[0]) / size
@@ -209,7 +209,8 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = left_of(along[2:])
-    # only a rest curvature requires unit speed, because zero curvature does not depend on the speed
+    # only a rest curvature requires unit speed, because an inflection does not depend on the speed of the
+    # parametrization
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
         [

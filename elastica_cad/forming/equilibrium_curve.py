@@ -133,7 +133,7 @@ class EquilibriumCurve:
         angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
         K = self.balance.stiffness.at(*self.balance.panels.locate(nodes.t)) / self.scale
         _, b = self.line
-        force = np.tile([-b[1], b[0]], (angles.size, 1))  # lambda is b rotated by a right angle
+        force = np.tile([-b[1], b[0]], (angles.size, 1))  # the force lambda is b rotated by a right angle
         return DiscreteRod(K, angles, force, self.curve.length / angles.size, start=nodes.position[0])
 
     @property

@@ -39,8 +39,9 @@ SEEN = 1e-3
 """Smallest displacement, mm, that is reported."""
 
 STEP_MM, STEP_SHARE = 0.2, 0.02
-"""Steps of the width up to these limits are not smoothed: in mm, and as a fraction of the width. A step must
-exceed both."""
+"""Limits, in mm and as a fraction of the width, below which a step of the width is not smoothed.
+
+A step that is smoothed exceeds both limits."""
 
 MOST_WORSE = 1.05
 """Largest factor by which automatic smoothing may increase the stiffness ratio."""
@@ -316,7 +317,7 @@ def _faired(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fair
     """Return the curve smoothed by at most `smooth`, mm, with slight corners rounded."""
     rounded, moved = round_corners(curve, smooth)
     require_bendable(rounded)
-    if measured_points(curve) is not None:  # such a curve is smooth already, because it was fitted anew
+    if measured_points(curve) is not None:  # curves fitted to measured points are already smooth
         return Fairing(rounded, moved, smooth)
     fairing = fair_curve(rounded, smooth - moved, unbent)
     return replace(fairing, moved=fairing.moved + moved, tolerance=smooth)

@@ -157,7 +157,7 @@ class _Search:
         cls, relaxed: Rod, law: LeavesLaw, drawn: FloatArray, rounding: float,
         tangents: tuple[bool, bool] = (False, False),
     ) -> "_Search":  # fmt: skip
-        """Return the search that starts with ply k where the thickness is more than k - 1 + `rounding` plies."""
+        """Return the search that starts from ply k where the thickness exceeds k - 1 + `rounding` plies."""
         s = np.linspace(0.0, 1.0, 20 * NODES)
         EI = relaxed.profile(s * relaxed.length) * float(relaxed.bending_stiffness or 1.0)
         leaves = law.relaxed.parameter(EI) / law.sheet.thickness
@@ -259,7 +259,7 @@ class _Search:
         return means[0], means[1]
 
     def _stack(self, places: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the positions (m + 2,) of m ply ends and both ends, and the numbers of plies between (m + 1,).
+        """Return the positions (m + 2,) of rod ends and ply ends, and the numbers of plies between (m + 1,).
 
         Positions are fractions of the length.
         """

@@ -271,7 +271,7 @@ class Limits:
 BOTH_ENDS: dict[str, bool | tuple[bool, bool]] = {
     "both": True, "start": (True, False), "end": (False, True), "none": False,
 }  # fmt: skip
-"""Names for the ends in `Keep`, with their meaning."""
+"""Names for the ends in `Keep`, each with a flag for both ends or flags for start and end."""
 
 
 @dataclass(frozen=True, eq=False)

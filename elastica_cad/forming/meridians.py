@@ -28,8 +28,9 @@ SEARCH_NODES = 96
 
 FEWEST = 8  # nodes between two points
 STARTS = 30
-"""Number of initial guesses of a and b. The first is by regression; the others are random numbers of the same
-magnitude, with a fixed seed."""
+"""Number of initial guesses of a and b.
+
+The first guess is by regression. The others are random numbers of the same magnitude, with a fixed seed."""
 
 STEPS = 40  # steps of Newton's method
 LEAST_SHARE = 1e-3
@@ -53,7 +54,7 @@ BETWEEN = 8
 """Number of points between two nodes at which the residual is checked."""
 
 STUCK = 0.1
-"""Fraction of the residual that may remain after the nodes are doubled. If more remains, they are not doubled
+"""Largest ratio of the residuals after and before a doubling of the nodes, for which the nodes are doubled
 again."""
 
 SETTLED = 1e-10
@@ -253,7 +254,7 @@ class _Equations:
                 joint = total * (n + 2) + i - 1
                 rows[joint, first], rows[joint, first - 2] = 1.0, -1.0
         if self.closes:
-            # `half`, `turning`, `first` and `last` still have the values of the last piece
+            # here `half`, `turning`, `first` and `last` have the values of the last piece of the loop above
             c, s = np.cos(angles[-1, -1]), np.sin(angles[-1, -1])
             rows[-1, first:last] = self.slope[-1] * c
             rows[-1, last - 1] -= turning[-1] * s + half * (b2 * c - b1 * s)
@@ -399,14 +400,15 @@ MOST_TURNS = 20
 too long."""
 
 HOPELESS = "the strips of a surface of revolution cannot follow these points; move the points"
-# distance from the axis, as a fraction of the largest distance, below which `TO_THE_POLE` is added
+# distance from the axis, as a fraction of the largest distance, below which `TO_THE_POLE` is added to the message
 NEAR_AXIS_SHARE = 0.05
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
 """End of a message if the last point is close to the axis."""
 
 NARROW_SHARE = 1e-3
-"""Distance from the axis at which a meridian ends by default, as a fraction of the distance of its start plus its
-length."""
+"""Distance from the axis at which a meridian ends by default, as a fraction.
+
+It is relative to the sum of its length and the distance of its start from the axis."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -259,9 +259,9 @@ def _advise(near: NearestRod) -> Iterator[str]:
 
 
 def _step(binding: Binding) -> tuple[str | Length, float]:
-    """Return a small change of a limit as a text and as a number, in the unit of its cost.
+    """Return a small change of a limit as a text, and as a number in the unit of the limit.
 
-    The number is 0 if the limit has no unit.
+    The number is 0 if the limit is not a length, an angle or a number.
     """
     if binding.name.endswith("tangent"):
         return note("1 degree"), float(np.radians(1))

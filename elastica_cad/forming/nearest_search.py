@@ -156,7 +156,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
         if not good and (spent < most or enough == np.inf):
-            # `minimize` compares rods by their mean distance
+            # known optima are compared by mean distance, so they are not used for the largest distance
             known = [] if task.request.measure == "max" else list(filter(_is_optimum, outcomes))
             outcomes.append(minimize(problem, start(), known=known))
     best = min(outcomes, key=_rank)
@@ -366,7 +366,7 @@ def _start(
 
 
 _STRICTER = 6  # largest number of attempts, each with stricter limits
-_BEYOND = 1.2  # a limit is tightened by this multiple of its violation
+_BEYOND = 1.2  # limits are tightened by this multiple of their violation
 _WHOLE = 1e-9  # largest rounding error of a computed number of plies
 
 

@@ -120,7 +120,7 @@ class NearestTask:
 
     @property
     def is_scaled_freely(self) -> bool:
-        """True if the scale of K is not known before the search, because it depends on the shape of the rod."""
+        """True if the scale of K depends on the shape of the rod, so that it is not known before the search."""
         return self.section is None or self.section.law.follows_bend
 
     @property
@@ -206,7 +206,7 @@ class NearestTask:
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        # without weight and section law, the state is computed directly
+        # without weight and section law, the state of the rod is that of the search
         if self.request.gravity is None and section is None:
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)
@@ -301,9 +301,9 @@ class SearchPoint:
     off: float
 
     def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
-        """Return the unknowns of the same rod in the units of another target.
+        """Return the unknowns of this rod in the units of another target.
 
-        Return None if the other unknowns have another meaning.
+        Return None if `unknowns` is a different set of unknowns.
         """
         u = self.unknowns
         if unknowns != u:

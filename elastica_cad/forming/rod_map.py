@@ -96,10 +96,10 @@ class SectionScale:
 
     @classmethod
     def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
-        """Return the relation with the largest scale, or without weight with the scale that can bend most.
+        """Return the relation with the largest scale or, without weight, with the scale for the largest curvature.
 
         The shape of a rod without weight does not depend on the scale. Thin strips withstand larger curvatures
-        than thick strips. For laminates this is so if the backing is as wide as the base.
+        than thick strips. This also applies to laminates whose backing is as wide as the base.
 
         Raises
         ------
@@ -121,7 +121,8 @@ class SectionScale:
                     largest=Length(largest),
                 )
             ratio = min(ratio, most / low)
-            # if the stiffness depends on the curvature, the strain does too, and the scale is determined later
+            # if the stiffness depends on the curvature, the scale is determined later, because the strain also
+            # depends on it
             if not (heavy or law.follows_bend):
                 thin, thick = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
                 if thin < thick:
@@ -150,11 +151,12 @@ class SectionScale:
         return replace(self, scale=float(np.exp(brentq(room, low, high)))) if room(low) > 0 else self
 
     def bearing(self, bend: FloatArray, limits: Limits) -> Self | None:
-        """Return the relation with the largest smaller scale for which the sections withstand `bend`.
+        """Return the relation with a smaller scale, the largest for which the sections withstand `bend`.
 
         `bend` (n,) is kappa - kappa_0, 1/mm.
 
-        Return None if there is none. Thin sections may withstand a curvature that breaks the thickest sections.
+        Return None if no scale is suitable. Thin sections may withstand a curvature that breaks the thickest
+        sections.
         """
         least, largest = self.law.limits
         if limits.sheet is None or not (least > 0 and np.isfinite(largest)):

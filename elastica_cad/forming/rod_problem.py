@@ -113,7 +113,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return replace(self, constraints=tuple(c for c in self.constraints if not c.near_balance_only))
 
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
-        """Return the rod after a change (p + 1,) of `linearize`, to first order."""
+        """Return the rod after a change (p + 1,), to first order: see `linearize`."""
         z = self._inside(d.rod.z + change[:-1])
         angles, moments = d.angles @ change, d.moments @ change
         return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
@@ -131,9 +131,9 @@ class RodProblem(NonlinearProgram[MappedRod]):
     def _stacked(
         self, sensitivities: Sensitivities, values: Sequence[FloatArray] | None = None
     ) -> ConstraintRows:
-        """Return the rows of all constraints near a rod.
+        """Return the linearized constraints near a rod, one row each.
 
-        If the derivatives have a last column for equilibrium, the values are those of the rod in equilibrium.
+        If the derivatives have a last column for the way to equilibrium, the values are those in equilibrium.
         """
         p = sensitivities.rod.z.size
         if not self.constraints:

@@ -308,7 +308,7 @@ def _nearest(points: FloatArray, place: FloatArray) -> float:
 
 
 def place_in_words(point: FloatArray) -> Point:
-    """Return a point (3,) for messages."""
+    """Return a point (3,) in the form for messages, with rounded coordinates."""
     return Point(np.asarray(point).round(9) + 0.0)
 
 
@@ -622,8 +622,7 @@ def smooth_polyline(
     if spans.size and spans.shape[1:] != (2,):
         raise InputError("parts to smooth must be rows (k, 2) of finite lengths along the points, in mm")
     counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
-    # the wavelength is limited, because only a parabola remains for four line lengths, and larger values cause
-    # rounding errors
+    # the wavelength is at most four line lengths, for which the result is a parabola; more causes rounding errors
     share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
     third = third * (np.broadcast_to(counted, middle.shape) * share**3)[:, None]
     system = np.eye(count) + third.T @ third

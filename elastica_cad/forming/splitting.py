@@ -223,7 +223,7 @@ class _Cut:
         while far - near > self.short / 10:
             middle = (near + far) / 2
             near, far = (middle, far) if self.takes(start, middle) else (near, middle)
-        # if only a tiny step is possible beyond `sure`, it is a numerical error, and the piece ends at `sure`
+        # a tiny possible step beyond `sure` is a numerical error; then the piece ends at `sure`
         return near if near - sure > self.least else sure
 
     def _reach_of_places(self, start: float, near: float, far: float) -> float:
@@ -279,7 +279,7 @@ def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
         earliest = cut.turned(np.array(_forwards(mirrored))).tolist()
     except NotRealizable:
         return latest
-    # the number of supports can differ if pieces are at the limit
+    # the numbers of supports can differ by rounding errors if the pieces are as long as possible
     return earliest if len(earliest) == len(latest) else latest
 
 
@@ -302,9 +302,9 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
 
 
 def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, float]]) -> list[float]:
-    """Return the positions of supports in their ranges with the least sum of squared ratios.
+    """Return the positions of supports, within their ranges, that minimize the sum of squared stiffness ratios.
 
-    They are shortest paths on successively refined grids.
+    The minimum is a shortest path on a grid of positions; the grid is refined several times.
     """
     places = list(latest)
     spans = list(ranges)

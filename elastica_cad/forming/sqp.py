@@ -20,8 +20,9 @@ from elastica_cad.forming.quadratic_program import QuadraticProgram, QuadraticSo
 Point = TypeVar("Point")
 
 KEY_STRIDE = 1_000_000
-"""Factor in the key of a row: key = constraint * KEY_STRIDE + index. It is larger than the number of values of any
-constraint."""
+"""Factor in the key of a row: key = constraint * KEY_STRIDE + index.
+
+It is larger than the number of values of any constraint."""
 
 
 class ProgramSettings(NamedTuple):
@@ -33,8 +34,8 @@ class ProgramSettings(NamedTuple):
     Attributes
     ----------
     steps, lifted_steps : int
-        Largest numbers of quadratic programs in a search, of which usually less than half are needed, and of
-        lifted steps (see `lift`), which converge quadratically or not at all.
+        Largest numbers of quadratic programs in a search, and of lifted steps (see `lift`). A search usually needs
+        less than half of its number. Lifted steps converge quadratically or not at all.
     progress_tolerance : float
         Predicted relative reduction of the objective by a step below which the search ends.
     resolution : float
@@ -322,8 +323,8 @@ class Iterate(Generic[Point]):
             free = room > SETTINGS.bound_tolerance * program.scale
             s = program.scale[free]
             gap = self.active.aim[there] - rows.value[here]
-            # if there are more rows than free unknowns, the least-squares solution mainly meets the most sensitive
-            # rows
+            # with more rows than free unknowns, the least-squares solution mainly satisfies the rows with large
+            # derivatives
             change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
         return change
 
@@ -490,7 +491,8 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
         point = here.local.moved(change)
         after = program.objective(point)
         changed = float(np.abs(here.local.state_jacobian @ change).max())
-        # equilibrium may increase the distance by a term of second order in the change of the state
+        # 0.1 times the squared change of the state estimates the increase of the distance when the rod is in
+        # equilibrium
         if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
             best, least = point, rank
         if (
@@ -602,7 +604,7 @@ class _Walk(Generic[Point]):
         reliable = here.is_reliable(worth, highest)
         if reliable and promised <= floor and not here.restores_feasibility(step):
             if promised < -floor and self.radius > SETTINGS.ascent_radius:
-                # the step is wrong, because it increases the merit: try a shorter step with full damping
+                # the step increases the merit, so the model is inaccurate: try a shorter step with full damping
                 self.damping_fraction, self.radius = 1.0, 0.25 * self.radius
                 return False
             self.settled = True
@@ -762,7 +764,7 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
             break
         if missed <= SETTINGS.exact_violation or missed > SETTINGS.correctable_violation:
             break
-        # scales for which all rows have moderate derivatives
+        # scales s of the unknowns with which the derivatives of all rows are at most about 1
         s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
         bound = SETTINGS.correction_bound
         lower, upper = ((limit - z) / s / missed for limit in (program.lower, program.upper))

@@ -280,8 +280,8 @@ class Travel:
         Raises
         ------
         InputError
-            There are fewer than two frames, the duration is not positive, the name does not end in .glb, or the
-            file exists or cannot be written.
+            `frames` is less than 2, `seconds` is not positive, or the name does not end in .glb. Or the file
+            exists or cannot be written.
         """
         if FilePath(path).suffix.lower() != ".glb":
             raise InputError(f"{FilePath(path).name} is not a binary glTF file. Use a name ending in .glb.")

@@ -39,7 +39,7 @@ REMARKS = {
     "7": ("TColStd", "TColStd_IndexedDataMapOfStringString"),
     "8": ("collections", "IndexedDataMap_TCollection_AsciiString_TCollection_AsciiString"),
 }
-"""Module and name of the class for comments in files, by the major version of OCP."""
+"""Module and name of the OCP class that stores comments of files, by the major version of OCP."""
 
 
 @lru_cache(maxsize=1)

@@ -152,8 +152,8 @@ def _with_wires_apart(shape: Shape) -> Shape:
 def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
     """Convert shapes to STEP entities without the check of their wires.
 
-    The later transfer of the document reuses these entities. OCP cannot disable the check in a writer. A new
-    controller does not request it.
+    The later transfer of the document reuses these entities. An OCP writer cannot disable the check, but a new
+    controller has it disabled.
     """
     k = kernel()
     session = writer.ChangeWriter().WS()

@@ -264,7 +264,7 @@ class StripBody:
 
     @property
     def label(self) -> str:
-        """Name of the body and of its strip. It is also the name of bodies that are made from this body."""
+        """Name of the body and of its strip. Bodies that are made from this body have the same name."""
         return self._label
 
     @label.setter

@@ -170,7 +170,7 @@ def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, 
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
     """Return warnings about strips that cannot be cut or handled, if `ignore_limits` is set."""
     messages: list[str] = []
-    # layers and limits without faults; equal strips have the same layers
+    # layers and limits that were found to have no faults; equal strips have the same layers
     clear: set[tuple[int, FabricationLimits]] = set()
     for part in model.parts:
         request = requests.get(part.strip.label)

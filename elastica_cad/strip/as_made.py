@@ -132,14 +132,14 @@ def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
 
 
 CUT, CUT_GRAIN = 1.15, 0.7
-"""Factor on `crack_energy` for a slot in an isotropic sheet, and the exponent for a sheet with grain. The
-base of the exponent is sqrt(E / G), relative to an isotropic sheet.
+"""Factor on `crack_energy` for a slot in an isotropic sheet, and exponent for a sheet with grain.
+
+The base of the exponent is sqrt(E / G), divided by its value for an isotropic sheet.
 
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
-"""Factors on `crack_energy` for a step of the width and for a tab, and the distance of the unstressed corners
-from a tab.
+"""Factors on `crack_energy` for a step of the width and for a tab, and distance of unstressed corners from a tab.
 
 The factor of a tab is for the Poisson ratio 0, because a tab prevents curling across the strip. The distance
 is a fraction of the difference between the widths of strip and tab. The value is for an isotropic sheet; the
@@ -147,9 +147,10 @@ distance is proportional to sqrt(E / G). Fitted to finite elements
 (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 RESTRAINT, WIDE_TAB = 0.35, 0.4
-"""Length along which a clamp prevents curling across the strip, as a multiple of the strip's width, and least
-width of a tab that acts as a clamp, as a fraction of the strip's width. For narrower tabs the length is
-proportional to the square of the tab's width.
+"""Reach of a clamp as a multiple of the strip's width, and least relative width of a tab that acts as a clamp.
+
+The reach is the length along which a clamp prevents curling across the strip. The width of the tab is relative
+to the strip's width. For narrower tabs the reach is proportional to the square of the tab's width.
 
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
@@ -215,7 +216,7 @@ def stiffness_shares(
     width, nu = layout.width, min(layout.sheet.poisson_ratio, 0.5)
     grain = float(np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio))
     curl = _curl_of(rod, layout)
-    free = np.zeros(2)  # fraction of the stiffening by prevented curling that is missing at the ends
+    free = np.zeros(2)  # fraction of the stiffening by prevented curling that is lost at the ends
     if curl is not None and layout.backing is None and layout.pattern is None:
         free = 1 / curl.designed[[0, -1]] - 1 + nu**2
     kinks = {
@@ -226,7 +227,7 @@ def stiffness_shares(
     shares = {cause: _softer(places, rod) for cause, places in kinks.items() if places}
     s, n = _cell_stations(rod), rod.s.size
     leaning = _leaning(layout, s)
-    if leaning is not None:  # because angles are proportional to the mean compliance
+    if leaning is not None:  # average the compliance, because the angles are proportional to it
         shares["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
     if curl is not None and layout.section is None:
         shares[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
@@ -339,7 +340,7 @@ def _beside_slots(slots: Sequence[Slot], width: Profile, corner: float) -> list[
 
 
 def _crowded(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
-    """Return the positions, mm, of the first two slots that are closer together than they are deep."""
+    """Return the positions, mm, of the first two slots closer together than the depth of the deeper slot."""
     points = (slot.center_line(width)[0] for slot in slots)
     lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
     return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
@@ -428,7 +429,7 @@ class StripAsMade:
     layout : Layout
         Flat pattern of the design.
     bending_stiffness : float
-        B of the design, N mm2.
+        Bending stiffness B of the design, N mm2.
     tab_stiffness : pair of float
         E I of the tabs at start and end, N mm2.
     cut : Rod

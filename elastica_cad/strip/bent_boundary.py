@@ -160,7 +160,7 @@ class Boundary:
     Attributes
     ----------
     vertices : (k, 3) array
-        mm.
+        Positions of the vertices, mm.
     edges, faces
         Edges refer to rows of `vertices`; faces refer to indices of `edges`.
     """
@@ -302,7 +302,7 @@ class BentMap:
     ) -> tuple[FloatArray, int]:
         """Return knots and degree of a basis that contains both a segment and the map along it.
 
-        `even` is offset and slope of x, which is linear in the segment's parameter.
+        `even` contains the offset and the slope of x as a linear function of the segment's parameter.
         """
         (offset, speed), (first, last) = even, limits
         t, continuity = self._smoothness
@@ -604,10 +604,10 @@ class BoundaryMaker:
 
 
 def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace | Segment]:
-    """Return the traces of the edges of a side wall at these heights.
+    """Return the edges of a side wall at these heights, as curves in the parameters of the wall's surface.
 
-    On a B-spline surface they have the knots of the surface, because CAD kernels integrate over a face from knot
-    to knot of its traces.
+    On a B-spline surface these curves have the knots of the surface, because CAD kernels integrate over a face
+    from knot to knot of these curves.
     """
     if not isinstance(wall, SpaceSurface):
         return [StraightTrace((0.0, height), (1.0, 0.0)) for height in heights]

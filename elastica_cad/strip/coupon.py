@@ -71,8 +71,8 @@ def coupon_drawing(
     Raises
     ------
     InputError
-        Sizes that are not positive, an overhang of less than two ticks or beyond 10 m, or a strip too narrow for
-        its engraving.
+        A size is not positive, the overhang is less than two ticks or more than 10 m, or the strip is too narrow
+        for its engraving.
 
     Examples
     --------
@@ -124,12 +124,12 @@ def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
     Parameters
     ----------
     length, width : float
-        mm.
+        Size of the bar, mm.
 
     Raises
     ------
     InputError
-        Sizes that are not positive, or a bar too small for its figures.
+        A size is not positive, or the bar is too small for its figures.
 
     Examples
     --------

@@ -60,7 +60,7 @@ class CurveCheck(EquilibriumCheck):
         The drawn curve.
     supports : Supports
     natural_curvature : float or RestCurvature
-        1/mm.
+        Curvature of the unbent strip, 1/mm.
     """
 
     drawn: PlaneCurve = field(kw_only=True, repr=False)

@@ -23,7 +23,7 @@ from elastica_cad.strip.slots import Side, Slot
 from elastica_cad.strip.styles import Bends, Layout
 
 ROUNDS = 4
-"""Number of iterations for the widening, which depends on the width that it changes."""
+"""Number of iterations for the increase of the width, which depends on the increased width."""
 
 NOTCH_FILL = 0.5 + np.pi / 8
 """Area of a notch with a semicircular end, divided by the square of its width. The depth equals the width."""
@@ -86,11 +86,11 @@ class ElementCut:
     def added_length(self, width: float, sheet: Sheet) -> float:
         """Return the length of strip, mm, that bends by the angle that the cut adds in a strip of this width, mm.
 
-        A hole reduces the net section, and the corners beside it are unstressed. In a wide Kirchhoff plate, both
-        effects together are pi / 4 d^2 / width for the diameter d, times the stress concentration 1 + 2 (1 + nu) /
-        (3 + nu). In a narrower strip the effect of the corners is divided by 1 + d / width; the result agrees with
-        plate elements within 3 %. Notches are computed as slots. Their added length is up to 19 % more than that of
-        plate elements, for notches up to 0.3 times as wide as the strip.
+        A hole reduces the net section, and the corners beside it are unstressed. In a wide Kirchhoff plate, the
+        length for both effects is pi / 4 d^2 / width times the stress concentration 1 + 2 (1 + nu) / (3 + nu),
+        where d is the diameter. In a narrower strip the effect of the corners is divided by 1 + d / width; the
+        result agrees with plate elements within 3 %. Notches are computed as slots. Their added length is up to 19
+        % more than that of plate elements, for notches up to 0.3 times as wide as the strip.
         """
         from elastica_cad.strip.as_made import CUT
 
@@ -261,8 +261,8 @@ class StrainedCut:
 def strained_cuts(rod: Rod, layout: Layout) -> tuple[StrainedCut, ...]:
     """Return the cuts whose edges are strained beyond the limit of a brittle sheet.
 
-    The excess of the strain is that in tension times (1 + nu) / (3 + nu), as beside an elliptic hole in a
-    bent plate (Goodier, Phil. Mag. 22, 1936).
+    The stress concentration factor minus 1 is that for tension times (1 + nu) / (3 + nu), as beside an elliptic
+    hole in a bent plate (Goodier, Phil. Mag. 22, 1936).
     """
     sheet = layout.sheet
     cuts = element_cuts(rod) if sheet.kind in BRITTLE else ()

@@ -26,8 +26,9 @@ RAMP = 2e-5
 width."""
 
 NO_JUMP = 1e-4
-"""Offset, mm, that a jump of the second derivative causes over a span; jumps with a smaller offset are smoothed.
-The error of the smoothing is 1 % of the offset."""
+"""Limit of the offset, mm, that a jump of the second derivative of a spline causes over a span.
+
+Jumps with a smaller offset are smoothed. The error of the smoothing is 1 % of the offset."""
 
 NO_STEP = 1e-5
 """Distance, mm, below which the ends of two sides are joined."""
@@ -111,7 +112,8 @@ def _smoothed(segment: Segment) -> Segment:
 class _Cut:
     """Division of a spline into smooth parts.
 
-    `kept` are the parameter ranges of the parts, and `over` the ranges to which they are extended, or None.
+    `kept` contains the parameter ranges of the parts. `over` contains the ranges to which the parts are extended;
+    it is None if they are not extended.
     """
 
     curve: PlaneCurve
@@ -150,9 +152,9 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Yield the joints between smooth parts, the ends of the parts before and the starts of the parts after them.
+    """Yield the parameters of each joint, of the end of the part before it and of the start of the next part.
 
-    These parameters differ at ramps.
+    The three parameters are equal, except at ramps.
     """
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
@@ -266,7 +268,7 @@ class _Cutter:
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
     count: int = 0
     rim: int = 0
-    """Number of pieces of the outline; their numbers are smaller than those of other pieces."""
+    """Number of pieces of the outline, which are numbered before the pieces of the holes."""
 
     def add(self, path: Path, *, backward: bool) -> None:
         """Split a closed loop, reversed if `backward`, at the stations, and sort its pieces by interval."""
@@ -372,7 +374,7 @@ class _Cutter:
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Return the corners on the station line at a corner, and the direction (1 or -1) to follow them.
+        """Return the corners that lie on the station line of a corner, and the direction, 1 or -1, to follow them.
 
         In this direction, the region is on the left.
         """

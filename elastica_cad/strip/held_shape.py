@@ -123,7 +123,7 @@ class HeldShape:
 
     @property
     def expected(self) -> float:
-        """Expected deviation of a real strip, mm: modelled, uncertainty of the model, and sheet."""
+        """Expected deviation of a real strip, mm: modelled, from model uncertainty, and from the sheet."""
         return float(np.linalg.norm([self.deviation, self.open, self.sheet_adds]))
 
     @property
@@ -283,7 +283,7 @@ def open_deviation(
     Parameters
     ----------
     length : float
-        mm.
+        Length of the strip, mm.
     sheet : Sheet
     parts : mapping of str to float
         Deviation due to each cause before the widths compensate it, mm.
@@ -382,7 +382,8 @@ def sheet_effects(
     n, M = rod.s.size, rod.moment
     phases = 2 * np.pi * rod.s[:, None] / rod.length + np.pi * np.arange(PHASES) / PHASES
     wave = M[:, None] * np.cos(phases)
-    changes = {"thickness": 3 * tolerance.thickness_wave * wave}  # E I ~ h^3
+    # E I is proportional to the cube of the thickness
+    changes = {"thickness": 3 * tolerance.thickness_wave * wave}
     # at the angle theta to the grain, 1 / E grows by up to sin^2(theta) (E / G - 2 nu - 2)
     softer = np.sin(tolerance.grain) ** 2 * (1 / sheet.shear_ratio - 2 * sheet.poisson_ratio - 2)
     if sheet.grain != "none" and softer > 0:

@@ -28,7 +28,7 @@ CROSS_MM = 8.0
 """Length of the short lines that mark the ends, the axes of holes and the elements, mm."""
 
 ARROW_MM, HEAD_MM = 20.0, 3.0
-"""Length of the arrow of a load, and size of its head."""
+"""Length of the arrow of a load and size of the arrowhead, mm."""
 
 LETTERS = {Rail: "R", Pin: "P", Tie: "T", PointForce: "F", PointMass: "M"}
 """First letters of the names of elements and loads."""
@@ -158,7 +158,8 @@ class HeldElement:
         Unit normals of the strip at these points. For a rail they point to the side from which the rail pushes,
         for a pin or tie to the left of the strip. For a load, the direction of its force.
     places : (k, 2) array
-        The same points as distances, mm, along the line between the ends and to its left.
+        Coordinates of these points, mm, along the line between the ends of the strip and perpendicular to it,
+        positive to its left.
     tilt : float
         Direction of the strip at the first point, or of a load, relative to that line, degrees.
     force : float
@@ -230,7 +231,7 @@ def _hung(strip: Strip) -> Iterator[ElementForce]:
     rod = strip.rod
     if rod.gravity is None or rod.weight is None:
         return
-    mass: Any  # the forces of a rod have no records of masses
+    mass: Any  # the type of `ElementForce.element` does not include masses
     for mass in rod.weight.masses:
         newtons = mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
         force = newtons / strip.bending_stiffness * np.array([rod.gravity.direction])

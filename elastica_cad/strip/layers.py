@@ -50,7 +50,7 @@ class Layer:
     ----------
     sheet : Sheet
     outline : Path
-        Closed, anticlockwise.
+        Outline of the sheet: closed and anticlockwise.
     holes : tuple of Path
         Closed inner loops.
     name : str
@@ -119,7 +119,7 @@ class Layer:
         station = numbers_in_groups(count) + np.repeat(first, count)
         u = (at[station] - x[line]) / (x1 - x)[line]
         crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
-        # the direction of the loops does not matter
+        # the result does not depend on the direction of the loops
         sign = np.sign(np.bincount(loop[line], crossing, minlength=len(self.holes) + 1))
         sign[1:] *= -1
         left = np.empty(at.size)
@@ -337,7 +337,7 @@ class LapJoint:
         length, lap_width : float
             Length and width of the tab, mm.
         """
-        # limits of the length around each node: half an edge to both sides
+        # the part of the strip around each node ends at the midpoints of the adjacent edges
         edges = np.concatenate([[0.0], (rod.s[1:] + rod.s[:-1]) / 2, [rod.length]])
         covered = np.clip((length - edges[:-1]) / np.diff(edges), 0.0, 1.0)
         both = width + lap_width

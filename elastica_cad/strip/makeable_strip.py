@@ -97,7 +97,7 @@ def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
 
 
 ROUNDS = 8
-LEAST_GAIN = 0.97  # iterations end if the deviation decreases to no less than this fraction
+LEAST_GAIN = 0.97  # iterations end if one iteration does not reduce the deviation below this fraction
 LARGEST_GUESS = 0.5  # largest logarithm of the factor on the width in the initial guess
 ENOUGH_SHARE = 1e-5  # deviation below which iterations end, as a fraction of the length
 
@@ -518,7 +518,7 @@ def make_within(
         The strip would break, and `ignore_limits` is False.
     """
     refuse_broken(strip, ignore_limits)
-    with suppress(InputError):  # `find_strip_faults` reports below that joints have no room
+    with suppress(InputError):  # `find_strip_faults` reports below if there is no room for joints
         strip = joined_within(strip, shop)
     if compensate:
         strip = compensate_within(strip, shop)

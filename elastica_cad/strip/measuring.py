@@ -16,8 +16,10 @@ MARKS = (0.25, 0.5, 0.75)
 """Positions at which heights are measured, as fractions of the length."""
 
 LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle", "end_angle")
-"""Names of the measured quantities: the distance between the ends, mm; the heights of the marks above the line
-between the ends, mm; and the angles between this line and the tabs, degrees."""
+"""Names of the measured quantities: distance between the ends, heights of marks, and angles of tabs.
+
+Lengths are in mm and angles in degrees. Heights are measured from the line between the ends, and angles relative
+to it."""
 
 UNITS = dict.fromkeys(LENGTHS, "mm") | dict.fromkeys(ANGLES, "degrees")
 """Unit of each measured quantity."""

@@ -54,10 +54,10 @@ class DiamondPattern:
     """Pattern of diamond holes: rows of full diamonds, diamonds in the gaps, and half diamonds at the edges.
 
     Let H = width - material be the total width of the holes, n = `columns`, and t = material / (2 n + 2). T(s)
-    rises from 0 to 1 over half a row and falls again. Full diamonds have the width T H / n, and diamonds in the
-    gaps (1 - T) H / n; the half diamonds at the edges have half that width. At every station the widths of all
-    holes add up to H. Every ligament has the width t, or 2 t where two ligaments join. T is constant over the
-    length `bridge` between two rows, which separates the tips of the holes.
+    rises from 0 to 1 over half a row and falls again. Full diamonds have the width T H / n. Diamonds in the gaps
+    have the width (1 - T) H / n, and the half diamonds at the edges have half of it. At every station the widths
+    of all holes add up to H. Every ligament has the width t, or 2 t where two ligaments join. T is constant over
+    the length `bridge` between two rows, which separates the tips of the holes.
 
     Parameters
     ----------
@@ -153,14 +153,14 @@ class DiamondPattern:
         return 0.0 if held and tab.length > 0 else self.clearance
 
     def _clear(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list["_Row"]:
-        """Return the row as a list, or the parts of the row on both sides of the slots that meet its hole j."""
+        """Return the parts of the row after division at all slots that meet its hole j."""
         left = [row]
         for cut in cuts:
             left = [part for piece in left for part in self._beside(piece, j, cut)]
         return left
 
     def _beside(self, row: "_Row", j: int, cut: Path) -> list["_Row"]:
-        """Return the row as a list, or its parts on both sides of the slot if the slot meets its hole j."""
+        """Return the parts of the row on both sides of a slot, or the whole row if its hole j is clear."""
         if self._apart(row.loop(j), cut):
             return [row]
         (low, _), (high, _) = cut.bounds
@@ -286,7 +286,7 @@ class _Stretch:
     values: FloatArray
 
     def within(self, low: float, high: float) -> "_Stretch | None":
-        """Return the part between two stations, or None if it is empty."""
+        """Return the part of this stretch between two stations, or None if it is empty."""
         a, b = max(low, float(self.knots[0])), min(high, float(self.knots[-1]))
         if b - a <= JOIN:
             return None
@@ -294,7 +294,7 @@ class _Stretch:
             return self
         inner = self.knots[(self.knots > a) & (self.knots < b)]
         knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
-        sites = np.clip(greville(knots, 3), a, b)  # the mean of equal knots has a rounding error
+        sites = np.clip(greville(knots, 3), a, b)  # rounding errors of a mean of equal knots
         values = bezier_spans(self.knots, 3).basis(sites) @ self.values
         solved = np.linalg.solve(bezier_spans(knots, 3).basis(sites), values)
         return _Stretch(knots, np.asarray(solved, dtype=float))

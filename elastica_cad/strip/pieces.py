@@ -28,8 +28,9 @@ SAME_SIZE_MM, SIZE_STATIONS = 1e-3, 65
 which they are compared."""
 
 SIZE_TOLERANCE = 1e-6
-"""Largest difference in length, bounding box and square root of area between parts that count as equal, as a
-fraction of the length of the outline."""
+"""Largest difference between parts that count as equal, as a fraction of the length of the outline.
+
+The parts are compared by length, bounding box and square root of the area."""
 
 SAME_BEND_RAD = 1e-4
 """Largest difference between natural curvatures that count as equal, times the length of the strip, rad."""
@@ -159,7 +160,7 @@ class FlatShape:
             (p.outline, *p.holes) == (q.outline, *q.holes)
             for p, q in zip(self.layers, other.layers, strict=True)
         ):
-            return True  # a fast test, because copies share their loops
+            return True  # fast test for copies, which have the same loop objects
         if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False
         ways = WAYS if self.bent is None else WAYS[:1]  # turning a pre-bent strip reverses its curvature

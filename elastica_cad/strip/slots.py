@@ -32,7 +32,7 @@ from elastica_cad.strip.lettering import (
 )
 
 QUARTER_TURN_DEG = 90.0
-"""Angle, degrees, that the inclination of a slot must not reach."""
+"""Upper limit of the inclination of a slot, degrees; the inclination must be less."""
 
 STRAIGHT_MM = 1e-7
 """Largest deviation from a line, mm, of a side of a slot that is drawn as a line."""
@@ -234,8 +234,9 @@ SAME_PARAMETER = 1e-6
 """Difference of parameters below which two positions on a segment may coincide; their distance decides."""
 
 REACHES = (1.0, 4.0, 16.0)
-"""Lengths by which the sides of a slot are extended, one after another, until they meet the edge, as multiples of
-the width of the slot."""
+"""Lengths by which the sides of a slot are extended to the edge, as multiples of the width of the slot.
+
+They are tried in this order until the sides meet the edge."""
 
 
 @dataclass(frozen=True)
@@ -345,7 +346,7 @@ class _Edge:
         for k, chords in enumerate(cut):
             low, high = chords.points.min(axis=0) - FLAT_MM, chords.points.max(axis=0) + FLAT_MM
             near = ((self.low <= high) & (self.high >= low)).all(axis=1)
-            # each segment once, in order
+            # each segment only once, in the original order
             for i in dict.fromkeys(self.owner[near].tolist()):
                 for u, v in chord_crossings(self.chords[i], chords):
                     point = chords.segment.at(v)
@@ -437,7 +438,10 @@ def _on_free_part(box: FloatArray, width: Profile) -> bool:
 
 
 class Cut:
-    """A line that letters avoid. For a loop, `gone` is the side without material, "inside" or "outside"."""
+    """Line that engraved letters avoid.
+
+    For a closed line, `gone` is the side without material, "inside" or "outside".
+    """
 
     def __init__(self, line: Path, gone: str = "") -> None:
         self.line, self.gone = line, gone

@@ -201,7 +201,7 @@ def _find_shoulders(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) 
         shoulders += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow)
             for layer in strains
-            # otherwise there is already a warning about the end itself
+            # beyond this limit, there is already a warning about the end of the strip
             if layer.strain[station] <= layer.limit
         ]
     return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
@@ -452,7 +452,7 @@ class Strip:
             raise InputError(
                 f"the rod is a {type(self.rod).__name__}: give a Rod, such as the result of optimal_rod"
             )
-        if self.rod.follows_bend:  # because the widths are computed from the stiffness in this shape
+        if self.rod.follows_bend:  # the widths are computed from the stiffness in this shape
             object.__setattr__(self, "rod", as_bent(self.rod))
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))
         require_style(self.style)

@@ -125,7 +125,7 @@ def _direction(direction: object) -> tuple[float, ...]:
 NEAREST_CALL = (
     "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve then is."
 )
-"""Note in Python on refusals of a curve that may not change."""
+"""Note that is added in Python to errors about a curve that may not be changed."""
 
 
 def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
@@ -256,7 +256,7 @@ def _limits_beside(
                 where={"field": (name, "limits.width")},
             )
     narrowest, widest = min_width or low, max_width or high
-    if narrowest > widest:  # `_ratio_of_widths` refuses this case
+    if narrowest > widest:  # `_ratio_of_widths` raises the error for this case
         return limits
     return replace(limits, width=(narrowest, widest))
 
@@ -355,7 +355,7 @@ class StripSpec(EqualByValue):
         are measured from there. By default it is the point of least curvature, or the start of the drawn curve
         with `limits` or `keep`. None for an open curve.
     straight_ends : bool
-        If True, a straight first or last piece of the curve becomes a tab, if the direction of that end is held.
+        If True, a straight first or last piece of the curve becomes a tab if the direction of its end is fixed.
         Only the part between the tabs is bent, and positions along the strip are measured from its start. The tabs
         are at least as long as drawn, and circles drawn on them become holes. If False, the whole curve is bent.
     slots : sequence of Slot
@@ -638,7 +638,10 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def rod_spec(self) -> RodSpec:
-        """Request for the rod. It does not depend on ends, slots and label, and without loads not on widths."""
+        """Request for the rod.
+
+        It does not depend on ends, slots and label; it depends on widths only with loads.
+        """
         gravity, share = self._pulled
         layers: LaminateLayers | None = None
         weight = _hung_weight(self.loads, share, gravity)
@@ -741,7 +744,7 @@ class StripSpec(EqualByValue):
         sheet = self.material
         if self.compensate is not None or self.law is not None or not isinstance(self.style, Plain):
             return False
-        # widths that follow from loads, and sections with weight and elements, are not supported
+        # the compensation does not support loads, or weight together with elements between the ends
         free = not self.loads and not (self.between and self.gravity_in_plane is not None)
         return sheet.poisson_known and sheet.poisson_ratio > 0 and free
 
@@ -758,7 +761,7 @@ class StripSpec(EqualByValue):
         felt = self.gravity_in_plane
         asks_for_margin = self.limits is not None and self.limits.margin is not None
         if law is None and self.makes_up_for_curl and (felt is not None or asks_for_margin):
-            # the law includes the weight of the sheet, and the stability of a strip that bends as a plate
+            # the section law determines the weight of the strip and its stability if it bends as a plate
             law = self._width_law
             share = 1.0 if felt is None else (self.material.elasto_gravity_length / felt.length) ** 3
         if law is None and felt is None and isinstance(self.style, Laminated):

@@ -53,8 +53,7 @@ MOST_EXTREMES = 200
 errors."""
 
 GUIDE_MM = 0.5
-"""Distance between the edges of backing and base, mm, from which on the edges of the backing are marked on the
-base."""
+"""Least distance between the edges of backing and base, mm, for which the edges of the backing are marked."""
 
 
 NO_WIDTH = note(
@@ -413,7 +412,7 @@ def correct_layout(
         tolerance=CORRECTION_TOLERANCE * float(drawn.extremes[1]),
     )  # fmt: skip
     layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
-    # E I where K = 1 in the original rod, because `with_stiffness` divides K by the minimum of the corrected K
+    # convert to E I where K = 1 in the original rod: `with_stiffness` divides K by the minimum of the corrected K
     return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
 
 

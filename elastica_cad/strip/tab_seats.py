@@ -16,7 +16,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
 STEEPEST_RAD = np.radians(80.0)
-"""Angle, rad, at which a tab that can turn so far counts as not held."""
+"""Largest turn of a tab, rad, above which the holder does not hold the tab."""
 
 STOP_RAD = np.radians(0.05)
 """Step of the search for the largest turn of a tab, rad."""
@@ -88,7 +88,7 @@ class TabSeat:
 
     @cached_property
     def edges(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Coordinates `into` and `left` of all points (k,), and the face of the tab: 1 for left, -1 for right."""
+        """Coordinates (k,) of all points into the holder and to the left, and faces: 1 for left, -1 for right."""
         into, left = np.concatenate([self.left, self.right]).T.copy()
         return into, left, np.repeat([1.0, -1.0], [len(self.left), len(self.right)])
 
@@ -104,7 +104,7 @@ class TabSeat:
 
     @property
     def places(self) -> tuple[float, ...]:
-        """Coordinates of all points, rounded, to compare holders."""
+        """Rounded coordinates of all points, to compare holders."""
         return tuple(np.round([*self.left.ravel(), *self.right.ravel()], 9).tolist())
 
     def moved(self, shift: float, turn: float) -> "TabSeat":
@@ -226,7 +226,7 @@ class SeatedEnd:
     def load(self, rod: Rod, left: FloatArray, length: float) -> tuple[float, float]:
         """Return the derivatives of the energy divided by B with respect to shift and turn, 1/mm2.
 
-        They are force and moment of the holder on the rod. `left` is the result of `left`.
+        They are force and moment of the holder on the rod. The argument `left` is the result of the method `left`.
         """
         k, sign = -self.index, -1.0 if self.index else 1.0
         return sign * float(rod.force[k] @ left), -sign * float(rod.moment[k]) / length
@@ -301,7 +301,7 @@ MOST_STEPS = 60
 RENEWED_SHARE = (
     0.003  # fraction of the length; after a longer step the stiffness of the ends is computed anew
 )
-SHORTER, LONGER = 0.5, 2.0  # factors on the step limit after a reversal of direction, and otherwise
+SHORTER, LONGER = 0.5, 2.0  # factors on the step limit: after a reversal of direction, and after other steps
 DIFFERENCE_SHARE = 1e-5  # step of the finite differences of reactions, as a fraction of the length
 SETTLED_SHARE = 1e-9  # length of the step, as a fraction of the length of the strip, at which the search ends
 LEAST_SHARE = 1e-6  # least eigenvalue of a stiffness matrix as a fraction of the largest eigenvalue
@@ -402,7 +402,7 @@ class _Held:
 
     @cached_property
     def slices(self) -> list[slice]:
-        """Slices of q for each end."""
+        """Slices of the vector of unknowns q, one for each end."""
         ends = np.cumsum([2 + seated_end.pieces for seated_end in self.seated]).tolist()
         return [
             slice(end - 2 - seated_end.pieces, end) for seated_end, end in zip(self.seated, ends, strict=True)
@@ -413,7 +413,7 @@ class _Held:
 
     @cached_property
     def poses(self) -> list[int]:
-        """Indices of the shifts and turns in q."""
+        """Indices of the shifts and turns of the tabs in the vector of unknowns q."""
         return [columns.start + k for columns in self.slices for k in (0, 1)]
 
     def pose(self, part: FloatArray) -> tuple[float, float]:
@@ -490,7 +490,7 @@ class _Held:
         `reach` is the largest change of an unknown, mm.
         """
         length = self.design.length
-        # Hessian of the tabs, 1/mm3, then that of the rod at the shifts and turns
+        # Hessian H of the tabs, 1/mm3; the Hessian of the rod for the shifts and turns is added below
         H = _block_diagonal(
             [_block_diagonal([np.zeros((2, 2)), end.bending / length**2]) for end in self.seated]
         )
@@ -600,7 +600,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
             g[2:] = H[2:, 2:] @ q[2:]
         step = _step_within(H, g, end.walls(q, length), length, [0], scale=H[0, 0]).x
         q[2:] += step[2:]
-        # the holder is displaced by the opposite of the step
+        # the displacement of the holder is the negative step
         shift, turn = shift - float(step[0]), turn - sign * float(step[1]) / length
         if np.abs(step).max() <= LEANED_SHARE * length:
             break

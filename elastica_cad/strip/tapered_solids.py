@@ -272,7 +272,7 @@ def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
     knots = np.pad(inner, DEGREE, mode="edge")
     u = np.linspace(0.0, 1.0, 40 * HALF_TURN_SPANS + 1)
     weights = np.ones(u.size)
-    weights[[0, -1]] = 1e6  # so that both halves meet
+    weights[[0, -1]] = 1e6  # large weights at the ends, so that both halves meet
     fitted = make_lsq_spline(
         u, np.column_stack([np.cos(np.pi * u), np.sin(np.pi * u)]), knots, DEGREE, w=weights
     )

@@ -248,7 +248,7 @@ class Travel:
         changed: dict[str, Any] = {name: step.pop(name) for name in ("loads", "between") if name in step}
         course = Course.of(replace(good, **held), [step])
         before, after = np.append(0.0, self.path_length)[k - 1 : k + 1]
-        # the effect of elements that are added or removed does not increase gradually
+        # elements cannot be added or removed gradually
         at_once = "between" in changed and len(require_elements(changed["between"])) != len(start.between)
         low, high = 0.0, 0.0 if at_once else 1.0
         while high - low > RESOLUTION_SHARE:

@@ -216,7 +216,7 @@ def _opposed(
     The first point of each pair is among `searching`. To compare positions and normals in one search, the normals
     times `least` are appended to the coordinates.
     """
-    # the sum of the normals of points that face each other is at most 2 sin(acos(FACING))
+    # the length of the sum of the normals is at most 2 sin(acos(FACING)) for points that face each other
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
     radius = np.hypot(reach, 2 * least * np.sqrt(1 - FACING**2))
     i, j = near_pairs(here, there, float(radius))
@@ -256,14 +256,15 @@ def _widths_across(
 
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
-    """Return the index of the narrowest place of each group.
+    """Return the index of the narrowest part of the material in each group.
 
-    Places `middle` (k, 2) closer than `least` are in the same group.
+    `middle` (k, 2) contains the midpoints of narrow parts. Parts closer together than `least` are in the same
+    group.
     """
     order = np.argsort(width, kind="stable")
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
-    thinnest, known = ranks.copy(), None  # rank of the thinnest place that is known for each group
+    thinnest, known = ranks.copy(), None  # smallest rank by width that is known so far in each group
     while known is None or not np.array_equal(thinnest, known):
         known = thinnest.copy()
         np.minimum.at(thinnest, i, known[j])
@@ -272,7 +273,10 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
 
 
 def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
-    """Return the index of the smallest of the widths (k,) that belong to the same `point` (k,)."""
+    """Return the index of the smallest width of each point.
+
+    `point` (k,) assigns a point to each of the widths (k,).
+    """
     order = np.lexsort((width, point))
     return order[np.diff(point[order], prepend=-1) > 0]
 
@@ -321,9 +325,9 @@ class _Chords:
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
-        """Return True (m,) for chords that have their partner in `others` (m chords) in front of them.
+        """Return True (m,) for chords with the chord of the same index in `others` in front of them.
 
-        In front means across the material, at most `least` mm away."""
+        A chord is in front if it is on the other side of the material, at a distance of at most `least` mm."""
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
         ahead = np.sum(ends * normals, axis=2)
@@ -420,7 +424,7 @@ def find_strip_faults(
         return ()
     shop = shop or FabricationLimits()
     name = strip.label or "strip"
-    joined = shop.lap is not None  # strips longer than the stock are joined from pieces
+    joined = shop.lap is not None  # strips longer than the stock may be joined from pieces
     backing = strip.layout.backing
     sheets = (strip.sheet,) if backing is None else (strip.sheet, backing.sheet)
     stocks = [shop.stock_for(sheet) for sheet in sheets]
