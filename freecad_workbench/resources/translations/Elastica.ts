@@ -1015,6 +1015,26 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Searching for changes that help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep it possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A dragged pole returns to the last position where the strip can be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep dragged poles where the strip can be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cutting files show {strip} without {later}, a later feature of its body. Use the slots, tabs and holes of the strip instead, or draw the change in the files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Searching the nearest curve</source>
         <translation type="unfinished"></translation>
     </message>

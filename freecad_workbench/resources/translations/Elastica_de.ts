@@ -1011,6 +1011,26 @@
         <translation>Dateien werden geschrieben</translation>
     </message>
     <message>
+        <source>Searching for changes that help</source>
+        <translation>Passende Änderungen werden gesucht</translation>
+    </message>
+    <message>
+        <source>Keep it possible</source>
+        <translation>Machbar bleiben</translation>
+    </message>
+    <message>
+        <source>A dragged pole returns to the last position where the strip can be made</source>
+        <translation>Ein gezogener Pol kehrt an die letzte Stelle zurück, an der der Streifen machbar ist</translation>
+    </message>
+    <message>
+        <source>Keep dragged poles where the strip can be made</source>
+        <translation>Gezogene Pole dort halten, wo der Streifen machbar ist</translation>
+    </message>
+    <message>
+        <source>The cutting files show {strip} without {later}, a later feature of its body. Use the slots, tabs and holes of the strip instead, or draw the change in the files.</source>
+        <translation>Die Schneiddateien zeigen {strip} ohne {later}, ein späteres Merkmal des Körpers. Schlitze, Laschen und Löcher des Streifens verwenden, oder die Änderung in die Dateien zeichnen.</translation>
+    </message>
+    <message>
         <source>Searching the nearest curve</source>
         <translation>Die nächste Kurve wird gesucht</translation>
     </message>

@@ -1011,6 +1011,26 @@
         <translation>正在写文件</translation>
     </message>
     <message>
+        <source>Searching for changes that help</source>
+        <translation>正在查找有效的修改</translation>
+    </message>
+    <message>
+        <source>Keep it possible</source>
+        <translation>保持可制作</translation>
+    </message>
+    <message>
+        <source>A dragged pole returns to the last position where the strip can be made</source>
+        <translation>被拖动的控制点会退回到条带仍可制作的最后位置</translation>
+    </message>
+    <message>
+        <source>Keep dragged poles where the strip can be made</source>
+        <translation>将拖动的控制点保持在条带可制作的位置</translation>
+    </message>
+    <message>
+        <source>The cutting files show {strip} without {later}, a later feature of its body. Use the slots, tabs and holes of the strip instead, or draw the change in the files.</source>
+        <translation>切割文件中的 {strip} 不含 {later}，即其实体的后续特征。请改用条带自身的槽、耳片和孔，或将更改画入文件。</translation>
+    </message>
+    <message>
         <source>Searching the nearest curve</source>
         <translation>正在搜索最近曲线</translation>
     </message>
