@@ -19,7 +19,7 @@ from elastica_cad.refusals import Length
 Motion = Callable[[FloatArray, int, bool], FloatArray]
 
 _PROBES = np.array([0.06, 0.2, 0.36, 0.5, 0.64, 0.8, 0.94])
-"""Fractions of a span at which the error is measured; unlike the interpolation points, they are uneven."""
+"""Fractions of a span at which the error is measured; their spacing is uneven."""
 
 _MOST_SPANS = 20_000
 """Largest number of spans of an approximation; a tolerance that needs more is refused."""
@@ -126,7 +126,7 @@ def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ..
 def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: float) -> PlaneCurve:
     """Return the clamped cubic B-spline that approximates `motion` within `tolerance` mm at equal parameters.
 
-    The spline interpolates the motion at the knots, and has the same direction at the ends of every smooth part.
+    The spline has the positions of the motion at the knots, and its directions at the ends of every smooth part.
 
     Parameters
     ----------
@@ -174,7 +174,7 @@ def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tup
 
 
 _ROUNDING_SHARE = 1e-12
-"""Length of a chord, as a fraction of its coordinates, below which its direction consists of rounding errors."""
+"""Length of a chord, as a fraction of its coordinates, up to which its direction may be a rounding error."""
 
 _SHORTEST_SHARE = 1e-6
 """Length of the shortest piece of a spline, as a fraction of its parameter range."""
@@ -186,7 +186,7 @@ _TAKEN = 0.95
 """Fraction of the tolerance that is used, because samples may miss the largest error."""
 
 _NEAR = 0.05
-"""Fraction by which a biarc may be shorter than the longest possible biarc."""
+"""Relative accuracy of the length of the longest possible biarc."""
 
 
 def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
@@ -243,7 +243,7 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
 def _longest(
     spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
 ) -> tuple[float, list[Segment]]:
-    """Return the largest end parameter (within 5 %) of a biarc from `start` within the tolerance, and the biarc."""
+    """Return the end parameter, within 5 %, of the longest permitted biarc from `start`, and the biarc."""
     allowed = _TAKEN * tolerance
     pieces, off = _biarc(spline, start, end)
     if off <= allowed:
@@ -280,7 +280,7 @@ def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[l
     square = float(chord @ chord)
     if along <= _ROUNDING_SHARE * float(np.abs([p, q]).max()):
         return [], np.inf  # the chord points backwards, or the spline is a loop
-    # positive root of bend d^2 + 2 along d = square, in a form that is also valid for bend = 0
+    # this form of the positive root of bend d^2 + 2 along d = square is also valid for bend = 0
     d = square / (along + np.sqrt(along**2 + bend * square))
     middle = (p + d * s + q - d * t) / 2
     pieces = [_arc(p, middle, s, 1.0), _arc(middle, q, t, -1.0)]

@@ -13,16 +13,16 @@ _DEGREE = 15
 """Degree of the Chebyshev series of the speed on each panel."""
 
 _FINE = 1e-14
-"""Last Chebyshev coefficients, relative to the speed, below which they are rounding errors."""
+"""Last Chebyshev coefficients, relative to the speed, up to which they are rounding errors."""
 
 _NOISE_SHARE = 1e-8
-"""Coefficients, relative to the speed, below which halving a panel is tested.
+"""Last Chebyshev coefficients, relative to the speed, up to which they may be rounding errors.
 
-If halving does not reduce them, they are rounding errors.
+They are rounding errors if halving the panel does not reduce them.
 """
 
 _NARROWEST = 2.0**-40
-"""Width of the narrowest panel, as a fraction of the parameter range; smaller ones contain only rounding errors."""
+"""Width of the narrowest panel, as a fraction of the parameter range; the values in it are rounding errors."""
 
 # largest number of Newton steps; three are usual, and more are needed only where the speed is almost 0
 _NEWTON_STEPS = 40
@@ -83,7 +83,7 @@ class ArcLength:
 
     @cached_property
     def _slopes(self) -> FloatArray:
-        """Chebyshev coefficients (k, 16) of the derivatives of the series by the panel coordinate x."""
+        """Chebyshev coefficients (k, 16) of the derivative of the arc length by the panel coordinate x."""
         return np.asarray(chebyshev.chebder(self.series, axis=1), dtype=float)
 
     @cached_property

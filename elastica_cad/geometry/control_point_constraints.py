@@ -30,7 +30,7 @@ class Constraint(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class EndPositions:
-    """Fixed end points (2,), mm; an end with the value None is free."""
+    """Constraint on the end points (2,), mm; an end with the value None is free."""
 
     start: FloatArray | None
     end: FloatArray | None
@@ -54,7 +54,7 @@ class EndPositions:
 
 @dataclass(frozen=True, eq=False)
 class EndTangents:
-    """Fixed end tangents, given by their normal vectors (2,); an end with the value None is free."""
+    """Constraint on the end tangents, given by normal vectors (2,); an end with the value None is free."""
 
     start_normal: FloatArray | None
     end_normal: FloatArray | None
@@ -69,7 +69,7 @@ class EndTangents:
         return cls(start, end)
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return the components of the end velocities along the fixed normals."""
+        """Return the components of the velocities at the ends along the given normals."""
         ends = zip(curve.domain, (self.start_normal, self.end_normal), strict=True)
         held = [(t, n) for t, n in ends if n is not None]
         if not held:
@@ -97,7 +97,7 @@ class SmoothJoints:
 
     @classmethod
     def of(cls, curve: PlaneCurve) -> "SmoothJoints":
-        """Return the constraint for all joints of `curve` except its corners."""
+        """Return the constraint for all joints between the pieces of `curve`, except its corners."""
         corners = {corner.t for corner in curve.tangent_breaks}
         free = [joint.t for joint in curve.breaks if joint.t not in corners]
         first = np.searchsorted(curve.knots, free, side="left")
@@ -153,9 +153,9 @@ class InflectionsOnLine:
     natural_curvature: float = 0.0
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return the values a + <b, gamma(t_0)> at the inflections t_0 of the curve gamma.
+        """Return the values a + <b, gamma(t)> at the inflections of the curve gamma.
 
-        The inflections move with the control points.
+        The parameters t of the inflections change with the control points.
         """
         position, jacobian = _inflections(curve, self.t, self.natural_curvature)
         b = np.asarray(self.b, dtype=float)
@@ -209,8 +209,7 @@ class CollinearInflections:
         normal = left_of(chord) / size
         offset = position[others] - position[i]
         along = offset @ chord / size**2
-        # if the chord rotates, the point of the line moves by the fraction `along` of the movement of the
-        # chord's far end
+        # if the chord rotates, a point on it moves by the fraction `along` of the movement of the far end
         step = jacobian[others] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
         return offset @ normal, np.asarray(np.einsum("k,ikq->iq", normal, step))
 
@@ -285,7 +284,7 @@ def least_norm_newton(
 
 
 def _rounding(curve: PlaneCurve, jacobian: FloatArray) -> float:
-    """Return the norm of residuals that rounding of the control points and of their evaluation may cause."""
+    """Return the norm of the residuals that rounding errors of control points and of their evaluation may cause."""
     return float(8 * _EPS * np.linalg.norm(np.abs(jacobian) @ np.abs(curve.control_points).ravel()))
 
 
@@ -335,8 +334,7 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
     """Return the positions (k, 2) of the inflections near given parameters, and their derivatives (k, 2, 2 m).
 
     At an inflection with the parameter t, the curvature kappa always equals kappa_0. The derivatives by the
-    control points
-    q are therefore dt/dq = -(d kappa/dq) / (d kappa/dt).
+    control points q are therefore dt/dq = -(d kappa/dq) / (d kappa/dt).
     """
     t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
     velocity = curve.evaluate(t, 1)
@@ -347,7 +345,7 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
 
 
 def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) -> FloatArray:
-    """Return an inflection for each given parameter: in order if the numbers agree, else the nearest."""
+    """Return the inflections for given parameters: in order if their numbers agree, else the nearest ones."""
     inflections = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
     if inflections.size < near.size:
         raise NotConvergedError(

@@ -21,16 +21,16 @@ ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
 _EPS = float(np.finfo(float).eps)
 
 _DEGREE = 11
-"""Degree of the polynomials that approximate functions other than polynomials."""
+"""Degree of the polynomials that approximate a function on each span."""
 
 _FOLLOWED = 1e-13
-"""Last coefficients, relative to the size of a function, below which a polynomial approximates the function."""
+"""Last coefficients of a polynomial, relative to the function, up to which the approximation is accepted."""
 
 _FOLLOWED_NOISE = 1e-12
-"""Coefficients of the approximating polynomials, relative to the size of the function, that are rounding errors."""
+"""Coefficients of a polynomial, relative to the function, up to which they are rounding errors."""
 
 _FLAT = 1e-7
-"""Largest value of a function on an interval, relative to its overall size, for which it counts as 0 there."""
+"""Value of a function, relative to its overall size, up to which it counts as 0 on a whole interval."""
 
 _MOST_CUTS = 12  # largest number of halvings of a span; any remaining error is a rounding error
 
@@ -136,10 +136,7 @@ def function_zero_places(
 
 
 def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
-    """Return for inner boundaries (k - 1,) whether the function is continuous there.
-
-    The pieces start at the parameters `starts` (k,).
-    """
+    """Return flags (k - 1,) for pieces that start at `starts` (k,): True if neighbouring pieces meet smoothly."""
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
     return joined
@@ -163,7 +160,7 @@ def _extent(bezier: FloatArray) -> float:
 
 
 def _unit_sized(bezier: FloatArray) -> FloatArray:
-    """Return the pieces moved to the origin, and scaled to extent 1 and largest weight 1."""
+    """Return the pieces moved to the origin and scaled, so that their extent and their largest weight are 1."""
     points = bezier[..., :2] / bezier[..., 2:]
     high, low = points.max(axis=(0, 1)), points.min(axis=(0, 1))
     unit = np.empty_like(bezier)
@@ -176,18 +173,18 @@ def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return Bernstein coefficients of a polynomial with the sign of the curvature, and their rounding errors (p,).
 
     The polynomial is D = det(A, B - A, A - 2B + C), with the points A, B, C of the last but one step of de
-    Casteljau's
-    algorithm. D is det(P, P', P'') except for the factor degree^2 (degree - 1). The curvature is
+    Casteljau's algorithm. D is det(P, P', P'') except for the factor degree^2 (degree - 1). The curvature is
     (degree - 1)/degree * D * w^3 / |h|^3, with weight w and the result h of `hodograph`.
     """
     centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
     step = bezier[:, 1:] - bezier[:, :-1]
     bend = step[:, 1:] - step[:, :-1]
-    if np.ptp(bezier[..., 2]) == 0:  # weights are scaled to 1, so that only one factor of a term remains
+    # equal weights are set to 1, so that only one factor of each term remains
+    if np.ptp(bezier[..., 2]) == 0:
         d, e = (v[..., :2].transpose(2, 0, 1) for v in (step[:, :-1], bend))
         first, second = product(d, e[::-1])
         return first - second, _numerator_noise(d, e, centre)
-    # relative to the middle of each piece; rows x w, y w, w
+    # coordinates x w, y w, w relative to the middle of each piece
     a, d, e = (
         np.stack([*(v[..., :2] - centre[:, None] * v[..., 2:]).transpose(2, 0, 1), v[..., 2]])
         for v in (bezier[:, :-2], step[:, :-1], bend)
@@ -207,7 +204,7 @@ def _numerator_noise(d: FloatArray, e: FloatArray, centre: FloatArray) -> FloatA
 
 @dataclass(frozen=True, eq=False)
 class _Pieces:
-    """Function along a curve that has the sign of polynomials with Bernstein coefficients (p, n)."""
+    """Function along a curve; it has the same sign as polynomials with Bernstein coefficients (p, n)."""
 
     coefficients: FloatArray
     noise: FloatArray
@@ -251,7 +248,7 @@ def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
 def _at_start(
     f: _Pieces, edges: FloatArray, i: int, *, zero: BoolArray, start: list[int], stop: list[int]
 ) -> list[ZeroPlace]:
-    """Return the zero at the knot where piece i starts, or the interval of zeros from there, in a list."""
+    """Return a list with the zero at the start of piece i, or with the interval of zeros that starts there."""
     t = float(edges[i])
     if f.flat[i]:
         if i and f.flat[i - 1]:

@@ -5,16 +5,12 @@ The smooth curve c is the spline of degree 4 with simple knots that minimises
     integral of (n . (c - drawn))^2 ds + l^6 integral of (d kappa / ds)^2 ds,
 
 where n is the normal of the drawn curve, s arc length, and kappa the curvature of c. It has the ends and end
-tangents of
-the drawn curve. On request the curvature is 0 at the ends. The smoothing length l is the largest for which the
-curve is
-within the tolerance. If the drawn curve is closed, c is periodic. The slope of the curvature is linearised about
-the
-curve of the previous iteration. All systems are sparse.
+tangents of the drawn curve. On request the curvature is 0 at the ends. The smoothing length l is the largest for
+which the curve is within the tolerance. If the drawn curve is closed, c is periodic. The slope of the curvature
+is linearised about the curve of the previous iteration. All systems are sparse.
 
 Corners of at most 5 degrees are removed first, by turning the handles beside them: the vectors from the corner to
-the
-neighbouring control points.
+the neighbouring control points.
 """
 
 from collections.abc import Callable
@@ -105,8 +101,8 @@ USUAL, USUAL_SHARE = 0.1, 5e-4
 _EACH = 5  # number of sample points of each span
 _FEWEST, _MOST = 24, 768  # least and largest number of spans
 _ROUNDS = 3  # number of linearisations
-_HALVINGS = 14  # number of halvings of the range of smoothing lengths
-# fraction of the tolerance that is used at the samples; the distance between samples is measured afterwards
+_HALVINGS = 14  # number of bisections of the range of smoothing lengths
+# fraction of the tolerance that is used at the samples, because the distance between samples may be larger
 _USED = 0.96
 _SLIDE = 1e4  # weight of motion along the curve, relative to motion normal to it
 _FINE = 1.5  # least number of spans in the smoothing length
@@ -136,8 +132,7 @@ def may_step(curve: PlaneCurve) -> bool:
     """Return True if the width of a strip with this curve may have a step.
 
     This is the case if the curvature jumps, or its slope jumps at an inflection. The result is False for curves
-    with
-    corners or straight pieces, because they are not smoothed: corners are refused, and straight pieces are
+    with corners or straight pieces, because they are not smoothed: corners are refused, and straight pieces are
     intended.
     """
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
@@ -272,10 +267,10 @@ class _Problem:
         self.data_part = self._normal_equations(both, np.concatenate(target))
 
     def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
-        """Fix the end control points; return the index of the unknown (m,) of each control point, -1 if fixed."""
+        """Fix the end control points; return the number of the unknown (m,) of each control point, -1 if fixed."""
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
         first, last = (3 if is_unbent else 2 for is_unbent in unbent)
-        # these control points would be on a straight line with constant speed
+        # such control points are on a straight line and have constant speed
         reach = np.array([0.0, 1.0, 3.0])[:, None]
         self.held[:first] = (ends.position[0] + reach * step[0])[:first]
         self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
@@ -295,9 +290,9 @@ class _Problem:
         return csr_matrix((np.ones(row.size), (row, column)), shape=size)
 
     def _rows(self, direction: FloatArray, derivative: int) -> Any:
-        """Return the sparse matrix (n, 2 m) that gives derivatives of the curve along `direction` at the samples.
+        """Return the sparse matrix (n, 2 m) that converts control points to derivatives at the samples.
 
-        It is multiplied by the control points.
+        The result contains the components of the derivatives along `direction`.
         """
         from scipy.sparse import csr_matrix
 
@@ -321,10 +316,10 @@ class _Problem:
         return self.solved(self._normal_equations(rows, np.zeros(self.s.size)), self.width**6 / 64)
 
     def slope_rows(self, points: FloatArray) -> tuple[Any, FloatArray]:
-        """Return the normal equations of the curvature slope, linearised about the curve of `points`.
+        """Return the normal equations of the slope of the curvature, linearised about the curve of `points`.
 
-        For unit tangent t, unit normal n, curvature kappa and a speed near 1, a change d of the curve changes d
-        kappa / ds by n . d''' - 3 kappa t . d'' - 2 kappa' t . d' - 2 kappa^2 n . d'.
+        A change d of the curve changes this slope by n . d''' - 3 kappa t . d'' - 2 kappa' t . d' - 2 kappa^2 n .
+        d'. Here t is the unit tangent, n the unit normal, and kappa the curvature; the speed is near 1.
         """
         d1, d2, d3 = (self._values(points, k) for k in (1, 2, 3))
         speed = np.hypot(d1[:, 0], d1[:, 1])
@@ -375,7 +370,7 @@ PER_ROUNDING = 2 * np.sqrt(2.0)
 """Largest error of the distance between a corner and the next control point if coordinates are rounded by 1."""
 
 SMOOTHING_SHARE = 0.5
-"""Fraction of the allowed distance that is used to remove corners; the rest is used to smooth the curvature."""
+"""Fraction of the allowed distance for the removal of corners; the rest is for smoothing the curvature."""
 
 POLYLINE_SHARE = 0.1
 """Largest `smooth` that is suggested for a polyline, as a fraction of its size."""
@@ -446,7 +441,7 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     healing = _healed(curve, SMOOTHING_SHARE * most)
     if len(healing.healed) < len(corners):
         return None
-    # the factor covers the difference between an angle and its sine in the bound of a turn
+    # this factor covers the difference between an angle and its sine
     needed = 1.05 * healing.moved / SMOOTHING_SHARE
     offered = max(_one_figure(needed, np.ceil), _one_figure(usual_tolerance(curve), np.floor))
     return offered if offered <= most and not round_corners(curve, offered)[0].has_corners else None
@@ -458,7 +453,7 @@ def _one_figure(x: float, rounded: Callable[[float], float]) -> float:
 
 
 def _healed(curve: PlaneCurve, reach: float) -> Healing:
-    """Remove the corners that can be removed without moving the end of any handle farther than `reach`, mm."""
+    """Return the curve without corners that can be removed by moving the ends of handles by at most `reach`, mm."""
     return heal_tangents(
         curve.knots, curve.control_points, curve.degree, curve.weights, rounding=reach / PER_ROUNDING
     )

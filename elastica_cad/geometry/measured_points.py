@@ -19,9 +19,9 @@ FEWEST = 8
 """Least number of differences of an order from which the noise is estimated."""
 
 SETTLED = 0.7
-"""Ratio of the divided differences of successive orders that separates noise from shape.
+"""Ratio of the divided differences of two successive orders that separates noise from shape.
 
-The differences of a smooth curve decrease faster, and the differences of noise decrease more slowly.
+The differences of a smooth curve decrease faster from order to order, and those of noise decrease more slowly.
 """
 
 CROWDED_SHARE = 0.1
@@ -34,7 +34,7 @@ REPORTED_MM = 0.01
 """Smallest noise that is reported, mm; a fit removes smaller noise."""
 
 FINEST_MM = 1e-3
-"""Finest resolution of points, mm; curves that differ by less have the same widths."""
+"""Finest resolution of points, mm; a finer resolution has no effect on the widths of a strip."""
 
 MOST_DECIMALS = 9
 """Largest number of decimals of millimetres that points may have."""
@@ -46,8 +46,10 @@ It is smaller for fewer points.
 """
 
 OUTLIER_TIMES = 4.0
-"""Factor for outliers. A point is an outlier if its distance from the curve of its neighbours exceeds this many
-times the largest distance without it, and this many times the rounding error.
+"""Factor for outliers.
+
+A point is an outlier if its distance from the curve through its neighbours is large. This distance must exceed
+the given multiple of the largest distance of the other points, and of the rounding error.
 """
 
 
@@ -209,7 +211,7 @@ def estimate_noise(points: FloatArray) -> float:
 
 
 def _across(points: FloatArray, order: int) -> float:
-    """Return the median divided difference normal to the curve, scaled to unit variance for white noise of 1 mm."""
+    """Return the median divided difference normal to the curve, scaled to 1 for white noise of 1 mm."""
     return float(np.median(np.abs(_differences(points, order)[0])) / 0.6745)
 
 
@@ -291,7 +293,7 @@ class Provenance:
         return note("({x:.6g}, {y:.6g}) {unit}", x=x, y=y, unit=self.unit)
 
     def transformed(self, matrix: FloatArray) -> "Provenance":
-        """Return the record for the image of the curve under a map with a 3 x 3 matrix."""
+        """Return the record for the image of the curve under a 3 x 3 matrix."""
         m = np.asarray(matrix, dtype=float)
         if m[2, :2].any():
             return replace(self, rounding=0.0, place=None, holes=(), measured=None, vertices=None)

@@ -38,10 +38,10 @@ from elastica_cad.geometry.splines import (
 )
 from elastica_cad.refusals import Length, note
 
-_STANDSTILL_SHARE = 1e-9  # speed that counts as zero, as a fraction of the largest speed on the span
+_STANDSTILL_SHARE = 1e-9  # speed that counts as zero, as a fraction of the largest speed on the same span
 # largest speed on a span that is a single point, as a fraction of the largest speed of the curve
 _STILL_SPAN = 1e-14
-# smallest component of a velocity along the axis of its cone, as a fraction of the velocity
+# smallest component of a velocity along the middle direction of its cone, as a fraction of the speed
 _ALONG_SHARE = 1e-9
 # largest number of halvings of a knot span; if a tangent direction is still undecided, there is a cusp
 _MOST_HALVINGS = 27
@@ -129,7 +129,7 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
 
 
 def cut_into_tangent_cones(hodographs: FloatArray, edges: FloatArray) -> TangentCones:
-    """Return the tangent cones of pieces whose velocities have Bernstein coefficients (p, n, 2)."""
+    """Return the tangent cones of pieces with Bernstein coefficients (p, n, 2) of the velocity."""
     part, low, width = hodographs, edges[:-1], edges[1:] - edges[:-1]
     size = np.hypot(part[..., 0], part[..., 1])
     largest = size.max(axis=1)
@@ -203,7 +203,7 @@ class RationalPieces:
         return self.bezier[0, 0].tolist(), self.bezier[-1, -1].tolist()
 
     def inside(self, t: FloatArray) -> FloatArray:
-        """Return parameters that are outside the domain within rounding errors moved into it; refuse others."""
+        """Return the parameters, moved into the domain if they are outside by rounding errors; refuse others."""
         a, b = self.edges[0], self.edges[-1]
         inside = np.minimum(np.maximum(t, a), b)
         if not np.abs(t - inside).max(initial=0.0) <= 1e-9 * (b - a):
@@ -239,9 +239,9 @@ class RationalPieces:
         return norm(self.within(index, u, 1)[1])
 
     def extremes(self) -> FloatArray:
-        """Return parameters (k,) at which x or y may be extreme.
+        """Return the parameters (k,) at which x or y may have an extreme value.
 
-        These are the knots, and points outside the bounding box of the knots at which x or y is stationary.
+        These are the knots, and the points outside the bounding box of the knots at which x or y is stationary.
         """
         points, edges = self.bezier[..., :2] / self.bezier[..., 2:], self.edges
         low, high = box_about(np.concatenate([points[:, 0], points[-1:, -1]]))
@@ -267,7 +267,7 @@ class RationalPieces:
         return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
 
     def _series_to(self, order: int) -> FloatArray:
-        """Return `_series` of the orders 0 to `order`, (p, degree + 1, 2 or 3 columns for each order)."""
+        """Return the coefficients `_series` of all orders up to `order`, with 2 or 3 columns an order."""
         if order not in self._known:
             self._known[order] = np.concatenate([self._series(k) for k in range(order + 1)], axis=2)
         return self._known[order]
@@ -309,7 +309,7 @@ class RationalPieces:
 
 @lru_cache(maxsize=64)
 def _raised(degree: int, times: int) -> FloatArray:
-    """Return the matrix from Bernstein coefficients of a degree reduced by `times` to scaled ones of `degree`."""
+    """Return the matrix from Bernstein coefficients of degree `degree` - `times` to scaled ones of `degree`."""
     c = np.eye(degree + 1 - times)
     for _ in range(times):
         c = raise_degree(c) if c.shape[1] > 1 else np.repeat(c, 2, axis=1)
@@ -341,10 +341,10 @@ def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArra
 
 
 ORDERS_OF_SIDES = 3
-"""Number of derivatives that `KnotSides` compares; the multiplicity of a knot determines higher derivatives."""
+"""Number of derivatives that `KnotSides` compares; higher ones follow from the multiplicity of a knot."""
 
 SHORT_SPAN_SHARE = 1e-6
-"""Distance between knots, as a fraction of the domain, below which continuity is checked by evaluation only."""
+"""Distance of knots, as a fraction of the domain, below which continuity is not concluded from multiplicity."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -356,13 +356,13 @@ class KnotSides:
 
     @classmethod
     def of(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
-        """Return the values on both sides of each interior knot."""
+        """Return the angle, curvature and slope on both sides of each interior knot."""
         t, (before, after) = pieces.edges[1:-1], pieces.beside_knots(ORDERS_OF_SIDES)
         return cls(_side(turning, t, before, left=True), _side(turning, t, after, left=False))
 
     @classmethod
     def of_seam(cls, pieces: RationalPieces, turning: TangentAngle) -> "KnotSides":
-        """Return the values, (3, 1), at the end of a closed curve and at its start."""
+        """Return the angle, curvature and slope, (3, 1), at the end of a closed curve and at its start."""
         before, after = (
             _side(turning, t, pieces.at(t, ORDERS_OF_SIDES, left=left), left=left)
             for t, left in ((pieces.edges[-1:], True), (pieces.edges[:1], False))
@@ -372,7 +372,7 @@ class KnotSides:
 
     @property
     def corners(self) -> FloatArray:
-        """Exterior angles (p - 1,), rad."""
+        """Exterior angles (p - 1,), rad, of the corners at the interior knots."""
         return np.asarray(self.after[0] - self.before[0])
 
 
@@ -455,18 +455,18 @@ def _length_until(pieces: RationalPieces, t: float) -> float:
 
 
 SAME_KNOT = 1e-12
-"""Distance from a knot, as a fraction of the domain, below which a parameter equals the knot.
+"""Distance from a knot, as a fraction of the domain, up to which a parameter equals the knot.
 
-Shorter spans would consist of rounding errors.
+A shorter span would consist of rounding errors.
 """
 
 FAR_SIZES = 1e6
-"""Displacement, in sizes of the curve, above which coordinates lose digits and the curve is checked again."""
+"""Displacement, in sizes of the curve, above which coordinates lose digits, so that the curve is checked again."""
 
 _AHEAD_SHARE = 1e-6
-"""Least step between control points along the chord of a curve, as a fraction of the chord.
+"""Step of the control polygon along the chord of a curve, as a fraction of the chord.
 
-If all steps are larger, the curve certainly has no point of zero speed.
+If all steps are larger, the curve has no point of zero speed.
 """
 
 MOST_TURNS = 100
@@ -803,7 +803,7 @@ class NurbsCurve:
 
 
 def _de_boor(knots: FloatArray, points: FloatArray, span: int, t: float) -> list[FloatArray]:
-    """Return the rows (degree, d) to (1, d) of De Boor's triangle in the span that starts at a knot."""
+    """Return the rows of De Boor's triangle, (degree, d) to (1, d), in the span that starts at a knot."""
     degree = knots.size - len(points) - 1
     rows, near = [points[span - degree : span + 1]], knots[span - degree + 1 : span + degree + 1]
     for level in range(1, degree + 1):

@@ -148,10 +148,7 @@ def _corner(before: Segment, after: Segment, left: float) -> Arc | None:
 
 
 class _Ring:
-    """Pieces of the offset path in order, which are joined by trimming.
-
-    Pieces that vanish are removed.
-    """
+    """Pieces of the offset path in order, which are joined by trimming; pieces that vanish are removed."""
 
     def __init__(self, elements: list[_Element], closed: bool, distance: float) -> None:
         self.elements = elements
@@ -211,7 +208,7 @@ class _Ring:
 
 
 def _joint(a: Segment, b: Segment) -> tuple[float, float] | None:
-    """Return the parameters of a and b at which they meet, or None if they do not meet."""
+    """Return the parameters at which the segments a and b meet, or None if they do not meet."""
     if np.hypot(*(b.start - a.end)) <= JOIN / 2:
         return 1.0, 0.0
     crossings = segment_crossings(a, b)

@@ -32,11 +32,10 @@ The distances need some ten MB of memory.
 
 _NEWTON_STEPS = 6
 _ROUNDING_SHARE = 1e-12  # rounding error of a distance, as a fraction of a length
-# last step of Newton's method, as a fraction of the domain; the distance changes with the square of the
-# step
+# last step of Newton's method, as a fraction of the domain; the error of the distance is of second order
 _SETTLED = 1e-12
-_UNSETTLED = 1e-7  # last step, as a fraction of the domain, above which Newton's method has not converged
-_SEARCHES = 20  # number of refinements, each to a quarter of the span or less
+_UNSETTLED = 1e-7  # step of Newton's method, as a fraction of the domain, above which it has not converged
+_SEARCHES = 20  # number of refinements; each reduces a span to a quarter or less
 
 
 def distances(segment: Segment, points: ArrayLike) -> FloatArray:
@@ -76,7 +75,7 @@ def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
 
 
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return distances (n, m) of points from chords a[j] b[j], and the nearest positions on the chords (0 to 1)."""
+    """Return the distances (n, m) of points from chords a[j] b[j], and the nearest fractions of the chords."""
     (x, y), (dx, dy) = a.T, (b - a).T
     # x and y are separate, because sums over an axis of length 2 are slow
     left, down = p[:, :1] - x, p[:, 1:] - y
@@ -104,7 +103,7 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
     """
     u, q = chords(spline, _chord_tolerance(spline))
     chord, where = _to_chords(p, q[:-1], q[1:])
-    # the nearest chord, and chords of other parts that may be nearer within the error of the chords
+    # the nearest chord, and other chords whose distance is the same within the error of the chords
     close = chord <= chord.min(axis=1, keepdims=True) + 2 * _chord_tolerance(spline)
     close[:, 1:] &= chord[:, 1:] < chord[:, :-1]
     close[:, :-1] &= chord[:, :-1] <= chord[:, 1:]
@@ -133,10 +132,10 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
 
 
 def _searched(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArray) -> FloatArray:
-    """Return the least distances (n,), mm, of points from parts `low` to `high` of a curve, by sampling.
+    """Return the least distances (n,), mm, of points from the parts of a curve between parameters `low` and `high`.
 
-    This search is used if the speed of the curve is so uneven that Newton's method leaves the part of the nearest
-    chord.
+    The method is repeated sampling. It is used if Newton's method does not converge within these parts, because
+    the speed of the curve is too uneven.
     """
     rows, least = np.arange(len(p)), np.full(len(p), np.inf)
     for _ in range(_SEARCHES):

@@ -154,7 +154,7 @@ It is a compromise between the number of levels and the number of useless pairs.
 
 
 def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:
-    """Return lower and upper corners (m, 2) of the boxes of chords, then of groups of boxes, up to one box."""
+    """Return the boxes of chords, then of groups of boxes, up to a single box; each has two corners (m, 2)."""
     levels = [(np.minimum(points[:-1], points[1:]), np.maximum(points[:-1], points[1:]))]
     while len(levels[-1][0]) > 1:
         low, high = levels[-1]
@@ -171,9 +171,9 @@ def _side(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
 def _line_parameters(
     a: FloatArray, b: FloatArray, c: FloatArray, d: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the intersections of the lines a b and c d, with points (n, 2) each.
+    """Return the intersections of the lines through a, b and through c, d, with (n, 2) points each.
 
-    They are given as fractions of a b and of c d; nan if the lines are parallel.
+    They are fractions of the segments a b and c d, or nan if the lines are parallel.
     """
     p, q, gap = b - a, d - c, c - a
     det = cross(p, q)
@@ -182,7 +182,10 @@ def _line_parameters(
 
 
 def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
-    """Return the parameters of crossings of chords of two segments, also slightly beyond their ends."""
+    """Return the parameters at which chords of two segments cross.
+
+    Chords are extended slightly beyond their ends.
+    """
     u, v, p, q = a.u, b.u, a.points, b.points
     i, j = _candidate_pairs(p, q)
     f, g = _line_parameters(p[i], p[i + 1], q[j], q[j + 1])
@@ -196,7 +199,7 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
     for _ in range(30):
         inside_u, inside_v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
         (ax, ay, adx, ady), (bx, by, bdx, bdy) = _motion(a, inside_u), _motion(b, inside_v)
-        # extend the segments by their tangents, so that a step may leave them and return
+        # extend both segments along their tangents, so that a step may leave them and return
         gx = bx + (v - inside_v) * bdx - ax - (u - inside_u) * adx
         gy = by + (v - inside_v) * bdy - ay - (u - inside_u) * ady
         det = adx * bdy - ady * bdx
@@ -300,7 +303,7 @@ def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:
 
 
 def _runs(path: Path, walls: Sequence[Segment], keeps: Callable[[FloatArray], bool]) -> list[list[Segment]]:
-    """Return the parts of a path between `walls` whose midpoints satisfy `keeps`, as lists of segments."""
+    """Return the parts of a path, cut at `walls`, whose midpoints satisfy `keeps`, as lists of segments."""
     runs: list[list[Segment]] = [[]]
     for segment in path.segments:
         cuts = {u for wall in walls for u, _ in segment_crossings(segment, wall)}

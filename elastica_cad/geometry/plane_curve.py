@@ -131,7 +131,7 @@ CORNER_RAD = 1e-5
 """Smallest jump of the tangent direction, rad, that counts as a corner."""
 
 ROUNDED_ZERO_SHARE = 1e-6
-"""Largest rounding error of a zero of the curvature, as a fraction of the length of a piece."""
+"""Rounding error of a zero of the curvature, as a fraction of the length of a piece."""
 
 _ROUNDING = 1e-10  # rounding error of an angle, as a fraction of the angle
 
@@ -216,7 +216,7 @@ class PlaneCurve(NurbsCurve):
 
     @property
     def smooth_panels(self) -> FloatArray:
-        """Parameters, including both ends, between which a Gauss rule of 16 points is exact except for rounding."""
+        """Parameters between which a Gauss rule of 16 points has rounding errors only, including both ends."""
         return self._pieces.arc_length.t
 
     def at(self, s: ArrayLike) -> CurveSamples:
@@ -307,7 +307,7 @@ class PlaneCurve(NurbsCurve):
 
     @cached_property
     def tangent_breaks(self) -> tuple[TangentBreak, ...]:
-        """Corners of more than 1e-5 rad, without the corner at the seam of a closed curve."""
+        """Corners of more than 1e-5 rad, except a corner where a closed curve starts and ends."""
         if self._pieces.edges.size == 2 or self._is_smooth(1):
             return ()
         angle = self._knot_sides.corners
@@ -388,7 +388,7 @@ class PlaneCurve(NurbsCurve):
         return self._continuity >= 2
 
     def _polished(self, zero_places: tuple[zeros.ZeroPlace, ...]) -> tuple[zeros.ZeroPlace, ...]:
-        """Refine crossings by a step of Newton's method, because coordinates of short pieces are rounded."""
+        """Return the zeros, with crossings improved by a Newton step because short pieces have rounding errors."""
         crossing = [i for i, place in enumerate(zero_places) if place.kind == "crossing"]
         if not crossing:
             return zero_places
@@ -465,7 +465,7 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
     return tuple(curve.trimmed(*ends).drawn_as(drawn) for ends in pairwise(places))
 
 
-DEGREE = 5  # so that the curvature has two continuous derivatives, which checks of equilibrium use
+DEGREE = 5  # the curvature then has two continuous derivatives, which checks of equilibrium need
 
 
 def integrate_tangents(

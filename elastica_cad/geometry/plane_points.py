@@ -169,7 +169,7 @@ def numbers_in_groups(counts: IntArray) -> IntArray:
 
 
 _ROW, _FINEST_CELL = 2**31, 2.0**-30
-"""Number of cells in a row, and width of a cell as a fraction of the extent of all points."""
+"""Number of cells in a row, and width of the finest cell as a fraction of the extent of all points."""
 
 
 def near_pairs(
@@ -177,15 +177,9 @@ def near_pairs(
 ) -> tuple[IntArray, IntArray]:
     """Return index pairs (k,) of points (n, d) and other points (m, d) whose distance is at most `reach`.
 
-    Pairs are in the order of the points. The plane of the first two coordinates is divided into cells at least
-    as wide as `reach`. Each point is compared with the points of nine cells; a point
-    with more than `most` of these neighbours gets no pairs.
-
-    Examples
-    --------
-    >>> row = np.array([[0.0, 0.0], [1.0, 0.0], [3.0, 0.0]])
-    >>> [numbers.tolist() for numbers in near_pairs(row, row[:2], 1.0)]
-    [[0, 0, 1, 1], [0, 1, 0, 1]]
+    The plane of the first two coordinates is divided into square cells of width `reach` or more. Each point is
+    compared with the points of its cell and of the eight cells around it. A point with more than `most` of these
+    neighbours gets no pairs. Pairs are in the order of the points.
     """
     both = np.concatenate([points, others])[:, :2]
     cells = both - both.min(axis=0, initial=np.inf)

@@ -11,19 +11,19 @@ from elastica_cad._types import BoolArray, FloatArray, IntArray
 
 @lru_cache(maxsize=64)
 def binomials(degree: int) -> FloatArray:
-    """Return binomial coefficients (degree + 1,): the factors from `scaled_bernstein` to Bernstein polynomials."""
+    """Return binomial coefficients (degree + 1,): quotients of Bernstein polynomials and `scaled_bernstein`."""
     return np.array([comb(degree, i) for i in range(degree + 1)], dtype=float)
 
 
 _SPLIT = 0.46875
 """Fraction at which an interval is divided.
 
-It is exact in binary. It is not 0.5, because symmetric curves have zeros at 0.5.
+It is exact in binary. It is not 0.5, because polynomials of symmetric curves often have zeros at 0.5.
 """
 
 
 def scaled_bernstein(degree: int, u: FloatArray) -> FloatArray:
-    """Return values (n, degree + 1) of u^i (1 - u)^(degree - i): Bernstein polynomials without binomials."""
+    """Return u^i (1 - u)^(degree - i) (n, degree + 1): the Bernstein polynomials without binomial coefficients."""
     powers = np.empty((degree + 1, 2, u.size))
     powers[0] = 1.0
     if degree:
@@ -66,9 +66,9 @@ def product(a: FloatArray, b: FloatArray) -> FloatArray:
 
 @lru_cache(maxsize=256)
 def _gathered(m: int, n: int) -> FloatArray:
-    """Return the matrix that sums the terms with indices i and j of a product of polynomials.
+    """Return the matrix that converts products of coefficients to the coefficients of a product of polynomials.
 
-    The terms ((m + 1) (n + 1),) are summed over i + j = k, for every k (m + n + 1,).
+    Coefficient k of the product, of m + n + 1 coefficients, is the sum of all products (i, j) with i + j = k.
     """
     i, j = np.indices((m + 1, n + 1)).reshape(2, -1)
     matrix = np.zeros((i.size, m + n + 1))
@@ -112,9 +112,9 @@ def value_and_slope(c: FloatArray, u: FloatArray) -> tuple[FloatArray, FloatArra
 
 
 def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tuple[FloatArray, BoolArray]:
-    """Return polynomials (k, n+1) divided by their zeros at 0 and 1, and flags (k, 2) for ends with zeros.
+    """Return polynomials (k, n+1) divided by their zeros at 0 and 1, and flags (k, 2) of the ends with zeros.
 
-    Values below `noise` (k,) count as zero. Only polynomials whose flag in `which` (k,) is True are changed.
+    Values up to `noise` (k,) count as zero. Only polynomials whose flag in `which` (k,) is True are changed.
     """
     c, zero = c.copy(), np.zeros((len(c), 2), dtype=bool)
     ends = np.abs(c[:, [0, -1]]) <= noise[:, None]
@@ -129,7 +129,7 @@ def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tup
 
 
 def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
-    """Divide polynomials (..., n+1) by 1 - u, or by u, without a change of degree.
+    """Divide polynomials (..., n+1) with a zero at an end by 1 - u, or by u, without a change of degree.
 
     Signs inside (0, 1) do not change.
     """
@@ -166,15 +166,15 @@ class Root:
 _MOST_HALVINGS = 48
 """Largest number of halvings of an interval.
 
-The remaining interval is as short as rounding errors and contains a single multiple zero.
+The remaining interval is about as short as rounding errors. Several zeros in it count as one multiple zero.
 """
 
 _GENTLE, _BLUR = 10.0, 4.0
-"""Factors of e, the third root of the relative rounding errors.
+"""Least slope of a single zero over e^2, and half-width of the interval of a multiple zero over e.
 
-A sign change whose slope is below 10 e^2 times the largest coefficient is a multiple zero. Rounding moves it by
-less
-than 4 e, and it is computed as the zero of a derivative.
+Here e is the third root of the relative rounding error, and the slope is relative to the largest coefficient. A
+sign change with a smaller slope is treated as a multiple zero. Rounding moves it by less than 4 e, so it is
+computed as the zero of a derivative.
 """
 
 _EPS = float(np.finfo(float).eps)
@@ -193,9 +193,9 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
 
 
 def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]]:
-    """Return intervals with sign changes, and intervals in which all values are rounding errors.
+    """Return intervals with one sign change each, and intervals in which all values are rounding errors.
 
-    Each result has the index of a polynomial, the start and end of the interval, and True for an exact sign change.
+    An interval contains the index of a polynomial, start and end, and True if the zero is known exactly.
     """
     piece = np.arange(c.shape[0])
     part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
@@ -221,7 +221,7 @@ def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, b
 
 
 def interior_roots(c: FloatArray) -> list[Root]:
-    """Return zeros in (0, 1) of polynomials (k, n+1), without zeros at the ends and zero polynomials."""
+    """Return zeros in (0, 1) of polynomials (k, n+1), without zeros at the ends; zero polynomials have no zeros."""
     noise = 32 * _EPS * np.abs(c).max(axis=1)
     noise = np.maximum(noise, 1e-15 * np.abs(c).max(initial=0.0))
     c, _ = without_end_roots(c, noise, np.ones(len(c), dtype=bool))
@@ -231,7 +231,7 @@ def interior_roots(c: FloatArray) -> list[Root]:
 
 
 def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
-    """Return the numbers of sign changes (k,) in rows, where 0 has no sign, and True (k,) for rows with a 0."""
+    """Return the numbers (k,) of sign changes in rows, without zeros, and True (k,) for rows with zeros."""
     blurred = (sign == 0).any(axis=1)
     if blurred.any():
         sign = sign.copy()
@@ -253,7 +253,7 @@ def _halved(
 
 
 def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float]]:
-    """Return an interval around the only sign change of each polynomial (k, n+1), wider for multiple zeros."""
+    """Return an interval around the only zero with a sign change of polynomials (k, n+1), wider if multiple."""
     largest = np.abs(c).max(axis=1, initial=0.0)
     u, slope = _crossings(c, largest)
     blur = np.cbrt(noise / largest)
@@ -262,7 +262,7 @@ def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float
 
 
 def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the only sign change (k,) of each polynomial, except for rounding errors, and the slope there."""
+    """Return the position (k,) of the only sign change of each polynomial, and the slope there."""
     low, high = np.zeros(len(c)), np.ones(len(c))
     u, slope = c[:, 0] / (c[:, 0] - c[:, -1]), np.zeros(len(c))
     rising = c[:, -1] > 0
@@ -281,7 +281,7 @@ def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArr
 
 
 def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:
-    """Return the intervals, with neighbouring intervals of rounding errors and adjacent zeros joined."""
+    """Return the intervals after joining close neighbours, unless both are exact zeros with a sign change."""
     merged: list[tuple[int, float, float, bool]] = []
     for piece, a, b, sharp in events:
         if merged and merged[-1][0] == piece and not (sharp and merged[-1][3]):
@@ -309,7 +309,7 @@ def _classified(c: FloatArray, events: list[tuple[int, float, float, bool]]) -> 
 
 
 def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> float:
-    """Return a multiple zero in [a, b]: the zero of the first or, for crossings, of the second derivative."""
+    """Return a multiple zero in [a, b]: the zero of the first derivative or, for crossings, of the second."""
     derivative = np.diff(c)
     if crossing and derivative.size > 1:
         derivative = np.diff(derivative)
@@ -326,17 +326,18 @@ def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> floa
 ORDER = 12  # number of Gauss nodes of a panel
 
 DENSE_PARTS = 24
-"""Number of equal parts of a panel; bounds are checked first at the ends of these parts."""
+"""Number of equal parts of a panel at whose ends bounds are checked first."""
 
 EXTREME_STEPS = 2
-"""Number of steps of Halley's method from the nearest sample to an extreme.
+"""Number of steps of Halley's method from the nearest sample to a local extreme.
 
-Two steps raise the error to the ninth power.
+Each step reduces the error to about its third power.
 """
 
-_REACH = 0.15  # largest distance from a sample to the extreme next to it
+_REACH = 0.15  # largest distance in panel coordinates from a sample to the local extreme next to it
 _NEAR_SHARE = (
-    0.05  # fraction of a function's range: extremes within it of the largest or smallest value are computed
+    # extremes this close to the largest or smallest value are computed; a fraction of the range of values
+    0.05
 )
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
@@ -395,7 +396,7 @@ class PanelFunction:
         return PanelFunction(in_panels(SLOPES, self.coefficients)).at(panel, x)
 
     def unresolved(self, tolerance: float) -> BoolArray:
-        """Return flags (N,) for panels whose last coefficients exceed `tolerance` times the largest."""
+        """Return flags (N,) for panels whose last coefficients exceed `tolerance` times the largest coefficient."""
         size = np.abs(self.coefficients).reshape(*self.coefficients.shape[:2], -1).max(axis=2, initial=0.0)
         return np.asarray(size[:, -2:].max(axis=1) > tolerance * size.max(axis=1))
 
@@ -418,7 +419,7 @@ class PanelFunction:
 
     @property
     def extremes(self) -> FloatArray:
-        """Values at the local extremes that are near the global extremes, and at the samples next to them."""
+        """Values at the local extremes near the largest and smallest value, and at the samples next to them."""
         return self.at(*self.extreme_places)
 
     @property
@@ -429,7 +430,7 @@ class PanelFunction:
 
     @property
     def found_extremes(self) -> tuple[IntArray, IntArray, FloatArray]:
-        """Local extremes near the global extremes: panels (n,), starting samples (n,) and coordinates x (n,)."""
+        """Panels, starting samples and coordinates x, (n,) each, of extremes near the largest or smallest value."""
         table = self.in_every_panel(_DENSE_BASIS)
         extreme = np.zeros_like(table, dtype=bool)
         middle, before, after = table[:, 1:-1], table[:, :-2], table[:, 2:]
@@ -437,7 +438,7 @@ class PanelFunction:
         low, high = table.min(), table.max()
         band = _NEAR_SHARE * (high - low)
         near = extreme & ((table > high - band) | (table < low + band))
-        # keep the extreme samples, including ends of panels
+        # keep the samples with extreme values, including ends of panels
         near.flat[[table.argmin(), table.argmax()]] = True
         panel, sample = near.nonzero()
         coefficients, start = self.coefficients[panel], _DENSE[sample]
@@ -447,14 +448,14 @@ class PanelFunction:
             if step:
                 slopes = (legendre_basis(x) @ _ALL_SLOPES).reshape(-1, 3, ORDER)
             first, second, third = (slopes @ coefficients[:, :, None])[:, :, 0].T
-            # Halley's method is Newton's method with the third derivative
+            # Halley's method is Newton's method with a correction by one more derivative
             bend = 2 * second * second - first * third
             step_by = np.divide(-2 * first * second, bend, out=np.zeros_like(x), where=bend != 0)
             x = np.minimum(np.maximum(x + step_by, lower), upper)
         return panel, sample, x
 
     def combined(self, numbers: FloatArray) -> "PanelFunction":
-        """Return the function whose last axis is multiplied by `numbers` and summed."""
+        """Return the function whose last axis is reduced to a sum with factors `numbers`."""
         return PanelFunction(self.coefficients @ numbers)
 
 
@@ -482,7 +483,7 @@ _DENSE_BASIS = legendre_basis(_DENSE)
 _ENDS_BASIS = legendre_basis(np.array([-1.0, 1.0]))
 _ALL_SLOPES = np.concatenate([np.linalg.matrix_power(SLOPES, k) for k in (1, 2, 3)], axis=1)
 _DENSE_SLOPES = (_DENSE_BASIS @ _ALL_SLOPES).reshape(-1, 3, ORDER)
-"""First, second and third derivatives of every Legendre polynomial by x."""
+"""First, second and third derivatives by x of every Legendre polynomial."""
 
 
 @lru_cache(maxsize=64)

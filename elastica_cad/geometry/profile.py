@@ -22,7 +22,7 @@ from elastica_cad.geometry.splines import (
 STEP_SHARE = 2e-5
 """Length of a step, as a fraction of the length of the strip.
 
-A step is replaced by a ramp, so that an outline remains a continuous edge.
+A step is replaced by a short ramp, so that the edge of an outline remains continuous.
 """
 
 
@@ -113,7 +113,7 @@ class Profile:
             tolerance=tolerance,
             breaks=breaks,
             knots=finite("knots", knots),
-            rounding=1e-9,  # accuracy of quotients of moment and curvature
+            rounding=1e-9,  # quotients of moment and curvature have errors of this size
         )
         return cls(spline_knots, coefficients, degree)
 
@@ -143,7 +143,7 @@ class Profile:
 
     @property
     def extremes(self) -> tuple[float, float]:
-        """Smallest and largest value, including both sides of a jump, except for rounding errors."""
+        """Smallest and largest value, with both sides of jumps included; accurate except for rounding errors."""
         (_, low), (_, high) = self._extreme_points
         return low, high
 
@@ -161,8 +161,8 @@ class Profile:
     @cached_property
     def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
         pieces = self._function.pieces
-        at_knots = pieces[:, [0, -1]]  # includes both sides of a jump
-        # only pieces with coefficients beyond the extremes at the knots can have extremes inside
+        at_knots = pieces[:, [0, -1]]  # values on both sides of a jump are included
+        # a piece can exceed the values at the knots only if one of its coefficients does
         passing = (pieces.min(axis=1) < at_knots.min()) | (pieces.max(axis=1) > at_knots.max())
         which = passing.nonzero()[0]
         turns = interior_roots(np.diff(pieces[which]))
@@ -199,7 +199,9 @@ class Profile:
         return self._changed(0.0, factor, 0.0)
 
     def stretched(self, low: float, high: float) -> "Profile":
-        """Return the profile with its values scaled to the extremes `low` and `high`; it must not be constant.
+        """Return the profile with values transformed linearly to the extremes `low` and `high`.
+
+        The profile must not be constant.
 
         Examples
         --------

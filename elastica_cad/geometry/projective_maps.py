@@ -12,7 +12,7 @@ from elastica_cad.geometry.polynomials import subdivide_pieces
 from elastica_cad.geometry.splines import finite
 from elastica_cad.refusals import Length
 
-_MOST_HALVINGS = 30  # largest number of halvings of a piece until its weights are positive
+_MOST_HALVINGS = 30  # a piece is halved at most this number of times to make its weights positive
 
 IN_LINE_SHARE = 1e-9
 """Height of a triangle, as a fraction of the size of all four points, below which its corners are collinear."""

@@ -26,7 +26,7 @@ from elastica_cad.geometry.splines import SplineFunction
 from elastica_cad.refusals import Length
 
 _FLATTEST_MM = 1e-7
-"""Height of an arc over its chord, mm, below which the arc is replaced by a line."""
+"""Height of an arc above its chord, mm, below which the arc is replaced by a line."""
 
 _FARTHEST_MM = 1e9
 """Radius of an arc, mm, above which the arc is replaced by a line.
@@ -301,7 +301,10 @@ class Spline:
         return np.asarray(self.curve.evaluate(self.parameter(u), 1) * (t1 - t0), dtype=float)
 
     def tangent_at(self, u: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Return unit tangents (..., 2) at u in [0, 1]; at corners after it, or with `left` before it."""
+        """Return unit tangents (..., 2) at u in [0, 1].
+
+        At a corner the tangent after it or, with `left`, before it.
+        """
         d = np.asarray(
             self.curve.evaluate(self.parameter(u), 1, left=require_flag(left, "left")), dtype=float
         )
@@ -352,7 +355,7 @@ def point(value: ArrayLike, name: str) -> FloatArray:
 
 
 def _beyond_sine(x: float) -> float:
-    """Return x - sin x without cancellation, for areas beyond the chords of flat arcs."""
+    """Return x - sin x without cancellation; it gives the area between a flat arc and its chord."""
     y = x * x
     near = x * y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110))))
     return x - sin(x) if abs(x) > 0.3 else near
@@ -378,7 +381,7 @@ _PROBES = np.array([0.25, 0.5, 0.75])
 _ENDS, _HALVES = np.array([0.0, 1.0]), np.array([0.0, 0.5, 1.0])
 
 MOST_ROUNDS = 40
-"""Largest number of halvings; a span is then as short as rounding errors."""
+"""Largest number of halvings of a span; then it is as short as rounding errors."""
 
 
 def require_tolerance_mm(tolerance: float) -> float:
@@ -408,13 +411,13 @@ def chord_points(segment: Segment, tolerance: float) -> FloatArray:
 def _first_places(segment: Segment, tolerance: float) -> FloatArray:
     """Return initial parameters u (n,) from 0 to 1 for chords of a segment.
 
-    They are final for lines and arcs, and are refined for splines.
+    For lines and arcs they are sufficient; for splines further parameters are inserted.
     """
     tolerance = require_tolerance_mm(tolerance)
     if isinstance(segment, Line):
         return _ENDS
     if isinstance(segment, Arc):
-        # steps of at most 120 degrees, so that the polygon of a circle has an area
+        # steps of at most 120 degrees, so that a coarse circle is still a triangle with an area
         half = acos(min(max(1 - tolerance / segment.radius, 0.5), 1 - 1e-15))
         return np.linspace(0.0, 1.0, ceil(abs(segment.sweep) / (2 * half) - 1e-9) + 1)
     knots, (t0, t1) = segment.curve.knots, segment.curve.domain
@@ -426,7 +429,7 @@ def _halve_chords(
     at: Callable[[IntArray, FloatArray], FloatArray], which: IntArray, u: FloatArray, bent: BoolArray,
     tolerance: float,
 ) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
-    """Return segment numbers, parameters u and points (n, 2), inserted until chords are close enough.
+    """Return segment numbers, parameters u and points (n, 2), with points inserted until chords are accurate.
 
     Parameters
     ----------
@@ -468,7 +471,7 @@ def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> F
     """
     chord, off = ends - begins, probes - begins[:, None, :]
     size = (chord**2).sum(axis=1)[:, None]
-    # if a point is beyond the chord, as in hairpins, the end of the chord is the nearest point
+    # if the foot of a point is beyond the chord, as in hairpins, measure from the end of the chord
     along = np.divide((off * chord[:, None]).sum(axis=2), size, out=np.zeros(off.shape[:2]), where=size > 0)
     away = off - np.clip(along, 0.0, 1.0)[..., None] * chord[:, None]
     return np.asarray(np.hypot(away[..., 0], away[..., 1]).max(axis=1), dtype=float)

@@ -24,10 +24,10 @@ from elastica_cad.geometry.polynomials import (
 )
 
 _MOST_HALVINGS = 40
-"""Largest number of halvings; a piece is then as short as rounding errors."""
+"""Largest number of halvings of a piece; then it is as short as rounding errors."""
 
-_NEWTON_SHARE = 1e-4  # size of a piece, as a fraction of the extent, below which Newton's method starts
-# largest number of pairs of pieces; more pairs mean that parts of the curve overlap, and a tenth of them is
+_NEWTON_SHARE = 1e-4  # a piece smaller than this fraction of the extent is a start for Newton's method
+# if there are more pairs of pieces than this, parts of the curve overlap, and only a tenth of the pairs is
 # used
 _MOST_PAIRS = 1000
 
@@ -78,7 +78,7 @@ def _boxes(part: FloatArray) -> FloatArray:
 def _meeting(
     part: FloatArray, limits: tuple[FloatArray, FloatArray], first: IntArray, second: IntArray
 ) -> tuple[IntArray, IntArray]:
-    """Return the pairs of pieces whose boxes overlap, without pieces that continue each other in one direction."""
+    """Return the pairs of pieces with overlapping boxes, without neighbours that cannot meet again."""
     (low, high), box = limits, _boxes(part)
     overlap = boxes_meet(box[first], box[second])
     first, second = first[overlap], second[overlap]
@@ -153,7 +153,7 @@ def _distinct(pairs: FloatArray, edges: FloatArray) -> FloatArray:
     return np.array(kept).reshape(-1, 2)
 
 
-# distance from a knot, as a fraction of a span, below which a parameter counts as at the knot
+# a parameter closer to a knot than this fraction of a span counts as at the knot
 _AT_KNOT_SHARE = 1e-9
 
 
@@ -203,10 +203,10 @@ def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
 
 
 def _views(curve: NurbsCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[float, float]]:
-    """Return Bezier pieces (k, n, 2) in the directions from the point p at t, their edges (k + 1,), and p.
+    """Return Bezier pieces (k, n, 2) of the directions from the point p at t, their edges (k + 1,), and p.
 
-    The directions are gamma - p for the curve gamma, reversed before p, and divided by the parameter distance
-    from p.
+    The direction to a point of the curve gamma is gamma - p, or p - gamma before t. In the pieces that end at p
+    it is divided by the factor u or 1 - u that is zero at p.
     """
     edges, bezier = curve.bezier_table
     at = int(np.searchsorted(edges[1:-1], t, side="right"))

@@ -16,7 +16,7 @@ from elastica_cad.geometry.polynomials import bernstein_values, gauss_rule
 from elastica_cad.refusals import Length, Point, note
 
 SHORTEST_DOMAIN, FARTHEST_KNOT = 1e-9, 1e12
-"""Length of the shortest domain, and largest knot of a spline."""
+"""Least length of a domain, and largest absolute value of a knot."""
 
 
 def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
@@ -30,7 +30,8 @@ def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
     """
     rises = np.ones(knots.size + 1, dtype=bool)
     np.not_equal(knots[1:], knots[:-1], out=rises[1:-1])
-    first = rises.nonzero()[0]  # start of every run of equal knots, and the end of the last run
+    # index of the start of every run of equal knots, and of the end of the last run
+    first = rises.nonzero()[0]
     counts = first[1:] - first[:-1]
     return knots[first[:-1]], counts
 
@@ -55,12 +56,7 @@ def clamped_knots(edges: FloatArray, continuity: Mapping[float, int], degree: in
 def greville(knots: FloatArray, degree: int) -> FloatArray:
     """Return the Greville abscissae (..., m) of knot vectors (..., m + degree + 1).
 
-    They are the coefficients of the spline x.
-
-    Examples
-    --------
-    >>> greville(np.array([0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 2.0]), 2).tolist()
-    [0.0, 0.5, 1.5, 2.0]
+    A spline whose coefficients are its Greville abscissae is the identity function.
     """
     count = knots.shape[-1] - degree - 1
     total = sum((knots[..., i : i + count] for i in range(2, degree + 1)), start=knots[..., 1 : count + 1])
@@ -208,11 +204,11 @@ def _spans(written: bytes, degree: int) -> Spans:
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
     ends, size = near[degree - 1 : degree + 1], degree + 1
-    # the spans are along the last axis
+    # in these arrays the spans are the last axis
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
         low, high = near[level - 1 : degree], near[degree : degree + size - level]
-        # argument `level` of the blossom is a for the first Bezier points, and b for the remaining points
+        # argument `level` of the blossom is a in the first Bezier points, and b in the others
         shares = ((ends[:, None] - low) / (high - low))[(np.arange(size) >= level).astype(int)]
         shares = shares.swapaxes(0, 1)[:, :, None]
         points = points[:-1] * (1 - shares) + points[1:] * shares
@@ -261,9 +257,9 @@ class SplineFunction:
         return rows[0] + step * u, step * (self.degree / width)
 
     def _at(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the coefficients (degree + 1, ...) of the pieces at x.
+        """Return the coefficients (degree + 1, ...) of the pieces that contain x, and where x is in them.
 
-        Local coordinates of x in the pieces, and the widths of the pieces, follow.
+        The second result contains local coordinates from 0 to 1; the third, the widths of the pieces.
         """
         spans = self._spans
         index = spans.edges[1:-1].searchsorted(x, side="right")
@@ -272,7 +268,7 @@ class SplineFunction:
         return self._rows.take(index, axis=1), (x - spans.edges[index]).reshape(after) / width, width
 
     def integral(self) -> "SplineFunction":
-        """Return the integral of the spline function from the start."""
+        """Return the integral of the spline function from the start of its domain."""
         size = self.degree + 1
         steps = (self.knots[size:] - self.knots[:-size]) / size
         sums = np.cumsum((steps * self.coefficients.T).T, axis=0)
@@ -290,7 +286,7 @@ class SplineFunction:
 
     @cached_property
     def _rows(self) -> FloatArray:
-        """Bezier coefficients in the order (degree + 1, p, ...): first those with index 0 of all pieces."""
+        """Bezier coefficients (degree + 1, p, ...): the axis of coefficients is before the axis of pieces."""
         return np.ascontiguousarray(self.pieces.swapaxes(0, 1))
 
 
@@ -402,28 +398,31 @@ _NARROWEST_SHARE = 1e-9
 """Width of the narrowest span, as a fraction of the domain."""
 
 _SAME_BREAK_SHARE = 1e-10  # distance, as a fraction of the domain, below which breaks count as equal
-# the same for breaks with a continuous slope, because a narrower span between them would be singular
+# distance below which breaks with a continuous slope count as equal; a span this narrow would be singular
 _ALIKE = 1e-7
-# width of a span, relative to a neighbour with a large error, above which the span is divided too
+# a span wider than this multiple of a neighbour with a large error is divided too
 _WIDER_TIMES = 8.0
 
 _REFINED_SHARE = 0.05
-"""Error, as a fraction of the largest error, above which a span is refined."""
+"""Spans whose error exceeds this fraction of the largest error are refined."""
 
 _CORRECTIONS = 2
-"""Number of times that the parameters are moved to the nearest points of the curve, for each knot vector."""
+"""Number of moves of all parameters to the nearest points of the curve, for each knot vector."""
 
-_POINTS_EACH = 4  # least number of points for each control point in a fit that is closer than the tolerance
-# least number of points that separate noise from shape; fewer points may be interpolated
+_POINTS_EACH = 4  # a fit closer than the tolerance needs this number of points for each control point
+# noise is separated from shape only for this number of points or more
 _ENOUGH_FOR_NOISE = 100
 _MOST_INTERPOLATED = 1000
-"""Largest number of points that are interpolated; it is the size of a dense linear system."""
+"""Largest number of points that are interpolated, which requires a dense linear system of this size."""
 
 _STRIDE_SHARE = (
-    0.4  # largest move of a parameter, as a fraction of the distance to the next, if the order would change
+    # limit of a parameter move if moves change the order; a fraction of the distance to the next parameter
+    0.4
 )
-_LEAST_PENALTY = 1e-11  # penalty that only determines coefficients without data
-_ALLOWED_INCREASE = 1.1  # factor of the root mean square distance that is allowed for a smoother curve
+# this penalty has no visible effect, but determines the coefficients if data are missing
+_LEAST_PENALTY = 1e-11
+# factor by which the root mean square distance may increase in exchange for a smoother curve
+_ALLOWED_INCREASE = 1.1
 
 
 def adaptive_spline(
@@ -478,7 +477,7 @@ def adaptive_spline(
         probed = _evaluated(spans, coefficients, x[:, sites.size :])
         error = np.abs(probed - values[:, sites.size :]).reshape(low.size, -1).max(axis=1)
         accepted = max(tolerance, rounding * float(np.abs(values).max()))
-        # a steep part causes errors beside it, so it is refined before the other spans are judged
+        # a steep part causes errors beside it, so refine it before other spans are judged
         bad = error > max(accepted, _REFINED_SHARE * float(error.max()))
         if not bad.any():
             return full, coefficients
@@ -515,7 +514,7 @@ def _first_edges(
         if before is None or place - latest > apart * length:
             order[place] = continuity
             latest = place
-        elif continuity < before:  # keep the position of the rougher break
+        elif continuity < before:  # of two close breaks, keep the one with fewer continuous derivatives
             del order[latest]
             order[place] = continuity
             latest = place
@@ -537,9 +536,9 @@ def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Floa
 
 
 def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArray) -> FloatArray:
-    """Return coefficients (m, ...) of the spline that approximates values (p, k, ...) at x (p, k) by least squares.
+    """Return coefficients (m, ...) of the least squares approximation to values (p, k, ...) at x (p, k).
 
-    It replaces `make_lsq_spline` of SciPy, whose import takes longer than all fits of a command.
+    The function replaces `make_lsq_spline` of SciPy, whose import takes longer than all fits of a command.
     """
     basis, index = spans.local_basis(x.ravel())
     first, weight = spans.first[index], weights.ravel()[:, None]
@@ -579,7 +578,7 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
 
 
 def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
-    """Return flags for spans with a large error, and for much wider spans next to them.
+    """Return flags for spans with a large error, and for spans next to them that are much wider.
 
     A narrow span cannot compensate for the error of a wide neighbour.
     """
@@ -590,7 +589,7 @@ def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
 
 
 def _parts(excess: FloatArray, degree: int) -> IntArray:
-    """Return the number of parts, 2 to 8, of a span whose error is of the order width^(degree + 1)."""
+    """Return the number of parts of a span, 2 to 8, for an error that decreases like width^(degree + 1)."""
     return np.asarray(np.clip(np.floor(excess ** (1 / (degree + 1))), 2, 8), dtype=int)
 
 
@@ -684,7 +683,7 @@ class _Problem:
         return max(_LEAST_PENALTY, (smoothing or 0.0) * self.scale)
 
     def solved(self, t: FloatArray, weight: float, corrections: int) -> tuple[FloatArray, FloatArray]:
-        """Return the control points and parameters after moving the parameters `corrections` times."""
+        """Return control points and parameters after `corrections` moves of parameters to the nearest points."""
         control = self.at(t, weight)
         for _ in range(corrections):
             t = self.feet(control, t)
@@ -711,9 +710,9 @@ class _Problem:
         return np.asarray(self.data - self._basis(t) @ control)
 
     def _end_emphasis(self, t: FloatArray) -> FloatArray:
-        """Return weights of the points that are larger in the first and last span.
+        """Return weights (n,) of the points, which are larger in the first and last span.
 
-        Least squares has its largest errors there; the weights are like those of Chebyshev polynomials.
+        Least squares has its largest errors there. The weights are like those of Chebyshev polynomials.
         """
         edges = self.spans.edges
         from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
@@ -747,7 +746,7 @@ class _Problem:
 def _smoothed(
     problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float, mean: float
 ) -> FloatArray:
-    """Return the control points for the largest penalty with errors within `tolerance` and RMS within `mean`."""
+    """Return the control points for the largest penalty with errors up to `tolerance` and an RMS up to `mean`."""
     low, high = np.log10(_LEAST_PENALTY), 6.0
     for _ in range(12):
         middle = (low + high) / 2
@@ -844,7 +843,7 @@ def _derivative_gram(spans: Spans) -> FloatArray:
 
 
 def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:
-    """Return a new knot for every span that exceeds the tolerance, the span with the largest error first."""
+    """Return a new knot for every span with an error above the tolerance, in the order of decreasing error."""
     span = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, edges.size - 2)
     worst = np.zeros(edges.size - 1)
     np.maximum.at(worst, span, error)

@@ -1,12 +1,10 @@
 """Removal of corners that are caused by rounding of coordinates.
 
 A handle is the vector from a node of a spline to its neighbouring control point. If a file contains coordinates
-rounded
-to the nearest multiple of 2 h, each coordinate moves by at most h, and a point by at most h sqrt(2). A handle of
-length
-l then turns by at most asin(2 sqrt(2) h / l). If the rounding of both handles explains the corner at a node, the
-curve
-was smooth there when it was drawn. Both handles are then turned into a common direction.
+rounded to the nearest multiple of 2 h, each coordinate moves by at most h, and a point by at most h sqrt(2). A
+handle of length l then turns by at most asin(2 sqrt(2) h / l). If the rounding of both handles explains the
+corner at a node, the curve was smooth there when it was drawn. Both handles are then turned into a common
+direction.
 """
 
 from dataclasses import dataclass
@@ -23,10 +21,10 @@ ANYWAY = 1e-9
 SURE = np.radians(5.0)
 """Largest angle of a corner that is removed by default, rad, even if rounding explains larger angles."""
 
-# distance of a control point from a line, as a fraction of the squared chord, below which it is on the line
+# a control point closer to a line than this fraction of the squared chord is on the line
 _STRAIGHT = 1e-12
-_CLOSED = 1e-9  # distance of both ends, as a fraction of the size, below which they are equal
-_SHORT = 1e-12  # distance of control points, as a fraction of the longest handle, below which they coincide
+_CLOSED = 1e-9  # ends closer than this fraction of the size are equal
+_SHORT = 1e-12  # control points closer than this fraction of the longest handle coincide
 
 
 @dataclass(frozen=True)
@@ -180,7 +178,7 @@ def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatAr
 
 
 def _around_seam(points: FloatArray, degree: int) -> FloatArray:
-    """Return the control points of the last and the first piece; the curve closes at the middle one."""
+    """Return the control points of the last and the first piece as one array, with the joint in the middle."""
     return np.concatenate([points[-degree - 1 :], points[1 : degree + 1]])
 
 

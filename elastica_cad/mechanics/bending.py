@@ -195,9 +195,9 @@ def bend(
 
 
 def _rest(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
-    """Return the rest shape at the end of a continuation, or the shape that the rod snaps to.
+    """Return the rest shape that a continuation reached, or the shape into which the rod snapped.
 
-    The second value is the fraction of the continuation at which the rod snaps, or None.
+    The second value is the completed fraction of the continuation at the snap, or None without a snap.
     """
     balanced = reached.arrived and is_balanced(reached.state)
     if balanced and not (settle and reached.state.discrete.unstable_modes):
@@ -234,11 +234,11 @@ def _loaded(rod: Rod, loads: object) -> Rod:
 
 
 def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, Any]:
-    """Return the keywords `loads` and `between` of `bend` for a fraction `part` of the change of a step.
+    """Return the keywords `loads` and `between` of `bend` after the fraction `part` of a step of a path.
 
-    The present loads decrease while those of the step increase. Points of rails and pins, and lengths of ties, are
-    interpolated linearly. An element that differs in kind from the present element with the same index replaces it
-    at once.
+    The present loads decrease to zero while the loads of the step increase from zero. Points of rails and pins,
+    and lengths of ties, are interpolated linearly. An element that differs in kind from the present element with
+    the same index replaces it at once.
     """
     entry: dict[str, Any] = {}
     if "loads" in step:
@@ -267,7 +267,7 @@ def _scaled(loads: Sequence[PointMass | PointForce], factor: float) -> tuple[Poi
 
 
 def _on_the_way(before: ElementForce, after: ElementForce, part: float) -> Element:
-    """Return the element after a fraction `part` of its change; points and lengths are interpolated linearly."""
+    """Return an element after the fraction `part` of its change; points and lengths are interpolated linearly."""
     element, first, last = after.element, before.mounting, after.mounting
     assert isinstance(element, Rail | Pin | Tie)
     if type(before.element) is not type(element) or first == last:
@@ -280,7 +280,7 @@ def _on_the_way(before: ElementForce, after: ElementForce, part: float) -> Eleme
 
 
 def _require_reach(elements: Sequence[ElementForce], system: RodSystem) -> None:
-    """Refuse a pin that is farther from an end or another pin than the strip between them is long."""
+    """Refuse pins that are farther from an end, or from each other, than the length of strip between them."""
     held = [
         (s, np.asarray(place))
         for s, place, end in zip(
@@ -305,7 +305,7 @@ def _require_reach(elements: Sequence[ElementForce], system: RodSystem) -> None:
 
 
 def _refuse_straight(elements: Sequence[ElementForce], state: RodState) -> None:
-    """Refuse a straight strip under a shorter cord, because it may bend to either side."""
+    """Refuse a straight strip whose cord becomes shorter, because the strip may bend to either side."""
     shape = shape_of(state)
     shorter = any(
         isinstance(action.element, Tie) and violation(action, shape) > MEETS_SHARE * shape.length
@@ -376,7 +376,7 @@ def shape_of(state: RodState) -> ShapeOfRod:
 def _settled(
     elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState
 ) -> tuple[ElementForce, ...]:
-    """Return the elements with their forces and positions in a state."""
+    """Return the elements with their present forces and positions."""
     shape, acting = shape_of(state), iter(state.actions)
     return tuple(
         with_side(next(acting), shape) if is_taut else touching(action, shape)
@@ -389,7 +389,7 @@ def _needs_change(elements: Sequence[ElementForce], taut: Sequence[bool], state:
 
 
 def _other_set(elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState) -> list[bool] | None:
-    """Return which elements are taut after the change that a state most needs, or None if it needs none."""
+    """Return the most necessary change of which elements are taut, or None if no change is needed."""
     shape, acting = shape_of(state), iter(state.actions)
     largest = float(np.abs(state.discrete.force).max(initial=0.0))
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
@@ -483,7 +483,7 @@ def bend_path(
 
 
 def _snapped_at(rod: Rod, start: float, end: float) -> Rod:
-    """Return the rod with the fraction in a snap warning converted from one step to the whole movement."""
+    """Return the rod with its snap warning converted from a fraction of one step to one of the whole movement."""
     if not has_snapped(rod):
         return rod
     warning = next(
@@ -532,9 +532,9 @@ class Movement:
 
     @property
     def progress(self) -> FloatArray:
-        """Fraction of the whole movement (k,) at each rod.
+        """Completed fraction (k,) of the movement at each rod.
 
-        It is a fraction of the travel, of the rotation if nothing travels, or of the number of steps if nothing
+        The movement is the travel of the end. It is the rotation if nothing travels, and the steps if nothing
         moves.
         """
         way = self.turn if self.is_turn else self.travel
@@ -605,7 +605,7 @@ def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, f
 
 
 def state_of(rod: Rod, system: RodSystem) -> RodState:
-    """Return the present shape of a rod as the first state of `system`."""
+    """Return the present shape of a rod as a state of `system`, from which a continuation starts."""
     if system.elements is not None:
         # start from the reactions to the present loads, because the loads then change along the path
         present = replace(system, load=rod.nodal_load + lumped(rod.point_forces, rod.s.size, rod.length))
@@ -702,11 +702,12 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
     before, now = present.supports.ends, supports.ends
     at_ends = present.force[[0, -1]]
     acting = (*present.between, *present.point_forces)
-    if acting:  # at an end without its elements and point forces
+    if acting:  # subtract the forces of elements and point forces at the ends
         load = present.nodal_load + lumped(acting, present.s.size, present.length)
         at_ends = present.discrete.force[[0, -1]] + (-load[0], load[-1])
     for i, axis in enumerate("xy"):
-        # lambda is the applied force at the first node, and minus the applied force at the last node
+        # lambda, minus the internal force, is the applied force at the first node and minus that at the
+        # last node
         for node, sign in ((0, 1.0), (-1, -1.0)):
             if not getattr(now[node], axis) and not getattr(before[node], axis):
                 forces[i] = sign * at_ends[node, i]

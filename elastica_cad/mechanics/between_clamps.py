@@ -203,13 +203,13 @@ def _led_by_loads(
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
     bent = rod
     for share in _load_shares(float(np.hypot(*load)) * rod.length**2):
-        # a push along the strip leaves it straight, and minimizing the energy could choose either side
+        # after a push along the strip, it is still straight, and minimizing the energy could bend it to
+        # either side
         settle = is_one_of(mode, [1]) and bool(np.ptp(bent.angle) > 0)
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
         next_rod = step()
         if _side(next_rod) * _side(bent) < 0:
-            # the shape may change its side at the buckling load of a straight strip; mirror the shape in
-            # this case
+            # at the buckling load of a straight strip, the shape may change its side; it is then mirrored
             next_rod = step(guess=2 * next_rod.angle[0] - next_rod.angle)
         bent = next_rod
     if np.ptp(bent.angle) > 0:
@@ -220,7 +220,7 @@ def _led_by_loads(
 
 
 def _load_shares(load: float) -> list[float]:
-    """Return increasing fractions of a load, closely spaced near buckling; `load` is force length^2 / stiffness."""
+    """Return increasing fractions of a load, in small steps near buckling; `load` is force length^2 / stiffness."""
     steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
     grown = LAST_EVEN_LOAD
     while grown < load:

@@ -275,8 +275,8 @@ def _length_for(part: float) -> float:
     def excess(log_load: float) -> float:
         return cantilever_droop(1.0, float(np.exp(-log_load / 3))) - part
 
-    # a bent strip droops less than w L^4 / (8 EI), the droop of a nearly straight strip; this bounds the
-    # load
+    # a nearly straight strip droops by w L^4 / (8 EI) and a bent strip by less, so this load is a lower
+    # bound
     low = float(np.log(8 * part)) - 0.05
     high = low + 1.0
     while excess(high) < 0:
@@ -285,9 +285,9 @@ def _length_for(part: float) -> float:
 
 
 def _weighted_mean(values: FloatArray, errors: FloatArray) -> tuple[float, float]:
-    """Return the mean with weights 1/error^2 and its standard deviation.
+    """Return the mean with weights 1/error^2, and its standard deviation.
 
-    The deviation is the larger of the values from the errors and from the scatter.
+    The deviation is computed from the errors and from the scatter; the larger value is returned.
     """
     weights = np.ones(values.shape) if np.any(errors == 0) else errors**-2
     mean = float(np.average(values, weights=weights))

@@ -39,12 +39,15 @@ class Creep:
 
     @property
     def force_share(self) -> float:
-        """Fraction 1 / (1 + phi) of the modulus that remains, also of clamp forces if the shape is unchanged."""
+        """Fraction 1 / (1 + phi) of the modulus, and of the clamp forces on an unchanged shape, after creep."""
         return 1 / (1 + self.factor)
 
     @property
     def kept_share(self) -> float:
-        """Fraction phi / (1 + phi) of the bend that remains just after release; it decreases later."""
+        """Fraction phi / (1 + phi) of the bend that the strip has just after release.
+
+        The fraction decreases later.
+        """
         return self.factor / (1 + self.factor)
 
     @property

@@ -16,7 +16,7 @@ from elastica_cad.mechanics.bracing import Bracing
 from elastica_cad.mechanics.loads import Supports
 
 RANK_TOLERANCE = 1e-9
-"""Relative tolerance for linearly dependent rows; the constraint rows of a straight rod have rank 1."""
+"""Relative tolerance for linearly dependent rows; for a straight rod, the rows for x and y are dependent."""
 
 _FEW = 40
 """Least number of edges for an iterative search of the lowest mode; dense algebra is used for shorter rods."""
@@ -119,7 +119,10 @@ Terms: TypeAlias = tuple[FloatArray, FloatArray]
 
 
 def _bordered(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
-    """Return the rows (k + r, n) that border a matrix and the corner block: 0 for constraints, -C^-1 for terms."""
+    """Return constraints and terms as rows (k + r, n) beside a matrix, and the block in the corner between them.
+
+    The block is 0 for constraints and -C^-1 for terms, with their coefficients C.
+    """
     k = len(basis)
     if terms is None:
         return basis, np.zeros((k, k))
@@ -134,11 +137,9 @@ def constrained_inertia(
 ) -> int:
     """Count the eigenvalues below `shift` of the tridiagonal matrix A on the null space of `rows` (k, n).
 
-    By Sylvester's law for the bordered matrix their number is neg(A - shift) + pos(S) - rank, with S = C (A -
-    shift)^-1 C^t,
-    C = `rows`, and the numbers neg and pos of negative and positive eigenvalues. Terms that are added to A become
-    more
-    rows of the border, with minus their inverse coefficients in the corner.
+    By Sylvester's law for the bordered matrix their number is neg(A - shift) + pos(S) - rank. Here S = C (A -
+    shift)^-1 C^t with C = `rows`, and neg and pos are numbers of negative and positive eigenvalues. Terms that
+    are added to A become more rows of the border, with minus their inverse coefficients in the corner.
     """
     constraints = orthonormal_rows(rows)
     basis, corner = _bordered(constraints, terms)
@@ -147,7 +148,7 @@ def constrained_inertia(
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     reach = _reach(diagonal, off)
     if not np.abs(solved).max() * 16 * _EPS * reach < 1:
-        # without bending and between hinges, A is singular; this shift makes the count agree with the
+        # for a straight rod between hinges, A is singular; this shift makes the count agree with the
         # solution
         shift -= 64 * _EPS * reach
         solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
@@ -245,7 +246,10 @@ def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[F
 
 
 class ConstrainedMode(NamedTuple):
-    """Lowest eigenvalue mu of A v = mu W v + C^t nu with C v = 0, its vector v (n,) and the multipliers nu (k,)."""
+    """Lowest eigenvalue mu of A v = mu W v + C^t nu with C v = 0.
+
+    It has the eigenvector v (n,) and the multipliers nu (k,).
+    """
 
     value: float
     mode: FloatArray
@@ -310,7 +314,7 @@ def _reach(diagonal: FloatArray, off: FloatArray) -> float:
     return float(np.abs(diagonal).max() + 2 * np.abs(off).max(initial=0.0))
 
 
-# largest angle of an edge; beyond it, cos and sin lose ten digits, and no strip has so many turns
+# largest angle of an edge; no strip has so many turns, and for larger angles cos and sin lose ten digits
 _WOUND_UP_RAD = 1e6
 
 
@@ -327,10 +331,8 @@ def shoot(
     """Return the angles and moments of a discrete rod in equilibrium that starts with `moment` and `angle`.
 
     The recursion is alpha_{i+1} = alpha_i + w_i (M_i / K_i + kappa_0), M_{i+1} = M_i + l <b_{i+1},
-    T(alpha_{i+1})>. It
-    contains the equations for a stationary discrete energy (paper, section 7.1) in the order of the nodes. The
-    result
-    of `DiscreteRod.moment_imbalance` is therefore zero except for rounding errors.
+    T(alpha_{i+1})>. It contains the equations for a stationary discrete energy (paper, section 7.1) in the order
+    of the nodes. The result of `DiscreteRod.moment_imbalance` is therefore zero except for rounding errors.
 
     Parameters
     ----------
@@ -408,8 +410,7 @@ def edge_forces(first: FloatArray, load: FloatArray) -> FloatArray:
     """Return the force lambda of all edges (n, 2), 1/mm2, from its first value and the nodal loads (n+1, 2).
 
     Lambda is minus the internal force: lambda_{i+1} = lambda_i + q_i. The weight is q_i = -w_i K_i e, with
-    Voronoi lengths w_i, stiffness K_i and a vector
-    e against gravity.
+    Voronoi lengths w_i, stiffness K_i and a vector e against gravity.
     """
     force = np.empty((load.shape[0] - 1, 2))
     force[0] = first
@@ -590,11 +591,11 @@ class DiscreteRod:
 
     @cached_property
     def constraint_rows(self) -> FloatArray:
-        """Derivatives C (p, n), mm, by the edge angles of the coordinates of the end that both supports hold.
+        """Derivatives C (p, n), mm, of the position of the end by the edge angles.
 
-        The columns are l_i (-sin alpha_i, cos alpha_i), with edge length l_i and angle alpha_i. Rows along a
-        straight rod
-        vanish to first order and are omitted.
+        There is a row for each coordinate, x or y, that both supports hold. The columns are l_i (-sin alpha_i,
+        cos alpha_i), with edge length l_i and angle alpha_i. Rows along a straight rod are zero to first order
+        and are omitted.
         """
         sides = (-1, self.tangents[:, 1]), (1, self.tangents[:, 0])
         rows = np.zeros((len(self.held), self.angles.size))
@@ -678,7 +679,7 @@ class DiscreteRod:
         )  # fmt: skip
 
     def _drop_free(self, per_node: FloatArray) -> None:
-        """Set the values at end nodes with a free angle to zero."""
+        """Set the values of end nodes to zero if the angle of this end is free."""
         for node, held in zip((0, -1), self.held_angles, strict=True):
             if not held:
                 per_node[node] = 0.0

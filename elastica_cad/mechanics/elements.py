@@ -99,9 +99,8 @@ class Tie(Element):
     length : float, optional
         Length of the cord for `bend`, mm; by default, the distance between its two points.
     hole, notch : float
-        Diameter of a hole on the centre line, or width and depth of a notch in each edge for two
-        cords, mm; 0 for none. The strip is widened at the cut, so that it bends like a strip without
-        a cut.
+        Diameter of a hole on the centre line, or width and depth of a notch in each edge for two cords, mm; 0 for
+        none. The strip is widened at the cut, so that it bends like a strip without a cut.
 
     Examples
     --------
@@ -175,7 +174,7 @@ def require_elements(between: object) -> tuple[Element, ...]:
 def weight_with_loads(
     weight: Weight | None, gravity: Gravity | None, loads: object
 ) -> tuple[Weight | None, tuple[PointForce, ...]]:
-    """Return the weight with the point masses among the loads, and the point forces among the loads."""
+    """Return the weight including the point masses among the loads, and the point forces among the loads."""
     point_loads = several("loads", loads, PointMass | PointForce, "PointMass or PointForce")
     masses = tuple(load for load in point_loads if isinstance(load, PointMass))
     forces = tuple(load for load in point_loads if isinstance(load, PointForce))
@@ -288,7 +287,7 @@ def with_placed_masses(weight: Weight, curve: PlaneCurve) -> Weight:
 
 
 def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | PointMass) -> float:
-    """Return the arc length, mm, of a point or arc length on the drawn curve; refuse positions off the curve."""
+    """Return a position on the drawn curve, an arc length or a point, as arc length, mm; refuse other positions."""
     if isinstance(at, tuple):
         s = _foot(curve, np.array(at))
         off = float(np.hypot(*(curve.at(np.array([s])).position[0] - at)))

@@ -86,8 +86,7 @@ def _has_loose_inflections(check: EquilibriumCheck, other: EquilibriumCheck, poi
     """Return True if a curve is refused only because of inflections that the measured points do not require.
 
     The points require at most two inflections, which are always on a common line. The refused curve has at least
-    two
-    inflections more, and another fit has fewer inflections than the refused curve.
+    two inflections more, and another fit has fewer inflections than the refused curve.
     """
     count, required = len(check.off_line), points.bend_changes
     if check.realizable or check.bent_beforehand or len(other.inflections) >= count:
@@ -135,8 +134,7 @@ def examine(
     """Check the conditions of Theorem 1: curvature, ends without bending, and a line through the inflections.
 
     With weight (`heavy`) no line is needed (paper, section 5), but the other conditions remain. A curve that was
-    fitted
-    to points is compared with other fits; if their results differ, the result is `undecided`.
+    fitted to points is compared with other fits; if their results differ, the result is `undecided`.
     """
     judge = partial(
         _examine_curve,
@@ -170,9 +168,9 @@ def _examine_curve(
 UNBENT_SHARE = 1e-12
 
 MEANT_SHARE = 0.01
-"""Largest distance of a curvature zero from an end that is free to turn, as a fraction of the length.
+"""Largest distance of a curvature zero from an end, as a fraction of the length, for which the end is unbent.
 
-Within this accuracy of a drawing, the end counts as unbent. The zero may be beyond the end.
+It applies to ends that are free to turn, and is the accuracy of a drawing. The zero may be beyond the end.
 """
 
 
@@ -182,10 +180,8 @@ def _with_unbent_ends(
     """Check the curve again after its control points are moved so that almost unbent ends are exactly unbent.
 
     An end is almost unbent if it is free to turn and a zero of the curvature is near, or if its curvature is zero
-    except
-    for rounding. Positions and tangents of both ends do not change. The original result is returned if the curve
-    would
-    move farther than `tolerance` times its length.
+    except for rounding. Positions and tangents of both ends do not change. The original result is returned if the
+    curve would move farther than `tolerance` times its length.
     """
     if check.curve.is_closed or check.any_stiffness:
         return check
@@ -205,7 +201,7 @@ def _with_unbent_ends(
 
 
 def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> bool:
-    """Return True if an end that counts as a zero of the curvature has a curvature above rounding errors."""
+    """Return True if the curvature at an end is above rounding errors although the end counts as a zero."""
     return bool(list(_traces(ExcessCurvature(check.curve, natural_curvature), check)))
 
 
@@ -216,7 +212,7 @@ def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _traces(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
-    """Yield the parameters of ends that count as zeros although their curvature exceeds rounding errors."""
+    """Yield the parameters of ends that count as zeros although their curvature is above rounding errors."""
     ends = np.array([z.t for z in check.zeros if z.kind == "end"])
     if ends.size:
         size = float(np.abs(excess.survey).max())
@@ -258,8 +254,7 @@ _WIDEST_RATIO = 1e4
 _TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which they count as tangent."""
 
-# distance from a zero of the curvature, as a fraction of the length, at which K is 0 / 0 except for
-# rounding
+# distance from a zero of the curvature, as a fraction of the length, within which K is the limit of 0 / 0
 _AT_ZERO_SHARE = 1e-4
 _LINES = {
     "": ("one line", "The line through its inflections"),
@@ -300,7 +295,7 @@ class SeparatingLine:
 def _check_line(
     check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature, tolerance: float
 ) -> EquilibriumCheck:
-    """Check whether the zeros of the curvature admit a line of zero moment."""
+    """Check whether there is a line of zero moment through the zeros of the curvature."""
     force_x, force_y = supports.transmits_force
     if not (force_x or force_y):
         reason = note(
@@ -479,10 +474,9 @@ def _widest_place(
     """Return the arc length, mm, at which the stiffness ratio would exceed `_WIDEST_RATIO`, or None.
 
     The stiffness is K = distance from the line / (kappa - kappa_0), with curvature kappa and natural curvature
-    kappa_0. At
-    a zero of kappa - kappa_0 its limit is the sine of the angle between curve and line over the slope of the
-    curvature.
-    With a single zero the line may turn about this zero by up to `spare` rad in both directions.
+    kappa_0. At a zero of kappa - kappa_0 its limit is the sine of the angle between curve and line over the slope
+    of the curvature. With a single zero the line may turn about this zero by up to `spare` rad in both
+    directions.
     """
     curve, kappa = excess.curve, excess.survey
     nodes = curve.survey
@@ -518,9 +512,8 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
 
     Let p be the zero. The moment M = <b, gamma - p> must have the sign of kappa - kappa_0. All directions
     sign(kappa - kappa_0) (gamma - p) must therefore be in the open half plane <b, .> > 0. Their angle is
-    continuous along
-    the curve gamma; at p it is that of the tangent. Such a vector b exists if and only if the angle spans less
-    than pi.
+    continuous along the curve gamma; at p it is that of the tangent. Such a vector b exists if and only if the
+    angle spans less than pi.
 
     Parameters
     ----------
@@ -599,7 +592,7 @@ def project_inflections(
 def _on_line(
     curve: PlaneCurve, zeros: Sequence[CurvatureZero], line: InflectionLine, kappa_0: float
 ) -> list[Constraint]:
-    """Return the constraints that all zeros, also those at the ends, are on the line."""
+    """Return the constraints that all zeros, inside the curve and at its ends, are on the line."""
     inner = np.array([z.t for z in zeros if z.kind != "end"])
     ends = np.array([z.t for z in zeros if z.kind == "end"])
     wanted: list[Constraint] = []

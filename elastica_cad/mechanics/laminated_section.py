@@ -90,11 +90,12 @@ class LaminatedSection:
         A1, _ = self._axial(w1, 0.0 * w1)
         _, h2, d = self._heights
         p = h2**2 / 12
-        # with x = A2: p x^2 + q x - D A1 = 0, where D is the stiffness that the backing must add
+        # the unknown x = A2 solves p x^2 + q x - D A1 = 0, where D is the stiffness that the backing must
+        # add
         D = np.maximum(EI - least, 0.0)
         q = A1 * (p + d**2) - D
         root = np.sqrt(q**2 + 4 * p * D * A1)
-        # the formula without cancellation depends on the sign of q
+        # avoid cancellation for both signs of q
         safe = np.where(q > 0, q + root, 1.0)
         x = np.where(q > 0, 2 * D * A1 / safe, (root - q) / (2 * p))
         return np.minimum(x / (self.backing.youngs_modulus * h2), w1)
@@ -189,11 +190,10 @@ class LaminatedSection:
     def scale_range(
         self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0
     ) -> ScaleRange:
-        """Return the scales c of E I = c K for which the backing fits on the base everywhere (paper, section 8.1).
+        """Return the factors c with which a laminate of bending stiffness c K can be built (paper, section 8.1).
 
-        The width of the backing is at least `least_backing` and at most that of the base. The exact cross-section
-        is
-        used.
+        K is the relative stiffness. Everywhere the width of the backing is at least `least_backing` and at most
+        that of the base. The exact cross-section is used.
 
         Parameters
         ----------
@@ -213,7 +213,7 @@ class LaminatedSection:
     def thickness_ratio(
         self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0
     ) -> float:
-        """Return the largest thickness ratio of base to backing that can be built with an unchanged base.
+        """Return the largest ratio of the thicknesses of base and backing that can be built with an unchanged base.
 
         Every smaller ratio, with a thicker backing, is possible too. The result is inf if the base needs no
         backing.
@@ -365,20 +365,23 @@ def _refuse_stations(bad: NDArray[np.bool_], bending_stiffness: FloatArray, text
 PIECES = 8
 """Number of finite elements in half of the backing, and in each part of the base beside the backing.
 
-The error of the factor is then 1e-4.
+With this number, the error of `laminate_factor` is 1e-4.
 """
 
 LEAST_SHARE = 2e-3
 """Least width of the backing and of the base beside it, as a fraction of the width of the base."""
 
 TERMS, STATIONS = 24, 60
-"""Number of terms of the polynomials in curvature, and number of curvatures at which the factor is computed."""
+"""Number of terms of the polynomials in the curvature, and number of curvatures at which these are fitted."""
 
 LARGEST_STRAIN = 0.05
-"""Largest surface strain for which the factor is computed; no sheet withstands it."""
+"""Largest surface strain for which `laminate_factor` is computed; no sheet withstands it."""
 
 FINE_SEARLE = 3.0
-"""Limit of width^2 kappa / thickness; curvature samples are uniform below it and logarithmic above it."""
+"""Limit of w^2 kappa / h, for width w, curvature kappa and thickness h, between two ways of sampling.
+
+Samples of the curvature are uniform below it and logarithmic above it.
+"""
 
 
 def laminate_factor(
@@ -392,10 +395,8 @@ def laminate_factor(
 
     M is the bending moment, E I the bending stiffness of the cross-section, and kappa the uniform curvature. The
     base beside the backing is at a distance from the neutral axis and has stress along the bend. The stress
-    presses it
-    towards the neutral axis. It deflects, so the strip is softer than its cross-section. The whole cross-section
-    also
-    curls because of Poisson's ratio.
+    presses it towards the neutral axis. It deflects, so the strip is softer than its cross-section. The whole
+    cross-section also curls because of Poisson's ratio.
 
     Parameters
     ----------
@@ -412,14 +413,10 @@ def laminate_factor(
     Notes
     -----
     The deflection w(y) across the strip, outward positive, minimizes the energy per length. The strip is a plate
-    in plane
-    stress that can contract freely. Its strain is eps_0 + (kappa - kappa_0) z + kappa w along the strip and -z
-    w'' across
-    it, at height z. The finite elements are Hermite cubics on half of the cross-section. For a single sheet the
-    result
-    equals `anticlastic_factor`. Curvature that varies within a few widths, and clamps that keep the ends flat,
-    are not
-    modelled.
+    in plane stress that can contract freely. Its strain is eps_0 + (kappa - kappa_0) z + kappa w along the strip
+    and -z w'' across it, at height z. The finite elements are Hermite cubics on half of the cross-section. For a
+    single sheet the result equals `anticlastic_factor`. Curvature that varies within a few widths, and clamps
+    that keep the ends flat, are not modelled.
     """
     b1, b2, kappa, rest = (
         np.atleast_1d(value).astype(float)
@@ -468,7 +465,7 @@ def laminate_factor(
 
 
 def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
-    """Return twice the energy per area as a quadratic form (3, 3).
+    """Return the energy per area, times 2, as a quadratic form (3, 3).
 
     Its variables are the strain and the curvature along the strip, and the curvature w'' across it.
     """
@@ -502,16 +499,16 @@ def _hermite(length: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
 
 @dataclass(frozen=True, eq=False)
 class LaminateCurl:
-    """Polynomials that replace `laminate_factor` at the nodes of a strip; about a hundred times faster.
+    """Polynomials that replace `laminate_factor` at the nodes of a strip; they are about a hundred times faster.
 
     Attributes
     ----------
     reach : float
         Largest absolute curvature, 1/mm, of the polynomials; above it the factor is constant.
     fine : (n,) array
-        Curvature, 1/mm, above which the scale of curvatures is logarithmic (arsinh).
+        Curvature, 1/mm, above which the scale of the variable is logarithmic (arsinh).
     coefficients : (m, n) array
-        Coefficients of Chebyshev polynomials on this scale.
+        Coefficients of Chebyshev polynomials of this variable.
 
     Examples
     --------
@@ -536,7 +533,7 @@ class LaminateCurl:
         section: LaminatedSection,
         natural_curvature: ArrayLike = 0.0,
     ) -> "LaminateCurl":
-        """Return the polynomials for every bend of a strip with the design curvature `curvature` (n,), 1/mm."""
+        """Return the polynomials for a strip whose curvature in the design is `curvature` (n,), 1/mm."""
         kappa, base, backing, rest = np.broadcast_arrays(
             curvature, base_width, backing_width, natural_curvature
         )

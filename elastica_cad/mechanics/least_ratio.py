@@ -57,7 +57,7 @@ TOLERANCE = 1e-6
 """Largest error of the stiffness profile, relative to its largest value; its extremes are exact."""
 
 WORST_TOLERANCE = 0.01
-"""Largest accepted error if the stiffness has large rounding errors.
+"""Largest accepted error of the stiffness profile if the stiffness itself has large rounding errors.
 
 This occurs under much weight, or with an inflection near an end.
 """
@@ -66,15 +66,15 @@ NOISE_TIMES = 4
 """Tolerance of the fitted stiffness, in multiples of its rounding errors under much weight."""
 
 SAME_PLACE_SHARE = 1e-9
-"""Distance between a knot and a zero of the curvature, as a fraction of the length, below which they are merged."""
+"""Distance, as a fraction of the length, below which a knot is moved to a zero of the curvature."""
 
 CELLS = 8
-"""Number of parts of a panel, each with a constant density of knots."""
+"""Number of equal parts of a panel; in each part, the density of knots is constant."""
 
 _CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
 
 _FOURTH_IN_CELLS = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1) @ np.linalg.matrix_power(SLOPES, 4)
-"""Matrix that gives the fourth derivatives by the panel coordinate x at the midpoints of its parts."""
+"""Matrix from Legendre coefficients to fourth derivatives by the panel coordinate x at the midpoints of parts."""
 
 BEST_CUBIC = 1 / 720
 """Error of the best cubic spline, divided by h^4 times the fourth derivative, for knot spacing h.
@@ -90,8 +90,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     """Return the stiffness K times `scale` as a cubic spline of arc length.
 
     K has two continuous derivatives less than the curve, or three less if an inflection is at a knot. The spline
-    has the
-    same kinks, and replaces jumps by ramps.
+    has the same kinks, and replaces jumps by ramps.
     """
     curve = check.curve
     length = curve.length
@@ -154,9 +153,9 @@ class _AlongArc:
         return float(self.series.in_every_panel(_CELL_ENDS).max())
 
     def noise(self, steps: Sequence[float]) -> float:
-        """Return the largest jump of the stiffness between panels, except at its real jumps.
+        """Return the largest jump of the stiffness between panels where the stiffness is continuous.
 
-        It consists of rounding errors that the weight amplifies.
+        Such jumps are rounding errors that the weight amplifies.
         """
         before, after = self.series.where_panels_meet
         # omit jumps within the length of a ramp that replaces a step
@@ -188,7 +187,7 @@ class _AlongArc:
 
 
 def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
-    """Return the profile, scaled slightly so that its extremes equal the extremes of the stiffness.
+    """Return the profile, scaled slightly so that its extremes equal those of the stiffness.
 
     The positions of the extremes need not be exact, because the derivative of the stiffness is zero there.
     """
@@ -249,9 +248,9 @@ def optimal_rod(
         Weight in newtons instead of a proportional weight. With `own=True` the weight of the strip is added. It
         is B / gravity.length^3 per length and relative stiffness.
     bending_stiffness : float, optional
-        Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default B is
-        the value for which the ratio is least. If the ratio decreases with every increase of B, the default is the
-        least B whose ratio is within 1 % of the ratio without weight.
+        Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default B is the value
+        for which the ratio is least. If the ratio decreases with every increase of B, the default is the least B
+        whose ratio is within 1 % of the ratio without weight.
     largest_stiffness : float, optional
         Largest E I of the rod, N mm2, under a weight in newtons; for example the E I of the widest strip that
         fits. The result has the least ratio of all rods with this largest E I. If the curve is not the rest shape
@@ -411,10 +410,9 @@ def _require_load_at_free_end(request: RodRequest) -> None:
     """Refuse an unloaded free end, because its shape depends on the weight alone.
 
     K kappa = integral of W cos(alpha) du, with stiffness K, curvature kappa, angle alpha, distance u from the
-    end, and
-    weight W between u and the end. Both sides are zero at u = 0. Under the weight of the strip alone, K is finite
-    and
-    positive only for kappa = cos(alpha) u^2 / (2 l_eg^3) + higher powers of u, with the elasto-gravity length l_eg.
+    end, and weight W between u and the end. Both sides are zero at u = 0. Under the weight of the strip alone, K
+    is finite and positive only for kappa = cos(alpha) u^2 / (2 l_eg^3) + higher powers of u, with the
+    elasto-gravity length l_eg.
     """
     check = request.check
     acting = [mass.s for mass in request.masses if mass.mass > 0]
@@ -436,7 +434,7 @@ def _require_load_at_free_end(request: RodRequest) -> None:
 def _rod_of(
     request: RodRequest, check: EquilibriumCheck, moment: FloatArray, force: FloatArray, **fields: Any
 ) -> Rod:
-    """Return the rod in the shape of the curve, with moments (n,) and forces (n, 2) at its nodes."""
+    """Return the rod whose shape is the curve, with moments (n,) and forces (n, 2) at its nodes."""
     nodes, B = request.nodes, fields.get("bending_stiffness")
     loads = tuple(
         ElementForce(placed_force.element, placed_force.s, placed_force.units[0] / (B or 1.0))
@@ -451,7 +449,7 @@ def _rod_of(
 
 
 def _unbent_rod(request: RodRequest) -> Rod:
-    """Return the rod of a curve that has the natural curvature everywhere, so its moments are zero.
+    """Return the rod of a curve that has the natural curvature everywhere; its moments are zero.
 
     Under weight the curve must be vertical.
     """
@@ -484,7 +482,8 @@ def _unbent_rod(request: RodRequest) -> Rod:
         raise InputError(
             "a vertical straight strip can have any stiffness: give bending_stiffness for its weight"
         )
-    # lambda increases by the load; the end that holds the strip carries the whole weight
+    # lambda, minus the internal force, increases by each load; the end that is held carries the whole
+    # weight
     load = rod.nodal_load
     force = np.cumsum(load, axis=0) - load / 2
     force[0], force[-1] = 0.0, load.sum(axis=0)
@@ -493,7 +492,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
 
 
 def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
-    """Return a straight rod whose cross-section is the largest allowed section everywhere."""
+    """Return a straight rod that has the largest allowed cross-section everywhere."""
     law = section.bent(0.0)
     size = next(limit for limit in reversed(section.limits) if np.isfinite(limit))
     scale, newtons = float(law.bending_stiffness(size)), float(law.weight_per_length(size))
@@ -748,7 +747,7 @@ class _Base:
         return scales.scale
 
     def laminate(self, rod: Rod, scale: float, rounds: int) -> Laminate:
-        """Return the laminate of a rod with scale `scale`, N mm2, after a number of `rounds`."""
+        """Return the laminate of a rod with the bending stiffness `scale` K, N mm2, after `rounds` optimal rods."""
         K, section = np.asarray(rod.stiffness), self.layers.section
         return Laminate(
             rod=replace(rod, bending_stiffness=scale),
@@ -812,7 +811,7 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return the relative stiffness at least 1, because rounding errors of the profile may reduce it."""
+    """Return the relative stiffness (n,) at arc lengths s, at least 1 in spite of errors of the profile."""
     return np.maximum(rod.profile(s), 1.0)
 
 

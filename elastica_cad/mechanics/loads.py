@@ -94,7 +94,7 @@ class Gravity:
 
     @property
     def e(self) -> FloatArray:
-        """Vector e of the paper's Eq. 5, 1/mm3, opposite to gravity; the sign printed in the paper is wrong."""
+        """Vector e of the paper's Eq. 5, 1/mm3, opposite to gravity (its sign is misprinted in the paper)."""
         return -np.asarray(self.direction) / self.length**3
 
     def scaled(self, factor: float) -> "Gravity":
@@ -136,7 +136,7 @@ class PointMass:
 
     @property
     def s(self) -> float:
-        """Arc length of the mass, mm; unknown for a point (x, y) until it is moved to a curve."""
+        """Arc length of the mass, mm. A mass at a point (x, y) must first be moved to a curve."""
         if isinstance(self.at, tuple):
             raise InputError(
                 "The point mass at {point} has no arc length. Give its place in mm along the rod.",
@@ -182,17 +182,17 @@ class Weight:
         object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))
         for name in ("alpha", "beta"):
             value = getattr(self, name)
-            # alpha may be negative in a profile, because alpha + beta K may be the tangent to a nonlinear
-            # law
+            # alpha may be negative in a profile, because the tangent to a nonlinear weight law may have a
+            # negative alpha
             if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
                 raise InputError(f"weight {name} is {value!r}: give 0 or more, in N/mm")
 
     def scaled(self, alpha: float = 1.0, beta: float = 1.0) -> "Weight":
-        """Return the weight with alpha and beta multiplied by these factors; the masses do not change."""
+        """Return the weight with alpha and beta multiplied by the given factors; the point masses do not change."""
         return replace(self, alpha=_times(self.alpha, alpha), beta=_times(self.beta, beta))
 
     def along(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return alpha and beta (n,), N/mm, at arc lengths `s` (n,), mm."""
+        """Return alpha and beta (n,), N/mm, of the weight per length alpha + beta K at arc lengths `s` (n,)."""
         alpha, beta = (
             value(s) if isinstance(value, Profile) else np.full(s.shape, float(value))
             for value in (self.alpha, self.beta)
@@ -473,7 +473,7 @@ class RestCurvature(EqualByValue):
 
     @classmethod
     def linear(cls, stations: ArrayLike, curvatures: ArrayLike) -> "RestCurvature":
-        """Return the natural curvature that interpolates curvatures (n,), 1/mm, linearly between stations (n,), mm.
+        """Return the natural curvature that is linear between values (n,), 1/mm, at stations (n,), mm.
 
         Two equal stations are a jump.
         """
@@ -513,7 +513,10 @@ class RestCurvature(EqualByValue):
         return self.profile.length
 
     def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
-        """Return kappa_0, 1/mm, or its derivatives at arc lengths s, mm; at a jump, the right or `left` value."""
+        """Return the natural curvature, 1/mm, or its derivatives at arc lengths s, mm.
+
+        At a jump the right or `left` value.
+        """
         s = np.clip(s, 0.0, self.length)
         for place, _ in self.profile.breaks:
             beside = np.nextafter(place, -1.0) if left else place
@@ -521,7 +524,10 @@ class RestCurvature(EqualByValue):
         return self.profile(s, derivative)
 
     def stretch_to(self, length: float) -> float:
-        """Return the factor from arc lengths of a curve of `length` mm to arc lengths of the pre-bent strip."""
+        """Return the ratio of the length of the pre-bent strip to the length of a curve, mm.
+
+        Refuse unequal lengths.
+        """
         length = require_number(length, "the length of the curve", "mm")
         if abs(length / self.length - 1) > LENGTHS_APART:
             raise InputError(
@@ -602,15 +608,15 @@ class ExcessCurvature:
         return isinstance(self.rest, RestCurvature) or self.rest != 0
 
     def at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Return kappa - kappa_0, 1/mm, at parameters t."""
+        """Return the curvature minus the natural curvature, 1/mm, at parameters t."""
         return np.asarray(self.curve.curvature_at(t, left=left) - self.rest_at(t, left=left))
 
     def slope_at(self, t: ArrayLike, *, left: bool = False) -> FloatArray:
-        """Return the derivative of kappa - kappa_0 by arc length, 1/mm2, at parameters t."""
+        """Return the derivative by arc length of curvature minus natural curvature, 1/mm2, at parameters t."""
         return np.asarray(self.curve.curvature_slope_at(t, left=left) - self.rest_at(t, 1, left=left))
 
     def rest_at(self, t: ArrayLike, derivative: int = 0, *, left: bool = False) -> FloatArray | float:
-        """Return kappa_0, 1/mm, or its first derivative by arc length, at parameters t of the curve."""
+        """Return the natural curvature, 1/mm, or its derivative by arc length, at parameters t of the curve."""
         if not isinstance(self.rest, RestCurvature):
             return 0.0 if derivative else self.rest
         s = self.curve.arc_length(t) * self._stretch
@@ -618,13 +624,13 @@ class ExcessCurvature:
 
     @cached_property
     def survey(self) -> FloatArray:
-        """Values (n,) of kappa - kappa_0, 1/mm, at the sample points of the curve."""
+        """Curvature minus natural curvature (n,), 1/mm, at the sample points of the curve."""
         nodes = self.curve.survey
         return np.asarray(nodes.curvature - self.rest_at(nodes.t))
 
     @cached_property
     def kinks(self) -> tuple[tuple[float, float, int], ...]:
-        """Points (t, s, continuity) at which kappa_0 has only `continuity` continuous derivatives."""
+        """Points (t, s, continuity) at which the natural curvature has only `continuity` continuous derivatives."""
         if not isinstance(self.rest, RestCurvature):
             return ()
         s = np.array([s for s, _ in self.rest.profile.breaks]) / self._stretch
@@ -633,11 +639,11 @@ class ExcessCurvature:
 
     @cached_property
     def zeros(self) -> tuple[CurvatureZero, ...]:
-        """All zeros and sign changes of kappa - kappa_0, in the order of the curve."""
+        """All zeros and sign changes of curvature minus natural curvature, in the order of the curve."""
         return self.equals(0.0)
 
     def equals(self, level: float) -> tuple[CurvatureZero, ...]:
-        """Return all points where kappa - kappa_0 equals `level`, 1/mm, with the signs before and after."""
+        """Return the points where curvature minus natural curvature is `level`, 1/mm, and signs on both sides."""
         if not isinstance(self.rest, RestCurvature):
             return self.curve.curvature_equals(self.rest + level)
         breaks = [(t, order >= 0) for t, _, order in self.kinks]
@@ -649,6 +655,6 @@ class ExcessCurvature:
 
     @cached_property
     def _size(self) -> float:
-        """Sum of absolute kappa and kappa_0, 1/mm, which determines the rounding error of their difference."""
+        """Sum of both absolute curvatures, 1/mm, which determines the rounding error of their difference."""
         t = np.linspace(*self.curve.domain, _SAMPLES)
         return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

@@ -139,12 +139,9 @@ class MinimaxProgram:
     """Linear program: minimise R subject to bounds on rows @ x + offset.
 
     Bounds can be added between solutions. The method is Stiefel's exchange method, which is the dual simplex
-    method for
-    few unknowns and many rows. The current vertex has the least R under its active conditions. In each step the
-    most
-    violated condition becomes active, and the condition whose multiplier would become negative first becomes
-    inactive. If
-    this fails, HiGHS solves the program or finds it infeasible.
+    method for few unknowns and many rows. The current vertex has the least R under its active conditions. In each
+    step the most violated condition becomes active, and the condition whose multiplier would become negative
+    first becomes inactive. If this fails, HiGHS solves the program or finds it infeasible.
 
     Sources: Stiefel, "Uber diskrete und lineare Tschebyscheff-Approximationen", Numer. Math. 1 (1959); Lemke, "The
     dual method of solving the linear programming problem", Naval Res. Logist. Q. 1 (1954).
@@ -179,16 +176,16 @@ class MinimaxProgram:
     def demand(
         self, low: FloatArray, low_offset: FloatArray, high: FloatArray, high_offset: FloatArray
     ) -> None:
-        """Add the rows 1 <= low @ x + low_offset and high @ x + high_offset <= R."""
+        """Add the conditions 1 <= low @ x + low_offset and high @ x + high_offset <= R."""
         share = np.repeat([0.0, 1.0], [len(low), len(high)])
         self._add(np.concatenate([low, -high]), np.concatenate([low_offset - 1, -high_offset]), share)
 
     def hold(self, rows: FloatArray, offset: FloatArray) -> None:
-        """Add the rows rows @ x + offset >= 0."""
+        """Add the conditions rows @ x + offset >= 0."""
         self._add(rows, offset, np.zeros(len(rows)))
 
     def _add(self, rows: FloatArray, offset: FloatArray, share: FloatArray) -> None:
-        """Add the conditions rows @ x + offset + share * R >= 0, with 0 or 1 for each row in `share`."""
+        """Add the conditions rows @ x + offset + share * R >= 0; `share` is 0 or 1 for each row."""
         more = np.concatenate([rows @ self.basis, share[:, None]], axis=1)
         self.rows = np.concatenate([self.rows, more])
         self.limits = np.concatenate([self.limits, -offset])
@@ -202,7 +199,7 @@ class MinimaxProgram:
         return None if answer is None else (self.basis @ answer[:-1], float(answer[-1]))
 
     def _exchanged(self) -> FloatArray | None:
-        """Return the vertex (x, R), or None if the program is unbounded, infeasible or almost degenerate."""
+        """Return the optimal vertex (x, R), or None if the program is unbounded, infeasible or degenerate."""
         active, unknowns = self.active, self.basis.shape[1]
         rows, limits = self.rows[active], self.limits[active]
         for _ in range(METHOD.most):
@@ -220,7 +217,8 @@ class MinimaxProgram:
             if excess[worst] >= -METHOD.feasible:
                 boxed = (active < 2 * unknowns + 1) & (active != unknowns)
                 return vertex if not boxed.any() and np.isfinite(vertex).all() else None
-            # coefficients of the entering row, and of R (`share`), in terms of the active rows
+            # coefficients of the condition that becomes active, and of R (`share`), in terms of the active
+            # conditions
             parts, share = self.rows[worst].dot(inverse), inverse[-1]
             leaving = (parts > METHOD.pivot * np.abs(parts).max()).nonzero()[0]
             if leaving.size == 0:
@@ -370,7 +368,7 @@ def least_variation(
 
 
 def largest_number(rows: FloatArray, number: FloatArray, largest: float, side_rows: FloatArray) -> FloatArray:
-    """Return the x that maximises number @ x subject to 1 <= rows @ x <= largest and side_rows @ x >= 0."""
+    """Return the x with the largest number @ x subject to 1 <= rows @ x <= largest and side_rows @ x >= 0."""
     from scipy.optimize import linprog
 
     basis = _conditioned(rows)

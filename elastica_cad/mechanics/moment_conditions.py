@@ -4,16 +4,12 @@ On a drawn curve gamma the equations of the rod (paper, Eqs. 3 and 5)
 
     M' = <b, gamma'>,   b' = -(q K + p tau) R^t e,   K (kappa - kappa_0) = M
 
-are linear in the state (M, b) at the end of the curve. One integration for each of these three numbers is therefore
-enough. M is the moment, b minus the internal force after a quarter turn R^t, and K the stiffness. Kappa and
-kappa_0 are
-the curvature and the natural curvature. Here q is the weight per stiffness (1/l_eg^3), p a weight per length that
-does
-not depend on K (N/mm), tau the inverse of the least bending stiffness, and e a unit vector upwards. Rods without
-weight
-have constant b, and M = a + <b, gamma>. A force f on the strip between its ends is a jump of R b by f, so each
-unknown
-force is one more number (`elements`).
+are linear in the state (M, b) at the end of the curve. One integration for each of these three numbers is
+therefore enough. M is the moment, b minus the internal force after a quarter turn R^t, and K the stiffness. Kappa
+and kappa_0 are the curvature and the natural curvature. Here q is the weight per stiffness (1/l_eg^3), p a weight
+per length that does not depend on K (N/mm), tau the inverse of the least bending stiffness, and e a unit vector
+upwards. Rods without weight have constant b, and M = a + <b, gamma>. A force f on the strip between its ends is a
+jump of R b by f, so each unknown force is one more number (`elements`).
 """
 
 from collections.abc import Callable, Sequence
@@ -126,7 +122,7 @@ class MomentRows:
 
     @property
     def elements_from(self) -> int:
-        """Index of the first unknown force among the numbers."""
+        """Index of the first unknown force among the numbers of the linear map."""
         return 4 if self.loaded else 3
 
 
@@ -135,9 +131,8 @@ def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray 
 
     The equations of the rod are integrated from the end of the curve to its start, panel by panel. At a zero of
     kappa - kappa_0, the curvature minus the natural curvature, the moment is set to zero. The stiffness there is
-    then a
-    limit, and not a quotient of rounding errors. The caller must constrain the state accordingly: the rows of
-    `edge_moment` at the zeros must give 0.
+    then a limit, and not a quotient of rounding errors. The caller must constrain the state accordingly: the rows
+    of `edge_moment` at the zeros must give 0.
 
     Parameters
     ----------
@@ -152,7 +147,7 @@ def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray 
         units = np.zeros((panels.count + 1, 2, 0))
     if load is None:
         return _weightless(panels, units)
-    # a weight that is far too large overflows; the caller checks the result
+    # a weight that is far too large causes an overflow; the caller checks the result
     with np.errstate(over="ignore", invalid="ignore"):
         return _weighted(panels, load, units)
 
@@ -163,10 +158,11 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     edge_moment = np.zeros((count + 1, size))
     edge_moment[:, 0] = 1.0
     edge_moment[:, 1:3] = panels.edge_position - panels.edge_position[-1]
-    b = np.zeros((count + 2, 2, size))  # b before the start, in each panel, and after the end
+    b = np.zeros((count + 2, 2, size))  # b before the start of the curve, in each panel, and after its end
     b[:] = np.eye(2, size, 1)
     for k in np.flatnonzero(units.any(axis=(1, 2))):
-        step = left_of(units[k].T).T  # step of b at the force, from its end side to its start side
+        # jump of b at the force, from the side of the curve's end to the side of its start
+        step = left_of(units[k].T).T
         b[: k + 1, :, 3:] += step
         edge_moment[: k + 1, 3:] += (panels.edge_position[: k + 1] - panels.edge_position[k]) @ step
     # M at a node is M at the near end of the panel plus <b, distance>; beside a zero the first term is 0
@@ -187,8 +183,7 @@ def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
     """Return the moments at the ends of panels, with exact zeros where kappa - kappa_0 is zero.
 
     The rounding errors at these zeros are interpolated linearly between the zeros and subtracted, because next to
-    a zero
-    they would be large relative to the moment.
+    a zero they would be large relative to the moment.
     """
     vanishes = np.zeros(panels.count + 1, dtype=bool)
     vanishes[:-1] = panels.zero_left
@@ -204,9 +199,11 @@ def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
 
 def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     count, order = panels.t.shape
-    size = 3 if load.is_proportional else 4  # size of the local state (M, b_x, b_y, tau)
+    # number of unknowns at an end of a panel: moment, two components of b, and tau if needed
+    size = 3 if load.is_proportional else 4
     total = size + units.shape[2]
-    steps = np.zeros((count + 1, 2, total))  # steps of b at the forces, from the end side to the start side
+    # jumps of b at the forces, from the side of the curve's end to the side of its start
+    steps = np.zeros((count + 1, 2, total))
     steps[:, :, size:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
     if size == 4:
         steps[:, :, 3] = left_of(load.points)
@@ -228,8 +225,7 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     if size == 4:
         weight[..., 3] += load.dead
     shares = WEIGHTS * panels.stretch
-    # the state at the far end of each panel from the state at the near end, from right to left except at a
-    # left zero
+    # integrate each panel from right to left, or from left to right if its left end is a zero
     sign = np.where(left, -1.0, 1.0)
     far = np.where(left[:, None, None], panels.from_right, panels.from_left) @ G
     chord = np.diff(panels.edge_position, axis=0) * -sign[:, None]
@@ -263,7 +259,7 @@ _SLOPES_AT_NODES = VANDER @ SLOPES
 _SETTLED = 1e-9  # largest relative excess of K over its bounds in the program of least ratio
 
 _SAME = 4 * float(np.finfo(float).eps)
-"""Relative difference between two solutions of a program that were computed by different paths to one vertex."""
+"""Relative difference of two solutions of a linear program that were reached by different exchanges."""
 
 # rounding error of a sum relative to its terms, each a product of three factors and a series
 _ROUNDING = 16 * float(np.finfo(float).eps)
@@ -301,7 +297,7 @@ class StiffnessFamily:
 
     @property
     def freedom(self) -> int:
-        """Number d of free numbers."""
+        """Number d of unknown numbers."""
         return int(self.rows.coefficients.shape[2])
 
     @property
@@ -342,7 +338,7 @@ def least_ratio(
     places: tuple[IntArray, FloatArray] | None = None,
     tolerance: float = _SETTLED,
 ) -> tuple[FloatArray, float] | None:
-    """Return the numbers y of the least stiffness ratio R, and R; None if no stiffness is positive everywhere.
+    """Return the numbers y of the stiffness with the least ratio R, and R; None if none is positive everywhere.
 
     By default R is the ratio on the continuous curve. With `places` (panels and coordinates x), R is the ratio at
     these samples. Extremes of the stiffness between samples are computed from its polynomials and added to the
@@ -351,8 +347,7 @@ def least_ratio(
     if places is not None:
         solution = _sampled(family, *family.at(*places))
     elif family.freedom == 0 or (family.freedom == 1 and family.offset is None and not family.sides):
-        # without a free number, or with a number that only scales K, the positions of the extremes do not
-        # change
+        # without a free number, or with a number that only scales K, the extremes are at fixed positions
         rows, offset = family.dense
         more, more_offset = family.extremes(np.ones(family.freedom))
         solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
@@ -366,7 +361,10 @@ def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> M
 
 
 def _continuous_ratio(family: StiffnessFamily, tolerance: float) -> tuple[FloatArray, float] | None:
-    """Return the least ratio on the continuous curve; each iteration adds all local extremes that exceed it."""
+    """Return the numbers of the least ratio on the continuous curve, and this ratio.
+
+    Each iteration adds all local extremes beyond the bounds.
+    """
     rows, offset = family.dense
     sides = [side.dense for side in family.sides]
     program = MinimaxProgram(
@@ -413,14 +411,15 @@ def _smoothest(
     tolerance: float = BOUNDED,
     keep_largest: bool = False,
 ) -> FloatArray:
-    """Return the numbers y with the least total variation of K' for K between 1 and `ratio` (paper, section 5.3).
+    """Return the numbers y of the smoothest stiffness K between 1 and `ratio` (paper, section 5.3).
 
-    As in `least_ratio`, the stiffness K is bounded on the continuous curve, or at the samples `places`. K of the
-    numbers `start` is within these bounds. With `keep_largest`, K keeps its value where K of `start` is `ratio`.
+    As in `least_ratio`, the stiffness K is bounded on the continuous curve, or at the samples `places`. The
+    stiffness for the numbers `start` is within these bounds. With `keep_largest`, K keeps its value where the
+    stiffness for `start` equals `ratio`.
     """
     panels = family.panels
     count, order = panels.t.shape
-    # d/ds = d/dx / stretch, twice; jumps of K' at the ends of panels count too
+    # d/ds = (d/dx) / stretch is applied twice; jumps of K' at the ends of panels count too
     columns = family.rows.coefficients
     if family.offset is not None:
         columns = np.concatenate([columns, family.offset.coefficients[..., None]], axis=2)
@@ -435,7 +434,7 @@ def _smoothest(
     if keep_largest:
         pins, pin_offset = family.extremes(start) if places is None else family.at(*places)
         pins = pins[pins @ start + pin_offset > ratio * (1 - BOUNDED)]
-        # 1 <= pins @ y + pin_offset: at these points, K is at least the K of `start`
+        # 1 <= pins @ y + pin_offset means that at these points K is at least the stiffness for `start`
         pin_offset = 1.0 - pins @ start
 
     def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
@@ -450,7 +449,7 @@ def _smoothest(
 
 
 def largest_within(family: StiffnessFamily, number: FloatArray, ratio: float) -> FloatArray:
-    """Return the y that maximises number @ y for a stiffness between 1 and `ratio`.
+    """Return the numbers y of the largest number @ y for a stiffness between 1 and `ratio`.
 
     The family must have no offset.
     """
@@ -484,8 +483,7 @@ def find_violations(family: StiffnessFamily) -> FloatArray:
     """Return the arc lengths (k,), mm, where no choice of the free numbers makes the stiffness positive everywhere.
 
     With a single free number they are the points at which the stiffness has the less frequent sign. Otherwise
-    they are
-    the samples that limit the largest possible least stiffness.
+    they are the samples that limit the largest possible least stiffness.
     """
     from scipy.optimize import linprog
 
@@ -520,7 +518,7 @@ WIDEST_RATIO = 1e10
 """Largest stiffness ratio in computations; no strip can have it."""
 
 LARGEST_LOAD = 1e3
-"""Largest load stiffness, as a multiple of the largest stiffness, without scaling of the program by the load."""
+"""Stiffness that the load requires, relative to the largest stiffness, up to which the program is not rescaled."""
 
 RANK_SHARE = 1e-7
 """Relative tolerance for linearly dependent conditions."""
@@ -557,7 +555,7 @@ class BalancedStiffness:
 class StateFamily:
     """Family of stiffnesses of a rod in equilibrium.
 
-    The numbers of `MomentRows` are fixed + basis @ free numbers.
+    The numbers of its `MomentRows` are fixed + basis @ free numbers.
     """
 
     family: StiffnessFamily
@@ -570,8 +568,7 @@ class RodRequest(EqualByValue):
     """Request for a rod whose rest shape is a curve; `optimal_rod` describes the attributes.
 
     `known_check` is the result of an earlier check of the curve, or None. `point_forces` are the loads except
-    masses.
-    Positions of elements and point forces refer to the curve `drawn` if it differs from `curve`.
+    masses. Positions of elements and point forces refer to the curve `drawn` if it differs from `curve`.
     """
 
     curve: PlaneCurve
@@ -658,7 +655,7 @@ class RodRequest(EqualByValue):
 
 @dataclass(frozen=True, eq=False)
 class ConditionedRows:
-    """Moment rows with the conditions that the inflections and supports impose."""
+    """Moment and stiffness as linear functions, with the conditions that the inflections and supports impose."""
 
     request: RodRequest
     panels: Panels
@@ -671,9 +668,10 @@ class ConditionedRows:
 
     @cached_property
     def conditions(self) -> FloatArray:
-        """Conditions (k, m) @ numbers = 0 on the moment at inflections and on the force along free coordinates.
+        """Conditions (k, m) @ numbers = 0 of the linear program.
 
-        An element at an inflection exerts no force normal to the strip, because the stiffness would jump there.
+        The moment is zero at inflections, and the force is zero along free coordinates. An element at an
+        inflection exerts no force normal to the strip, because the stiffness would jump there.
         """
         t = np.array([z.t for z in self.check.zeros])
         at = np.abs(self.panels.edges - t[:, None]).argmin(axis=1)
@@ -695,7 +693,7 @@ class ConditionedRows:
 
     @cached_property
     def scale(self) -> FloatArray:
-        """Orders of magnitude (m,) of the numbers."""
+        """Orders of magnitude (m,) of the unknown numbers."""
         size = np.full(self.rows.edge_moment.shape[1], 1 / self.check.length)
         size[0] = 1.0
         moment = self.rows.stiffness[..., 3:] * self.panels.curvature[..., None]
@@ -705,7 +703,7 @@ class ConditionedRows:
 
     @cached_property
     def pushed(self) -> IntArray:
-        """Indices (k,) of the numbers that may not be negative: the pulls of ties."""
+        """Indices (k,) of the unknown numbers that may not be negative: the pulls of ties."""
         kinds = [
             isinstance(placed.element, Tie)
             for placed in self.request.elements
@@ -730,7 +728,7 @@ class ConditionedRows:
         )  # fmt: skip
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return the rows of the numbers that may not be negative, divided by their orders of magnitude."""
+        """Return the rows for the numbers that may not be negative, divided by their orders of magnitude."""
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:
@@ -753,7 +751,7 @@ class ConditionedRows:
         return StateFamily(family, basis, fixed)
 
     def ratio(self, numbers: StateFamily, tolerance: float = _SETTLED) -> tuple[FloatArray, float] | None:
-        """Return the free numbers with the least stiffness ratio, and the ratio; None if there are none."""
+        """Return the free numbers with the least stiffness ratio, and the ratio; None if no stiffness exists."""
         if numbers.family.freedom == 0 and numbers.family.offset is None:
             return None
         if numbers.family.freedom > 0:
@@ -770,11 +768,10 @@ class ConditionedRows:
         return None if everywhere else self.panels.locate(self.request.nodes.t)
 
     def steadied(self, state: FloatArray) -> FloatArray:
-        """Return the optimal numbers that do not change when the drawing is rotated.
+        """Return the optimal numbers, chosen such that they do not change when the drawing is rotated.
 
-        For arcs the optimum has a constant moment. If a single jump of the curvature determines the ratio, the
-        optimum has
-        the smoothest stiffness.
+        For arcs, the optimum with constant moment is chosen. If a single jump of the curvature determines the
+        ratio, the optimum with the smoothest stiffness is chosen.
         """
         if self.check.zeros:
             return state
@@ -796,7 +793,10 @@ class ConditionedRows:
         return state
 
     def least(self, numbers: StateFamily, *, smooth: bool = True) -> FloatArray:
-        """Return the numbers (m,) of the least ratio; if inflections allow several stiffnesses, the smoothest."""
+        """Return the numbers (m,) of the least ratio.
+
+        If inflections allow several optima, the result is the optimum with the smoothest stiffness.
+        """
         choices = numbers.family.freedom - (numbers.family.offset is None)
         smooth = smooth and bool(self.check.zeros) and choices > 0
         optimum = self.ratio(numbers, CHOSEN / 2 if smooth else _SETTLED)
@@ -808,7 +808,7 @@ class ConditionedRows:
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
     def _offset(self, tau: float) -> FloatArray:
-        """Return the part of K (N, p) at the nodes that is fixed by the least bending stiffness 1 / tau."""
+        """Return the part of the stiffness (N, p) that does not depend on the free numbers, for tau."""
         return np.asarray(self.rows.stiffness @ self.at_compliance(tau).fixed)
 
     @property
@@ -820,11 +820,10 @@ class ConditionedRows:
         """Return the numbers (m,) and tau that maximise the least E I for the largest E I `most`, N mm2.
 
         If inflections allow several stiffnesses from `least` to `most`, the result is the smoothest stiffness.
-        The result
-        is None if no stiffness within these limits is in equilibrium.
+        The result is None if no stiffness within these limits is in equilibrium.
         """
         family = self.at_compliance(1 / most).family
-        # for K <= 1, maximising the least K is minimising the largest 1 + 1 / size - K / size
+        # because K <= 1, the least K is maximal if the largest 1 + 1 / size - K / size is minimal
         size = max(1.0, self.load_stiffness / (LARGEST_LOAD * most))
         turned = StiffnessFamily(
             self.panels,
@@ -860,7 +859,7 @@ class ConditionedRows:
         )
 
     def refuse(self, family: StiffnessFamily | None) -> NoReturn:
-        """Raise `NotRealizable` with the reason and the positions on the curve."""
+        """Raise `NotRealizable` with the reason and with positions on the curve."""
         held = bool(self.request.elements)
         if family is None or (family.freedom == 0 and family.offset is None):
             reason = note(

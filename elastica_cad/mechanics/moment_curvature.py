@@ -20,10 +20,8 @@ class MaterialLaw(ABC):
     """Moment-curvature law for the width 1, divided by its stiffness at rest.
 
     The effective curvature m(kappa) = P(kappa) kappa, with P even and P(0) = 1, replaces the curvature in Hooke's
-    law:
-    M = K m(kappa - kappa_0) for moment M, stiffness K and natural curvature kappa_0. Theorem 1 and the linear
-    program
-    remain valid as long as m is injective in the range of curvatures that occurs.
+    law: M = K m(kappa - kappa_0) for moment M, stiffness K and natural curvature kappa_0. Theorem 1 and the
+    linear program remain valid as long as m is injective in the range of curvatures that occurs.
     """
 
     @property
@@ -33,7 +31,7 @@ class MaterialLaw(ABC):
 
     @property
     def kinks(self) -> tuple[tuple[float, int], ...]:
-        """Positive curvatures, 1/mm, at which m is not smooth, with its number of continuous derivatives."""
+        """Positive curvatures, 1/mm, at which m is not smooth, each with its number of continuous derivatives."""
         return ()
 
     @abstractmethod
@@ -42,7 +40,7 @@ class MaterialLaw(ABC):
 
     @abstractmethod
     def slope(self, curvature: ArrayLike) -> FloatArray:
-        """Return the derivative of the effective curvature m (n,) by the curvature; it is 1 at rest."""
+        """Return the derivative of m (n,) by the curvature; it is 1 at curvature 0."""
 
     def with_slope(self, curvature: ArrayLike) -> tuple[FloatArray, FloatArray]:
         """Return the effective curvature m and its derivative (n,) together."""
@@ -50,7 +48,7 @@ class MaterialLaw(ABC):
 
     @abstractmethod
     def energy(self, curvature: ArrayLike) -> FloatArray:
-        """Return the integral of m from rest (n,), 1/mm2: elastic energy per length over the stiffness K."""
+        """Return the integral of m from 0 (n,), 1/mm2: the elastic energy per length over the stiffness K."""
 
     def resampled(self, _s: FloatArray, _at: FloatArray, /) -> "MaterialLaw":
         """Return the law for other arc lengths (m,), mm, or the same law if it is uniform along the strip."""
@@ -163,7 +161,7 @@ class PolynomialLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw.injective_limit`. It is exact, as the slope is 0 at the roots of a quadratic."""
+        """See `MaterialLaw.injective_limit`; computed exactly, as the root of a quadratic for the slope 0."""
         roots = np.roots([5 * self.quartic, 3 * self.quadratic, 1.0])
         real = [float(z.real) for z in roots if z.real > 0 and abs(z.imag) <= _ROUNDING_SHARE * abs(z)]
         return self.curvature_scale * float(np.sqrt(min(real))) if real else float("inf")
@@ -283,7 +281,7 @@ class ElasticPlasticLaw(_YieldingLaw):
         return ((self.curvature_limit, 1),)
 
     def _core(self, kappa: FloatArray) -> FloatArray:
-        """Return the fraction of the thickness that remains elastic."""
+        """Return the fraction of the thickness that is still elastic at curvatures `kappa`, 1/mm."""
         return self.curvature_limit / np.maximum(np.abs(kappa), self.curvature_limit)
 
 
@@ -350,7 +348,7 @@ class TabulatedLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw.injective_limit`; the end of the table, or where its moments decrease."""
+        """See `MaterialLaw.injective_limit`. It is the end of the table, or where the moments decrease."""
         falling = np.flatnonzero(np.diff(self.moments) <= 0)
         return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
 

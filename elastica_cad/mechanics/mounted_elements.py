@@ -5,12 +5,11 @@ The rest shape is a stationary point of
 
     E + sum over pins and rails <f, P - c(s)> + sum over ties <f, c(q) - c(p) - l e(psi)>
 
-in the edge angles, in the forces f, in the arc length s at each rail, and in the direction psi of each cord. A pin
-fixes the point c(s) of the strip at the point P. At a rail, stationarity in s makes f normal to the strip. A cord
-of
-length l connects the strip at arc lengths p and q; stationarity in psi makes f parallel to the unit vector
-e(psi). If
-no end is held along an axis, the translation of the whole rod along this axis is an additional unknown.
+in the edge angles, in the forces f, in the arc length s at each rail, and in the direction psi of each cord. A
+pin fixes the point c(s) of the strip at the point P. At a rail, stationarity in s makes f normal to the strip. A
+cord of length l connects the strip at arc lengths p and q; stationarity in psi makes f parallel to the unit
+vector e(psi). If no end is held along an axis, the translation of the whole rod along this axis is an additional
+unknown.
 """
 
 from dataclasses import dataclass, replace
@@ -43,10 +42,9 @@ class ElementEquations:
     """Residuals of the elements and their derivatives.
 
     The unknowns of each element are the two components of its force. A rail also has the arc length of its
-    contact point.
-    A tie also has its length times the angle of the cord. Translations of the rod along free axes follow. The
-    residual for
-    a force is a position error, mm. The residuals for the other unknowns are forces, 1/mm2.
+    contact point. A tie also has its length times the angle of the cord. Translations of the rod along free axes
+    follow. The residual for a force is a position error, mm. The residuals for the other unknowns are forces,
+    1/mm2.
 
     Attributes
     ----------
@@ -150,7 +148,8 @@ class MountedElements:
                 rows[pair] = across * weights
                 residual[pair] = h * (weights @ tangents) - length * e
                 if self.turns_freely:
-                    # fix the direction of the cords, because every rotation of the rod is a rest shape too
+                    # fix the direction of the cords, because a rotation of the whole rod gives another rest
+                    # shape
                     corner[more, more] = 1.0
                 else:
                     residual[more] = -f @ left_of(e)
@@ -175,7 +174,7 @@ class MountedElements:
                 corner[more, more] = -f @ self.place(s, tangents, 2)
             at += 2 + slides
         residual[first_shift:] -= self.load[free]
-        if self.turns_freely:  # fix the translation, because no support does
+        if self.turns_freely:  # fix the translation of the rod, because no support does
             corner[first_shift:, first_shift:] = np.eye(len(free))
             residual[first_shift:] = 0.0
         return ElementEquations(force, rows, corner, residual, places)
@@ -197,7 +196,7 @@ class MountedElements:
         return tuple(actions)
 
     def shift(self, numbers: FloatArray) -> FloatArray:
-        """Return the translation (2,), mm, of the whole rod that the unknowns contain."""
+        """Return the translation (2,), mm, of the whole rod, which is part of the unknowns."""
         shift = np.zeros(2)
         free = self.free_axes
         shift[free] = numbers[numbers.size - len(free) :]
@@ -205,7 +204,7 @@ class MountedElements:
 
     @property
     def _from_end(self) -> FloatArray:
-        """1 for coordinates that are measured from the end of the rod, 0 for the other coordinates (2,)."""
+        """Flags (2,): 1 for a coordinate measured from the end of the rod, 0 for one measured from the start."""
         start = self.supports.ends[0]
         return np.array([not start.x, not start.y], dtype=float)
 
@@ -265,11 +264,10 @@ def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementFor
     """Return the present elements of a rod as they are mounted, or new elements that replace them.
 
     A pin or rail at a point away from the strip moves the strip to this point. A pin with the same index as a
-    present pin
-    keeps its arc length. The length of a tie without `length` is the distance between its two points.
+    present pin keeps its arc length. The length of a tie without `length` is the distance between its two points.
     """
     if not (rod.between if between is None else between):
-        return ()  # do not compute the curve: a rod with jumps of its curvature has no spline
+        return ()  # skip the curve, because a rod with jumps of its curvature has no spline
     curve = rod.curve
     if between is None:
         return tuple(_kept(action, curve) for action in rod.between)
@@ -298,7 +296,7 @@ def _new(element: Element, before: ElementForce | None, curve: PlaneCurve) -> El
     s = PlacedElement.on(element, curve, curve).s
     force = np.zeros((s.size, 2))
     if before is not None and type(before.element) is type(element):
-        force = before.force  # an element that exerted a force is taut at first
+        force = before.force  # at first, an element that exerted a force is taut
     if isinstance(element, Tie):
         return _kept(ElementForce(element, s, force), curve)
     if isinstance(element, Pin) and before is not None and isinstance(before.element, Pin):

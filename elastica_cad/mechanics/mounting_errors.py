@@ -15,7 +15,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.rod_system import Residual, RodState
 
 SMALL_STEP = 1e-6
-"""Displacement of an element, as a fraction of the length, at which the response of the strip is linear."""
+"""Displacement of an element, as a fraction of the length, small enough for a linear response of the strip."""
 
 
 def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
@@ -68,7 +68,7 @@ def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[
 
 
 def _displacement(state: RodState, rows: slice, direction: FloatArray) -> FloatArray:
-    """Return the displacements (n, 2) of the nodes per mm of a position error in these rows of the residual."""
+    """Return the displacements (n, 2) of the nodes per mm of position error in the given residuals."""
     miss = np.zeros(state.reactions.size)
     miss[rows] = direction
     step, small = (

@@ -12,9 +12,9 @@ from elastica_cad.mechanics.rod_system import Residual, RodState, RodSystem, Ste
 from elastica_cad.refusals import Length
 
 TOLERANCE = 1e-10  # accuracy of `bend`, relative to the moments and to the length
-# largest rotation of an edge in a step, for which linearised cos and sin have an error of an eighth
+# largest rotation of an edge in a step; linearised cos and sin then have an error of one eighth
 LARGEST_TURN_RAD = 0.5
-SMALL_TURN_RAD = 0.02  # largest rotation of an edge in steps that may pass a crossing of branches
+SMALL_TURN_RAD = 0.02  # largest rotation of an edge in steps that may pass a crossing of two branches
 # displacement along an unstable mode in each step of a minimization, far above rounding errors
 SADDLE_PUSH_RAD = 0.05
 ASTRAY_RAD = float(np.pi)  # largest rotation of an edge in a step of a minimization before the line search
@@ -23,7 +23,7 @@ NEAR_REST_RAD = 1e-2
 # size of a Newton step after which the next step, about its square, is below rounding errors
 CONVERGED_RAD = 1e-9
 MOST_DESCENTS = 300  # largest number of steps of a minimization
-# accuracy, as a fraction of the path, of the point at which an element becomes slack or taut
+# accuracy, as a fraction of the path, with which the change of an element to slack or taut is located
 STOP_SHARE = 1e-3
 LEAST_STEP = 1e-7  # least step, as a fraction of the path; it determines how precisely a fold is located
 
@@ -53,7 +53,7 @@ def newton_step(state: RodState, residual: Residual) -> Step:
 
 
 def _solved(state: RodState, diagonal: FloatArray, off: FloatArray, residual: Residual) -> Step:
-    """Return the step that cancels `residual` to first order, with a given tridiagonal Hessian."""
+    """Return the Newton step that cancels `residual` to first order, for a given tridiagonal Hessian."""
     rows, below = state.rows, -residual.miss
     if state.system.elements is None:
         return Step(*solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=below))
@@ -82,13 +82,13 @@ def correct(
     Parameters
     ----------
     kept : Residual, optional
-        Imbalance and position errors of the solution, which are artificial loads of a continuation.
+        Imbalance of moments and position errors that the solution may have. They are artificial loads of a
+        continuation.
     turn : float
         Largest rotation of an edge, rad, in a step and in total.
     damping : float
         Smallest fraction of a step. If a smaller fraction is needed, the start is far from the solution, and the
-        result
-        may be on another branch of equilibria.
+        result may be on another branch of equilibria.
 
     Returns
     -------
@@ -122,12 +122,11 @@ def correct(
 
 
 def follow(state: RodState, stop: Callable[[RodState], bool] | None = None) -> Reached:
-    """Continue from a state to an equilibrium by reducing its imbalance, an artificial load, to zero.
+    """Continue from a state to an equilibrium: its imbalance, an artificial load, is reduced to zero in steps.
 
-    Positions and angles of the ends change linearly from present to required values. Weight, forces, stiffness and
-    supports change in proportion. Steps are adaptive. The continuation ends at a fold of the branch, and soon
-    after the
-    first state for which `stop` returns True.
+    Positions and angles of the ends change linearly from present to required values. Weight, forces, stiffness
+    and supports change in proportion. Steps are adaptive. The continuation ends at a fold of the branch, and soon
+    after the first state for which `stop` returns True.
     """
     if is_balanced(state):
         return Reached(_polish(state), 1.0, 0)
@@ -152,10 +151,8 @@ def trace(
     """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1 in adaptive steps.
 
     Along a branch, the number of unstable modes changes only where another branch crosses it. Crossings are
-    passed in
-    small steps. If the number changes in a long step, the step has reached another branch and is repeated with a
-    smaller
-    length.
+    passed in small steps. If the number changes in a long step, the step has reached another branch and is
+    repeated with a smaller length.
     """
     t, step, count = start, 1.0 - start, 0
     modes: int | None = None
@@ -253,7 +250,7 @@ def _come_to_rest(state: RodState, astray: float) -> RodState | None:
 
 
 def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
-    """Return the state after backtracking on the energy, with the reactions of the step."""
+    """Return the state after backtracking along a step until the energy decreases, with its reactions."""
     least = 1e-12 * (abs(state.energy) + 1 / state.system.length)
     for _ in range(30):
         trial = _place_ends(state.moved(step, factor))
@@ -264,7 +261,7 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """Return the state with the least changes of angles that corrects the positions of ends and elements."""
+    """Return the state with correct positions of ends and elements, by the least change of angles."""
     moves = np.logical_not(state.places)
     unit = np.where(moves, state.system.length**2, 1.0)
     for _ in range(60):
@@ -287,17 +284,16 @@ def _turned(step: Step) -> float:
 
 
 def _remaining(state: RodState, kept: Residual | None) -> Residual:
-    """Return the residual minus the part `kept`."""
+    """Return the residual of a state minus the residual `kept` that its solution may have."""
     imbalance, miss = state.residual
     return state.residual if kept is None else Residual(imbalance - kept.imbalance, miss - kept.miss)
 
 
 def _size(state: RodState, residual: Residual) -> float:
-    """Return the relative error of a state: the larger of its imbalance of moments and its position errors.
+    """Return the relative error of a state.
 
-    Moments are relative to the moments of the rod, but at least of a bend of 1e-3 rad. Positions are relative to
-    its
-    length.
+    It is the larger of the imbalance of moments and the position errors. Moments are relative to the moments of
+    the rod, but at least to those of a bend of 1e-3 rad. Positions are relative to its length.
     """
     length = state.system.length
     unit = max(state.scale, 1e-3 / length)
@@ -310,7 +306,7 @@ STRAIGHT_RAD = 1e-7
 DECIDING_TURN_RAD = 0.5  # angle between the held ends above which this angle determines the side
 FIRST_CHORD = 0.9  # initial distance between the ends of a buckled rod, as a fraction of the length
 LOAD_RESOLUTION = 1e-7  # accuracy of the bisected buckling load, as a fraction of the full load
-# amplitudes of the buckled shape; the largest that converges is used
+# amplitudes of the buckled shape that are tried; the largest one that converges is used
 AMPLITUDES_RAD = (0.2, 0.05, 0.01, 0.002)
 
 
@@ -388,7 +384,7 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     system, angle = state.system, float(state.angles[0])
     length, edge = system.length, system.edge_length
     tangent = np.array([np.cos(angle), np.sin(angle)])
-    # the requested distance along the held coordinates determines the size of the first displacement
+    # the requested distance of the ends along the held coordinates determines the first displacement
     wanted = float(np.linalg.norm(system.chord))
     chord = length * min(max(wanted / length, FIRST_CHORD), 1 - 1e-12)
     first = replace(

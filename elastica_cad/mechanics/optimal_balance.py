@@ -73,8 +73,8 @@ def balance_without_weight(request: RodRequest) -> BalancedStiffness:
         rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
         problem = ConditionedRows(request, cut.panels, rows)
         numbers = problem.homogeneous(loaded=False)
-        # beyond an element that is near a zero of the curvature, the moment is another function of arc
-        # length
+        # between an element and a zero of the curvature, the moment is another function of arc length than
+        # beyond it
         finer = cut.for_stiffness(numbers.family.rows) if request.elements else None
         if finer is None:
             break
@@ -112,7 +112,7 @@ def _with_weight(request: RodRequest) -> BalancedStiffness:
 
 
 def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -> Weight:
-    """Return the weight; if its `own` is True, with that of a strip of least bending stiffness B, N mm2."""
+    """Return the weight; if its `own` is True, the weight of the strip itself is added."""
     step = bending_stiffness / gravity.length**3
     return replace(weight, beta=_raised(weight.beta, step), own=False) if weight.own else weight
 
@@ -127,7 +127,7 @@ class WeightedPanels:
     weight: Weight | None
 
     def against(self, tau: float) -> "ConditionedRows":
-        """Return the equilibrium conditions for weights in newtons and bending stiffness B = 1 / tau."""
+        """Return the equilibrium conditions for weights in newtons and least bending stiffness B = 1 / tau."""
         panels, weight = self.panels, self.weight
         proportional_weight = np.zeros(panels.t.shape)
         if self.gravity is not None and (weight is None or weight.own):
@@ -187,7 +187,7 @@ def far_too_heavy(gravity: Gravity, length: float) -> str:
 
 
 def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """Return the inverse tau of the least bending stiffness for which the stiffness ratio is least.
+    """Return tau, the inverse of the least bending stiffness, for which the stiffness ratio is least.
 
     If the ratio decreases with every decrease of tau, the result is the largest tau within 1 % of the best ratio.
     """
@@ -204,13 +204,13 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
     else:
         y = largest_within(numbers.family, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
         tau = float(numbers.basis[3] @ y)
-    if tau <= 0:  # rounding errors in rows of very large numbers
+    if tau <= 0:  # with very large coefficients, rounding errors can make tau negative
         load.refuse()
     return tau
 
 
 def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
-    """Refuse a weight that is proportional to the stiffness, or that bends the rod nowhere."""
+    """Refuse a weight that is proportional to the stiffness, and a weight that does not bend the rod."""
     if not problem.rows.loaded:
         if weight.masses or problem.request.forces:
             raise InputError(
@@ -263,10 +263,10 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
 
 
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
-    """Return the balance whose largest bending stiffness is `most`, N mm2, and its compliance tau.
+    """Return the stiffness in equilibrium whose largest value is `most`, N mm2, and its compliance tau.
 
-    Among all balances with this largest stiffness, its least stiffness is the largest. A weight proportional to the
-    stiffness K needs iterations, because it depends on tau.
+    Among all such stiffnesses, its least value is the largest. If the weight is proportional to the stiffness K,
+    iterations are needed, because it depends on tau.
     """
     least = max(load.request.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
     most /= 1 + BOUNDED
@@ -298,9 +298,9 @@ def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most
 
 
 def _thickening(load: WeightedPanels, least: float, most: float) -> float | None:
-    """Return the least factor on the sheet thickness with which a strip of limited width carries the weight.
+    """Return the least factor on the sheet thickness for which a strip of limited width carries the weight.
 
-    The stiffness increases with the cube of the thickness. Weight over stiffness decreases with its square.
+    Stiffness is proportional to the cube of the thickness, and weight over stiffness to its inverse square.
     """
     factor = 1.0
     for _ in range(MOST_ROUNDS):
@@ -326,10 +326,10 @@ MOST_ROUNDS = 40
 """Largest number of linear programs in the search for a section."""
 
 SETTLED_SHARE = 1e-7
-"""Relative change of E I that ends the search; the error of the linearised weight is its square."""
+"""Relative change of E I below which the search ends; the error of the linearised weight is its square."""
 
 TANGENT_STEP = 1e-4
-"""Relative change of E I for the slope of the weight; an error of the slope only slows the iteration."""
+"""Relative change of E I in the finite difference for the slope of the weight."""
 
 FIT_SHARE = 1e-5
 """Largest accepted relative violation of the limits of E I."""
@@ -338,30 +338,29 @@ HOPELESS_SHARE = 1e-4
 """Fraction of the E I of the least section below which a search for ever smaller sections is stopped."""
 
 WIDEST_REACH = 0.1
-"""Largest mean change of E I in a step of a descent, as a fraction of its limits."""
+"""Largest mean change of E I in a step of a descent, as a fraction of the limits of E I."""
 
 MOST_STEPS = 150
 """Largest number of steps of a descent."""
 
 SHORTER, LONGER = 0.5, 1.2
-"""Factors on the largest step of a descent after a reversal of direction and after a step in the same direction."""
+"""Factors on the largest step of a descent after a reversal of direction, and after a step without reversal."""
 
 LONGEST_JUMP = float(np.log(4.0))
-"""Largest extrapolation step of a sequence of scales, in the logarithm of the scale."""
+"""Largest step of the extrapolation of a sequence of scales, in the natural logarithm of the scale."""
 
 SLOWEST_RATE = 0.99
-"""Largest ratio of successive steps of a sequence for which the limit is extrapolated."""
+"""Largest ratio of two successive steps of a sequence for which its limit is extrapolated."""
 
 
 def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness:
-    """Return the balance of least ratio at the largest scale within the limits of a section.
+    """Return the stiffness of least ratio in equilibrium, as large as the limits of a section allow.
 
     The rod carries its own weight and masses. The scale B and the weight depend on the unknown stiffness. Each
-    iteration linearises the weight at the last E I, solves the resulting linear program in the relative stiffness K
-    (paper, Eq. 6), and updates the scale. When the iteration converges, the rod is in equilibrium under the exact
-    weight, and no other K has a smaller ratio under the linearised weight. This is a local optimum, because the
-    full
-    problem is not linear.
+    iteration linearises the weight at the last E I, solves the resulting linear program in the relative stiffness
+    K (paper, Eq. 6), and updates the scale. When the iteration converges, the rod is in equilibrium under the
+    exact weight, and no other K has a smaller ratio under the linearised weight. This is a local optimum, because
+    the full problem is not linear.
 
     Raises
     ------
@@ -417,7 +416,7 @@ class TangentWeight:
 
 
 def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
-    """Return the balance of least ratio under the weight of the section, on given panels."""
+    """Return the stiffness of least ratio in equilibrium under the weight of the section, on given panels."""
     points = load.points
     assert load.gravity is not None
     proportional_weight = np.full(load.panels.t.shape, load.gravity.length**-3)
@@ -451,13 +450,12 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
 
 
 def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray) -> BalancedStiffness:
-    """Return the balance with the largest E I at its softest point, by a descent in short steps.
+    """Return the stiffness in equilibrium whose least E I is largest, by a descent in short steps.
 
     This search is used if the linear programs oscillate. The optimum is then not a vertex of the linearised
-    program, so
-    successive solutions are far apart. The change of the moments is therefore limited in each step, and the limit
-    is
-    reduced after each reversal. `state` is the moment and force (3,) at the end of the curve, N mm and N.
+    program, so successive solutions are far apart. The change of the moments is therefore limited in each step,
+    and the limit is reduced after each reversal. `state` is the moment and force (3,) at the end of the curve, N
+    mm and N.
     """
     deciding, points = _deciding(law), load.points
     limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
@@ -494,13 +492,15 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
 def _beside(
     family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
 ) -> FloatArray | None:
-    """Return the free numbers near `here` that minimise the largest E I, or the nearest numbers within the limits.
+    """Return the free numbers near `here` that minimise the largest E I.
 
-    The mean change of the moments is at most `reach`; the limit is increased if no numbers are within it.
+    The mean change of E I is at most `reach`. This limit is increased if no numbers within it satisfy the
+    conditions.
     """
     rows, _ = family.dense
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
-    moves = sizes[:, None] * ways / np.sqrt(len(rows))  # mean change of the values of E I
+    # changes of the free numbers, scaled to the mean change of E I
+    moves = sizes[:, None] * ways / np.sqrt(len(rows))
     for room in reach * np.array([1.0, 4.0, 16.0, 64.0]):
         side = np.concatenate([moves, -moves]), np.concatenate([room - moves @ here, room + moves @ here])
         solution = least_ratio(replace(family, side_rows=side[0], side_offset=side[1]), places)
@@ -530,14 +530,10 @@ def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
 
 
 def extrapolated(first: float, second: float, third: float) -> float:
-    """Return Aitken's limit of three successive logarithms, or the last one if they do not converge geometrically.
+    """Return the limit of a sequence from its last three logarithms, by Aitken's method.
 
-    The extrapolation is limited to the step `LONGEST_JUMP`.
-
-    Examples
-    --------
-    >>> extrapolated(0.0, 1.0, 1.5), extrapolated(0.0, 1.0, 3.0)
-    (2.0, 3.0)
+    If they do not converge geometrically, the last logarithm is returned. The extrapolation is at most
+    `LONGEST_JUMP`.
     """
     step, before = third - second, second - first
     if before == 0 or not -0.9 < step / before < SLOWEST_RATE:
@@ -547,16 +543,16 @@ def extrapolated(first: float, second: float, third: float) -> float:
 
 
 def _deciding(law: BoundedLaw) -> float:
-    """Return the limit that determines the scale: the largest size, or the least size if there is no largest."""
+    """Return the limit of the section that determines the scale: the upper limit, else the lower limit."""
     least, largest = law.limits
     return largest if np.isfinite(largest) else least
 
 
 def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
-    """Return the factor B, N mm2, for which B K needs the largest section at one point and no larger section.
+    """Return the factor B, N mm2, for which a rod of bending stiffness B K just fits the limits of a section.
 
-    K is the relative stiffness. If the section has no upper limit, B K needs the least section at one point and no
-    smaller section.
+    K is the relative stiffness. At one point the rod needs the largest section, and nowhere a larger section.
+    Without an upper limit, it needs the least section at one point, and nowhere a smaller section.
     """
     share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding(law)))
     extremes = share.extremes
@@ -564,7 +560,10 @@ def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
 
 
 def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weight:
-    """Return the linearised weight along the rod, exact at its default nodes; `beta` refers to `scale`."""
+    """Return the linearised weight along the rod, exact at its default nodes.
+
+    `beta` refers to the stiffness `scale`.
+    """
     s = np.linspace(0.0, load.request.check.length, DEFAULT_SAMPLES)
     place = load.panels.locate(load.request.check.curve.parameter(s))
     fixed, slope = (PanelFunction.through(values).at(*place) for values in (tangent.fixed, tangent.slope))
@@ -572,7 +571,7 @@ def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weigh
 
 
 def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
-    """Return the balance, or refuse it if its stiffness is below that of the least section."""
+    """Return the stiffness, or refuse it if it is below that of the least section."""
     EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
     least, largest = law.limits
     if _spare(law, EI) < 1 - FIT_SHARE:
@@ -593,6 +592,6 @@ def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiff
 
 
 def _spare(law: BoundedLaw, bending_stiffness: FloatArray) -> float:
-    """Return the least quotient of E I (N, p), N mm2, and the E I of the least section."""
+    """Return the least ratio of E I (N, p), N mm2, to the E I of the least section."""
     least, _ = law.limits
     return float((bending_stiffness / law.bending_stiffness(least)).min()) if least > 0 else np.inf

@@ -31,7 +31,7 @@ ON_LINE = 3
 """Number of inflections that the move of one control point can bring onto a common line."""
 
 TO_LINE, TO_RATIO = 14, 4
-"""Numbers of bisections that move inflections onto a line, and that reduce the ratio to its limit."""
+"""Numbers of bisections: to move inflections onto a line, and to reduce the stiffness ratio to its limit."""
 
 ROUNDING = 1e-5
 """Precision of a moved control point, as a fraction of the length of the curve."""
@@ -91,7 +91,7 @@ def move_one_point(
     directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     weights = curve.basis(np.linspace(*curve.domain, 201)).max(
         axis=0
-    )  # largest weight of each control point in the curve
+    )  # largest weight of each control point in the points of the curve
     moves = [
         _Move(curve, index, direction * farthest / weights[index], natural_curvature)
         for index in range(1, len(points) - 1)
@@ -166,7 +166,7 @@ def move_while_possible(
 
 @dataclass(frozen=True)
 class _Move:
-    """Move of one control point by fractions of the vector `step` (2,), mm."""
+    """Displacement of one control point: fractions of the vector `step` (2,), mm."""
 
     curve: PlaneCurve
     index: int
@@ -196,12 +196,12 @@ class _Move:
         return ON_LINE, float(np.linalg.det([b - a, c - a])) / 2
 
     def is_beside(self, side: float, share: float) -> bool:
-        """Return True if three inflections form a triangle whose area has the same sign as `side`."""
+        """Return True if three inflections form a triangle whose signed area has the same sign as `side`."""
         return self.side(share)[1] * side > 0
 
 
 def _bisected(low: float, high: float, times: int, reached: Callable[[float], bool]) -> float:
-    """Return a value up to `high` at which `reached` is true, just above a value at which it is false."""
+    """Return a value at which `reached` is True, just above a value at which it is False, by bisection."""
     for _ in range(times):
         middle = (low + high) / 2
         low, high = (low, middle) if reached(middle) else (middle, high)

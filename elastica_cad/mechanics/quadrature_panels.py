@@ -1,4 +1,4 @@
-"""Curve cut into panels with Gauss nodes, for quotients and integrals with errors near rounding errors."""
+"""Division of a curve into panels with Gauss nodes, for quotients and integrals with the error of rounding only."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -32,24 +32,24 @@ from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
 
 MAX_PANELS = 4000  # largest number of panels; a function that needs more panels cannot be resolved
-RESOLVED = 1e-11  # last Legendre coefficients below this fraction of the function are rounding errors
+RESOLVED = 1e-11  # last Legendre coefficients, relative to the function, up to which they are rounding errors
 NOISE = (
-    # last coefficients below this fraction are rounding errors too, if halving a panel hardly reduces them
+    # last Legendre coefficients, relative to the function, up to which they may be rounding errors
     1e-6
 )
 
-APART_SHARE = 0.25  # distance of cuts that are merged, as a fraction of the width of a panel
+APART_SHARE = 0.25  # distance up to which cuts are merged, as a fraction of the width of a panel
 
-NARROWEST_SHARE = 1e-7  # width of a panel that is not cut further, as a fraction of the domain
+NARROWEST_SHARE = 1e-7  # width below which a panel is not cut further, as a fraction of the domain
 
 ROUGH_AT_ZERO = 2
-"""Largest continuity of a knot that is an end of a panel even if it is near a zero of the curvature."""
+"""Continuity of a knot up to which it becomes an end of a panel even near a zero of the curvature."""
 
 STEP_LENGTH = 1e-5
-"""Length of the ramp that replaces a jump of the stiffness in the outline, as a fraction of the length."""
+"""Length of the ramp that replaces a jump of the stiffness, as a fraction of the length."""
 
 NEAR_ZERO_SHARE = 0.05
-"""Distance between a mass and a zero of the curvature, relative to the length, below which panels are graded."""
+"""Distance between mass and zero of the curvature, relative to the length, up to which panels are refined."""
 
 FROM_LEFT = 1 + NODES
 _FROM_ENDS = np.concatenate([LEFT, -RIGHT])
@@ -100,7 +100,7 @@ class Panels:
         return locate_in_panels(self.edges, t)
 
     def dense_places(self, parts: int = DENSE_PARTS) -> tuple[IntArray, FloatArray]:
-        """Return panel numbers and coordinates x of dense samples: `parts` intervals per panel with its ends."""
+        """Return panel numbers and coordinates x of dense samples, with `parts` intervals in each panel."""
         x = lobatto_places(parts)
         return np.repeat(np.arange(self.count), x.size), np.tile(x, self.count)
 
@@ -142,7 +142,7 @@ def cut_into_panels(
     vanishing = sorted(map(float, zeros))
     order = np.array([o for _, o in sorted(zip(zeros, orders or [1] * len(zeros), strict=True))])
     fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
-    # in a narrow panel beside a zero, the values would be rounding errors only
+    # in a narrow panel beside a zero, the values would consist of rounding errors
     narrow = NARROWEST_SHARE * (high - low)
     others = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
     others += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
@@ -193,7 +193,7 @@ def _distinct(places: list[float], close: float) -> list[float]:
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """Panels before evaluation; `tail` is the relative last coefficient of the panels from which they were cut."""
+    """Panels before evaluation; `tail` is the relative last Legendre coefficient before the last cut."""
 
     left: FloatArray
     right: FloatArray
@@ -202,7 +202,7 @@ class _Cut:
     tail: FloatArray
 
     def chosen(self, which: IntArray, tail: FloatArray) -> "_Cut":
-        """Return some of the panels, with new `tail`."""
+        """Return some of the panels, with new values of `tail`."""
         return _Cut(self.left[which], self.right[which], self.zero_left[which], self.zero_right[which], tail)
 
     def into(self, parts: IntArray) -> "_Cut":
@@ -262,7 +262,7 @@ class _Nodes:
 def _evaluated(
     excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, orders: IntArray, law: MaterialLaw | None
 ) -> tuple[_Nodes, FloatArray]:
-    """Return the panels with values at their nodes, and the last coefficients relative to the functions.
+    """Return the panels with values at their nodes, and their last Legendre coefficients relative to the functions.
 
     `zeros` and `orders` (k,) are the parameters of all zeros and their orders.
     """
@@ -280,7 +280,8 @@ def _evaluated(
         ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
         nearest = np.abs(zeros[:, None] - ends).argmin(axis=0)
         double = orders[nearest] == 2
-        # the rounding error of this slope would be large relative to the slopes at the nodes
+        # without this correction, the rounding error of the slope would be large relative to the slopes at
+        # the nodes
         if double.any():
             slope[double] -= excess.slope_at(zeros[nearest[double]])[:, None]
         growth = slope * stretch[beside]
@@ -384,9 +385,10 @@ class CutCurve:
         )  # fmt: skip
 
     def for_weight(self, gravity: Gravity) -> "CutCurve":
-        """Return the curve with panels longer than sqrt(kappa l_eg^3) divided, because K varies within them.
+        """Return the curve with more cuts for a strip with weight.
 
-        kappa is the curvature, l_eg the elasto-gravity length, and K the stiffness under weight.
+        Panels longer than sqrt(kappa l_eg^3), with curvature kappa and elasto-gravity length l_eg, are divided,
+        because the stiffness varies within them.
         """
         panels = self.panels
         steep = np.sqrt(gravity.length**-3 / np.abs(panels.curvature).max(axis=1))
@@ -396,7 +398,7 @@ class CutCurve:
         return self._also_at(np.concatenate(inner))
 
     def for_stiffness(self, stiffness: PanelFunction) -> "CutCurve | None":
-        """Return the curve with panels halved where stiffnesses are not resolved, or None if none is halved."""
+        """Return the curve with panels halved where stiffnesses are not resolved, or None if all are resolved."""
         rough = stiffness.unresolved(_ROUGH)
         edges = self.panels.edges
         return self._also_at(((edges[1:] + edges[:-1]) / 2)[rough]) if rough.any() else None
@@ -422,15 +424,18 @@ def _bend_kinks(
 
 
 def _at_zero(s: float, zeros: FloatArray, length: float) -> float:
-    """Return the zero of the curvature that is nearer to s, mm, than the length of a stiffness ramp, or else s."""
+    """Return the zero of the curvature that is near the arc length s, mm, or s itself.
+
+    Near means within the length of the ramp that replaces a jump of the stiffness.
+    """
     near = zeros[np.abs(zeros - s) < STEP_LENGTH * length]
     return float(near[0]) if near.size else s
 
 
 def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
-    """Return arc lengths, mm, beyond a mass near a zero of the curvature.
+    """Return arc lengths, mm, beyond a mass near a zero of the curvature, at which panels end.
 
-    Each is twice as far from the zero as the previous arc length. Beyond the mass, the stiffness has a term that is
+    Each is twice as far from the zero as the previous one. Beyond the mass, the stiffness has a term that is
     inversely proportional to the distance from the zero.
     """
     if not zeros.size:
@@ -446,7 +451,7 @@ def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
 def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]:
     """Return the arc lengths, mm, of masses and of kinks of the load.
 
-    Each has the number of continuous derivatives of the stiffness.
+    Each comes with the number of continuous derivatives of the stiffness there.
     """
     if weight is None:
         return []
@@ -471,7 +476,7 @@ def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]
                     length=Length(part.length),
                     length_2=Length(length),
                 )
-            # the moment is a double integral of the load
+            # the moment is a double integral of the load, so it is smoother by two derivatives
             knots, times = knot_runs(part.knots)
             smooth = part.degree - times + 2
             kinks += [(float(s), int(c)) for s, c in zip(knots, smooth, strict=True) if c < _SMOOTH]

@@ -50,7 +50,7 @@ SEARCH_SAMPLES = 201
 
 
 DUST_SHARE = 1e-12
-"""Largest rounding error, as a fraction of the largest value of the same unit."""
+"""Rounding error, as a fraction of the largest value of the same unit, below which a value is written as 0."""
 
 
 def csv_text(table: Mapping[str, Any]) -> str:
@@ -85,10 +85,11 @@ MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
 
 
 def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
-    """Return the stiffness (n,) at uniform arc lengths (n,), mm; in the cell of a jump, by the mean compliance.
+    """Return the stiffness (n,) at uniform arc lengths (n,), mm.
 
-    The turn of the rod in a cell is the integral of moment over stiffness. With the mean compliance, the shape is a
-    continuous function of the position of the jump.
+    The value in a cell in which the stiffness jumps is the inverse of the mean compliance. The turn of the rod in
+    a cell is the integral of moment over stiffness. The shape is therefore a continuous function of the position
+    of the jump.
     """
     K = profile(s)
     steps = np.array([place for place, continuity in profile.breaks if continuity < 0])
@@ -158,7 +159,7 @@ def _stiffness_profile_of(
 
 
 DIFFERENCE_SHARE = 1e-7
-"""Step of the finite differences for the slope of the stiffness, as a fraction of the largest curvature change."""
+"""Step of the finite differences for the slope of the stiffness, relative to the largest change of curvature."""
 
 CURL_POINTS = 24
 """Number of quadrature points of the energy; its error is 1e-9 for flat strips and 1e-3 for other strips."""
@@ -258,8 +259,9 @@ class CurlingLaw(MaterialLaw):
 # largest relative difference of edge lengths; for samples of a curve it is about (curvature * edge
 # length)^2 / 24
 EVEN_EDGES = 1e-7
-TURN_POWER = 8  # power of the corrections near the ends, which then extend over an eighth of the length
-NEWTON_STEPS = 5  # sufficient for rounding accuracy, because the angles are nearly exact
+# power of the correction functions near the ends, which then extend over an eighth of the length
+TURN_POWER = 8
+NEWTON_STEPS = 5  # number of Newton steps; it is sufficient, because the initial angles are nearly exact
 # error of the tangent of the spline; over the length of a rod it is far below a micrometre
 TANGENT_RAD = 1e-8
 
@@ -331,9 +333,9 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
 
 
 def _turns(x: FloatArray) -> FloatArray:
-    """Return smooth changes (n, 18) of an angle at x (n,) in 0..1.
+    """Return 18 smooth functions (n, 18) for corrections of an angle, at x (n,) from 0 to 1.
 
-    Two of them have the mean 0 and differ from 0 near the ends only; the others are sine waves.
+    Two of them have the mean 0 and differ from 0 near the ends only. The others are sine waves.
     """
     y, m = 1 - x, TURN_POWER
     beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
@@ -383,9 +385,8 @@ class Rod:
     gravity, weight, bending_stiffness
         Loads, see `Gravity` and `Weight`; `bending_stiffness` is the least bending stiffness B, N mm2, or None.
     law : MaterialLaw or None
-        Law M = K m(kappa - kappa_0) of a nonlinear material (paper, Appendix D). If the
-        section depends on the curvature, `bend` adds its effect to the law, and K is the stiffness of the design;
-        see `bending_law`.
+        Law M = K m(kappa - kappa_0) of a nonlinear material (paper, Appendix D). If the section depends on the
+        curvature, `bend` adds its effect to the law, and K is the stiffness of the design; see `bending_law`.
     section : BoundedLaw or None
         Section of the strip, or None for a strip of one sheet that is narrow.
     residual : float
@@ -559,7 +560,7 @@ class Rod:
 
     @property
     def effective_curvature(self) -> FloatArray:
-        """Moment over stiffness (n,), 1/mm: change of curvature, or its effective value by the material law."""
+        """Moment over stiffness (n,), 1/mm: the change of curvature, or its effective value by the material law."""
         change = self.curvature - self.natural_curvature
         return np.asarray(change if self.law is None else self.law.effective_curvature(change))
 
@@ -573,8 +574,7 @@ class Rod:
         """Law M = K m(kappa - kappa_0) for every bend of the rod, as all solvers use it; see `MaterialLaw`.
 
         If the stiffness of the section depends on the curvature, the law is that of a section with the stiffness
-        K in the
-        present shape.
+        K in the present shape.
         """
         law, section, rest = self.law, self.section, self.natural_curvature
         if section is None or not section.follows_bend or isinstance(law, CurlingLaw):
@@ -612,9 +612,8 @@ class Rod:
         """Sides of the thrust line, in order: the line of zero moment for each piece of rod between forces.
 
         Two neighbouring sides intersect on the line of action of the force at their common point. A side is None
-        if the
-        moment of its piece is constant. A rod with weight has no sides, because its internal force turns along
-        each piece.
+        if the moment of its piece is constant. A rod with weight has no sides, because its internal force turns
+        along each piece.
         """
         from elastica_cad.mechanics.theorem1 import InflectionLine
 
@@ -644,7 +643,7 @@ class Rod:
 
     @property
     def tangent_stiffness(self) -> FloatArray:
-        """Stiffness dM/dkappa (n,) against small disturbances.
+        """Stiffness dM/dkappa (n,) against small changes of the curvature.
 
         It equals `stiffness` if there is no `bending_law`.
         """
@@ -655,7 +654,7 @@ class Rod:
 
     @property
     def flat_stiffness(self) -> FloatArray:
-        """Stiffness (n,) of the unbent sections, which is proportional to the E I of their widths."""
+        """Relative stiffness (n,) of the sections before bending, which is proportional to their E I."""
         law = self.bending_law
         return self.stiffness / law.designed if isinstance(law, CurlingLaw) else self.stiffness
 
@@ -670,7 +669,10 @@ class Rod:
         return float(np.sum((density[1:] + density[:-1]) * np.diff(self.s)) / 2)
 
     def bend_at(self, s: FloatArray) -> FloatArray:
-        """Return the change of curvature (n,), 1/mm, at arc lengths (n,), mm; of a drawn curve if it exists."""
+        """Return the change of curvature (n,), 1/mm, at arc lengths s (n,), mm.
+
+        Exact if the rod has a drawn curve.
+        """
         s = numbers(s, "arc lengths")
         if self.shape is None:
             return Profile.interpolate(self.s, self.curvature - self.natural_curvature)(s)
@@ -678,7 +680,7 @@ class Rod:
         return np.asarray(curvature - self.rest_at(s))
 
     def rest_at(self, s: FloatArray) -> FloatArray:
-        """Return the natural curvature (n,), 1/mm, at arc lengths (n,), mm."""
+        """Return the natural curvature (n,), 1/mm, at arc lengths s (n,), mm."""
         rest = np.broadcast_to(np.asarray(self.natural_curvature, dtype=float), self.s.shape)
         return np.asarray(np.interp(numbers(s, "arc lengths"), self.s, rest))
 
@@ -764,8 +766,8 @@ class Rod:
         """Return the rod with another stiffness profile; it is not in equilibrium before it is bent again.
 
         `stiffness` contains values (n,) at the nodes, or is a `Profile`. It is divided by its least value. If
-        `bend` has
-        returned a wide strip, its law depends on the previous widths. Therefore change the stiffness before `bend`.
+        `bend` has returned a wide strip, its law depends on the previous widths. Therefore change the stiffness
+        before `bend`.
         """
         if not isinstance(stiffness, Profile) and numbers(stiffness, "stiffness").size not in (
             1,
@@ -816,7 +818,7 @@ PROFILE_SHARE = 1e-6
 def as_bent(rod: Rod) -> Rod:
     """Return the rod with the stiffness of its sections in the present shape.
 
-    Its law is then that of the material only.
+    Its law is then the law of the material alone.
     """
     law = rod.law
     if not isinstance(law, CurlingLaw):

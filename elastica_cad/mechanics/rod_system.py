@@ -23,7 +23,7 @@ from elastica_cad.mechanics.rod import Rod
 
 ROUNDING = float(np.finfo(float).eps)
 ROUNDED_IMBALANCE = (
-    1e-12  # largest reported imbalance, relative to the moments, if the imbalance is below its rounding error
+    1e-12  # largest imbalance that is reported, relative to the moments, if it is below its rounding error
 )
 
 
@@ -120,7 +120,7 @@ class RodSystem:
 
     @cached_property
     def given_force(self) -> FloatArray:
-        """Force of the edges (n, 2) that loads alone cause, without the reactions, 1/mm2."""
+        """Force of the edges (n, 2) by the loads alone, without the reactions, 1/mm2."""
         first = np.zeros(2)
         start = self.supports.ends[0]
         for i, held_at_start in enumerate((start.x, start.y)):
@@ -135,7 +135,7 @@ class RodSystem:
 
     @cached_property
     def chord(self) -> FloatArray:
-        """Coordinates (p,), mm, of the end relative to the start, for the coordinates that both ends hold."""
+        """Required difference (p,), mm, between the end and the start, for the coordinates that both ends hold."""
         return np.array([self.end[i] - self.start[i] for i in self.held])
 
     @cached_property
@@ -236,13 +236,13 @@ class RodState:
 
     @cached_property
     def rows(self) -> FloatArray:
-        """Derivatives (p, n) of `residual.miss` by the angles."""
+        """Derivatives (p, n) of the position errors `residual.miss` by the edge angles."""
         rows = self.discrete.constraint_rows
         return rows if self._equations is None else np.concatenate([rows, self._equations.rows])
 
     @cached_property
     def corner(self) -> FloatArray | float:
-        """Derivatives (p, p) of `residual.miss` by the reactions."""
+        """Derivatives (p, p) of the position errors `residual.miss` by the reactions."""
         if self._equations is None:
             return 0.0
         held, size = len(self.system.held), self.reactions.size
@@ -252,14 +252,14 @@ class RodState:
 
     @cached_property
     def places(self) -> FloatArray:
-        """True for entries of `residual.miss` (p,) that are position errors."""
+        """True for entries (p,) of `residual.miss` that are position errors, not forces."""
         held = np.ones(len(self.system.held), dtype=bool)
         return held if self._equations is None else np.concatenate([held, self._equations.places])
 
     def missed(self, miss: FloatArray) -> float:
-        """Return the largest relative error in `miss`.
+        """Return the largest relative error in `miss` (p,).
 
-        Position errors are relative to the length, force errors to the size of the moments.
+        Position errors are relative to the length, and force errors to the size of the moments.
         """
         length = self.system.length
         if self._equations is None:
@@ -375,7 +375,7 @@ class RodState:
         change = self._hooke_moments / system.stiffness
         if system.law is not None:
             for node, held in zip((0, -1), system.held_angles, strict=True):
-                # compute the curvature from the applied moment at an end that is free to turn
+                # at an end that is free to turn, compute the curvature from the applied moment
                 if held is None:
                     effective = np.zeros_like(change)
                     effective[node] = change[node]

@@ -12,7 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.mechanics.sheets import Sheet, built_in_figures
 
 STRAIN_SLACK = SEEN_APART
-"""Relative tolerance of the strain limit; a curve at the limit deviates less after a spline is fitted."""
+"""Relative tolerance of the strain limit; fitting a spline to a curve at the limit changes its strain by less."""
 
 BRITTLE_FACTOR = 1.5
 """Estimated breaking strain of wood and brittle plastics, as a multiple of the largest long-term strain."""
@@ -33,7 +33,7 @@ OUTCOMES = {
 
 
 class StrainState(IntEnum):
-    """Results of a comparison of a strain with the limit of the sheet, the worst last."""
+    """Possible results if a strain is compared with the limit of the sheet, the worst last."""
 
     ALLOWED = 0
     WARNED = 1
@@ -137,7 +137,7 @@ def thinner_for(sheet: Sheet, strain: float) -> float | None:
 
 
 LIMIT_SLACK = 1e-9
-"""Relative tolerance of limits that a design may reach."""
+"""Relative tolerance of limits that a design may reach exactly."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,7 +199,10 @@ class ScaleRange:
 
     @classmethod
     def of(cls, least: ArrayLike, most: ArrayLike, stiffness: ArrayLike) -> "ScaleRange":
-        """Return the range from least and largest E I (n,), N mm2, and relative stiffness (n,) of the stations."""
+        """Return the scales from the least and largest E I (n,), N mm2, at stations.
+
+        `stiffness` is the relative stiffness (n,) of the stations.
+        """
         K = positive(stiffness, "stiffness")
         low_EI, high_EI, K = matched(
             numbers(least, "least bending stiffness"), numbers(most, "most bending stiffness"), K
@@ -235,7 +238,7 @@ class ScaleRange:
 
 
 def matched(*rows: FloatArray) -> tuple[FloatArray, ...]:
-    """Return arrays of equal length; an array of one value is repeated for all stations."""
+    """Return arrays of the same length; an array with a single value is repeated for all stations."""
     try:
         return tuple(np.broadcast_arrays(*rows))
     except ValueError:

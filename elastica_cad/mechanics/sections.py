@@ -21,11 +21,10 @@ SETTLED = 1e-12
 """Relative error below which one more step reaches rounding accuracy."""
 
 SLOPES = (0.4, 3.0)
-"""Bounds of the slope of log(stiffness) over log(width).
+"""Bounds of the slope of log(stiffness) as a function of log(width).
 
-The slope is up to 1.25 for a Poisson's ratio of 0.5 and 2.5 for 0.9. It is smaller for strips whose natural
-curvature
-is flattened.
+The slope is up to 1.25 for a Poisson's ratio of 0.5 and 2.5 for 0.9. It is smaller if bending flattens a natural
+curvature.
 """
 
 
@@ -70,7 +69,7 @@ def anticlastic_factor(
 
     Notes
     -----
-    The deflection v(y) across the strip minimizes the energy of bending and stretching:
+    The deflection v(y) across the strip minimises the energy of bending and stretching:
     D v'''' + E h kappa^2 v = 0 with plate stiffness D, v'' = -nu b and v''' = 0 at the edges, where b = kappa -
     kappa_0 (Lamb 1891; Searle 1908; Ashwell 1950). Let x = (3 (1 - nu^2))^(1/4) (w^2 kappa / h)^(1/2) and f =
     (cosh x - cos x)/(sinh x + sin x). The energy is D w b^2 g / 2 with g = 1 - 2 nu^2 f / x. The moment is its
@@ -106,8 +105,8 @@ def anticlastic_factor(
 def _kept_of_bent(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
-    """Return the value that replaces `flat` for strips with natural curvature `rest` (n,)."""
-    # where kappa is 0, `scaled` is 0, because `flat` approaches 0 faster than kappa
+    """Return the value that replaces `flat` in `anticlastic_factor` for a natural curvature `rest` (n,)."""
+    # where the curvature kappa is 0, `scaled` is 0, because `flat` approaches 0 faster than kappa
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
@@ -134,9 +133,9 @@ def plate_width(
     poisson_ratio: float,
     natural_curvature: ArrayLike = 0.0,
 ) -> FloatArray:
-    """Return the widths of strips whose stiffness equals that of narrow strips of width `effective`.
+    """Return widths of strips that are as stiff as narrow strips of the widths `effective`.
 
-    The result w satisfies w `anticlastic_factor`(w, curvature) = `effective`.
+    For each result w, w times `anticlastic_factor`(w, curvature) equals the effective width.
     """
     h, nu = _checked(thickness, poisson_ratio)
     aim, kappa, rest = np.broadcast_arrays(
@@ -196,7 +195,7 @@ class SheetCurl:
         )  # fmt: skip
 
     def stiffened(self, times: FloatArray, curvature: FloatArray) -> "SheetCurl":
-        """Return the object for a strip that is stiffer by factors `times` (n,) at curvatures (n,), 1/mm."""
+        """Return the curl of a strip that is stiffer by factors `times` (n,) at curvatures (n,), 1/mm."""
         width = plate_width(
             times * self.width * self(curvature), curvature, thickness=self.thickness,
             poisson_ratio=self.poisson_ratio, natural_curvature=self.natural_curvature,
@@ -204,7 +203,7 @@ class SheetCurl:
         return replace(self, width=width)
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "SheetCurl":
-        """Return the object for stations `at` (m,), mm, by interpolation between stations `s` (n,), mm."""
+        """Return the curl at stations `at` (m,), mm, interpolated between stations `s` (n,), mm."""
         rest = at_stations(self.natural_curvature, s, at)
         return replace(self, width=np.interp(at, s, self.width), natural_curvature=rest)
 
@@ -227,7 +226,7 @@ def _curl(x: FloatArray) -> tuple[FloatArray, FloatArray]:
     squared, swing = decay**2, 2 * decay * np.cos(y)
     bottom = 1 - squared + 2 * decay * np.sin(y)
     f = (1 + squared - swing) / bottom
-    # the derivative of cosh - cos is sinh + sin, the denominator, whose derivative is cosh + cos
+    # the derivative of cosh - cos is sinh + sin, which is also the denominator
     slope = 1 - f * (1 + squared + swing) / bottom
     share = f / y
     curl, curl_slope = np.asarray(share), np.asarray((slope - share) / y)
@@ -315,7 +314,7 @@ class PlainSection:
         return areal_weight(self.sheet) * positive(width, "width")
 
     def weight(self, bending_stiffness: float) -> Weight:
-        """Return the weight per length, which is proportional to the relative stiffness K of every width profile.
+        """Return the weight per length, which is proportional to the relative stiffness for every width profile.
 
         Parameters
         ----------
@@ -331,7 +330,10 @@ class PlainSection:
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, ...]:
-        """Return the surface strain h/2 |kappa - kappa_0| for curvatures (n,), 1/mm, as that of a single layer."""
+        """Return the surface strain h/2 |kappa - kappa_0| (n,) for curvatures (n,), 1/mm.
+
+        The result contains a single layer.
+        """
         kappa, rest = alike(curvature=curvature, natural_curvature=natural_curvature)
         bend = np.abs(kappa - rest)
         return (layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
@@ -402,9 +404,9 @@ class PerforatedSection(PlainSection):
             raise InputError(f"least ligament is {self.least_ligament!r}: give 0 or more, in mm")
 
     def scale_range(self, outer_width: ArrayLike, stiffness: ArrayLike) -> ScaleRange:
-        """Return scales for which the ligaments fit into the outer width (n,), mm, and are wide enough.
+        """Return the scales c for which the ligaments fit into the outer width (n,), mm, and are wide enough.
 
-        `stiffness` is the relative stiffness (n,).
+        The bending stiffness of the strip is c times the relative `stiffness` (n,).
         """
         least = self.rigidity * self.ligaments * self.least_ligament
         return ScaleRange.of(least, self.bending_stiffness(outer_width), stiffness)
@@ -448,7 +450,10 @@ class WidthLaw:
 
     @classmethod
     def as_plate(cls, sheet: Sheet, largest: float | None) -> "WidthLaw | None":
-        """Return the law for widths up to `largest`, or None if a width or the plate effect is unknown or zero."""
+        """Return the law for widths up to `largest`.
+
+        None if the largest width is None, or the plate effect unknown or 0.
+        """
         known = largest is not None and sheet.poisson_known and sheet.poisson_ratio > 0
         return cls(sheet, 0.0, largest) if largest is not None and known else None
 

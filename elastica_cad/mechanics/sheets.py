@@ -62,7 +62,7 @@ PLAUSIBLE: dict[str, tuple[float, float, str]] = {
 
 
 def plausible_number(value: object, key: str, where: str, name: str | None = None) -> float:
-    """Return the number, or refuse it if it is so small or large that its unit must be wrong.
+    """Return the number, or refuse it if its size shows that its unit is wrong.
 
     The message contains `name` instead of the key, if a name is given.
     """
@@ -80,7 +80,7 @@ def plausible_number(value: object, key: str, where: str, name: str | None = Non
 
 
 def _advise_key(key: str) -> str:
-    """Return an advice that names the known key nearest to an unknown key."""
+    """Return advice that names the known key nearest to an unknown key."""
     keys = sheet_keys()
     for known, entry in keys.items():
         stem = entry.name
@@ -412,7 +412,7 @@ PRINTED_ACCURACY = 0.01
 LEAST_MM, LARGEST_MM = 0.7, 9.6
 """Range of thicknesses, mm, for which the table is used.
 
-A sheet of 0.8 mm gets the strain of the thinnest row, 0.89 mm.
+A sheet of 0.8 mm has the strain of the thinnest row, 0.89 mm.
 """
 
 

@@ -21,15 +21,15 @@ from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import note
 
 EDGE_LOSS = 0.63
-"""Width, in thicknesses, by which a rectangle is less stiff in torsion than a wide strip.
+"""Reduction of the width of a rectangle in torsion, in thicknesses.
 
-For shear modulus G, width w and thickness h, the stiffness is G w h^3/3 (1 - 0.63 h/w) (St Venant).
+For shear modulus G, width w and thickness h, the torsional stiffness is G w h^3/3 (1 - 0.63 h/w) (St Venant).
 """
 
 LEAST_TORSION = 0.25
-"""Least torsional stiffness, as a fraction of G w h^3/3, of a rectangle that is bent about its weak axis.
+"""Least torsional stiffness of a rectangle that is bent about its weak axis, as a fraction of G w h^3/3.
 
-A square has 0.42.
+G is the shear modulus, w the width and h the thickness. A square has 0.42.
 """
 
 
@@ -190,7 +190,7 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
 
 
 def _held_back(thickness: FloatArray | float, width: FloatArray) -> FloatArray:
-    """Return the torsional stiffness of rectangles as a fraction (n,) of G w h^3/3; see `EDGE_LOSS`."""
+    """Return the torsional stiffness (n,) of rectangles, divided by G w h^3/3; see `EDGE_LOSS` for the symbols."""
     return np.asarray(np.maximum(1 - EDGE_LOSS * thickness / np.maximum(width, 1e-12), LEAST_TORSION))
 
 
@@ -205,12 +205,11 @@ RIBBON_NUMBER = 16.0
 """Largest w^2 kappa / h, for width w, curvature kappa and thickness h, at which a section keeps its shape.
 
 Above it bending and twist are coupled (a ribbon), and only a large margin of the rod proves that the strip is
-stable.
-Finite elements show that ribbons are more stable than the rod.
+stable. Finite elements show that ribbons are more stable than the rod.
 """
 
 MOST_RIBBON_NUMBER = 80.0
-"""Largest w^2 kappa / h that was compared with finite elements; see `RIBBON_NUMBER`."""
+"""Largest w^2 kappa / h that was compared with finite elements; see `RIBBON_NUMBER` for the symbols."""
 
 RIBBON_SLENDERNESS = 6.0
 """Least ratio of length to width of a strip; shorter strips are plates."""
@@ -463,10 +462,8 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
     """Return the constraints that taut elements impose on a rod of edges with unit tangents T (n, 2).
 
     Let w be the displacement out of the plane, with w' = phi_N for the rotation phi and the normal N. A pin holds
-    w. The
-    line of contact with a rail holds the twist phi_T. A cord with pull P and length l adds P / l (w_q - w_p)^2
-    for its
-    ends q and p. Friction is neglected, so a strip slides along a rail.
+    w. The line of contact with a rail holds the twist phi_T. A cord with pull P and length l adds P / l (w_q -
+    w_p)^2 for its ends q and p. Friction is neglected, so a strip slides along a rail.
     """
     n, edge = len(T), rod.length / len(T)
     N = left_of(T)
@@ -476,7 +473,7 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
     taut = [action for action in rod.between if action not in slack]
 
     def rise(start: float, end: float) -> FloatArray:
-        """Return the weights (2 n,) of the rotations in w(end) - w(start), with the sideways displacement w."""
+        """Return the weights (2 n,) of the rotations in the sideways displacement of `end` relative to `start`."""
         cover = edge_weights(end, edge, n) - edge_weights(start, edge, n)
         return np.asarray((edge * cover[:, None] * N).ravel())
 
@@ -490,7 +487,7 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
             terms.append(np.sqrt(action.size / np.hypot(*chord)) * rise(*action.s.tolist()))
     rows += [rise(places[0], place) for place in places[1:]]
     if not places and len(terms) == len(taut):
-        rows += list(np.tile(np.eye(2), n))  # a bow rotates as a whole without a change of energy
+        rows += list(np.tile(np.eye(2), n))  # a bow can rotate as a whole without a change of energy
     none = np.zeros((0, 2 * n))
     return _Braces(np.array(rows).reshape(-1, 2 * n), np.concatenate([none, *(term[None] for term in terms)]))
 
@@ -565,9 +562,9 @@ def _band(
 
 
 def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
-    """Return the lowest eigenvalue of the band matrix A subject to <row, v> = 0.
+    """Return the lowest eigenvalue mu of the band matrix A subject to <row, v> = 0.
 
-    It is a zero of <row, (A - mu)^-1 row> between the two lowest eigenvalues of A.
+    It is a zero of <row, (A - mu)^-1 row> between the two lowest eigenvalues of A without the constraint.
     """
     first, second = _two_lowest(lower)
     if row is None:
@@ -586,7 +583,7 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
     # keep a distance from both poles, because of rounding errors of the largest entry
     clear = max(_SIGN_SHARE * gap, _POLE_SHARE * float(np.abs(lower).max()))
     low, high = first + clear, second - clear
-    if low >= high or along(low) >= 0:  # the lowest mode satisfies the constraint already
+    if low >= high or along(low) >= 0:  # the mode of the lowest eigenvalue satisfies the constraint already
         return first
     if along(high) <= 0:
         return second

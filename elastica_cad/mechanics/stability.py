@@ -46,7 +46,7 @@ class Determinant:
 
     @property
     def sign_changes(self) -> FloatArray:
-        """Arc lengths (k,), mm, at which Z changes its sign.
+        """Arc lengths (k,), mm, at which the determinant Z changes its sign.
 
         Sign changes before the first zero of zeta are omitted, because they are rounding errors.
         """
@@ -134,7 +134,7 @@ def determinant_gradient(
     G = weights[:, None, None] * _cofactors(_matrices(X, z.integrals))
     suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[
         ::-1
-    ]  # derivatives by the terms of the integrals: sums over later edges
+    ]  # derivatives by the terms of the integrals are sums over the following edges
     per_field = G[:, 0, :].copy()
     per_field[:-1] += np.einsum("kp,kpm->km", rows.T, suffix)
     per_row = np.einsum("kpm,km->kp", suffix, X[1:-1])
@@ -185,7 +185,8 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     if count is None:
         return None
     ends = np.cumsum(lengths)
-    place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])  # position of the clamp of the piece of k edges
+    # positions of the clamp at the end of a piece of k edges
+    place = np.append(ends[:-1] + lengths[1:] / 2, ends[-1])
     if count == 1:
         return float(place[0])
     lower, upper = (
@@ -199,7 +200,7 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
 
 
 def _first_unstable_piece(rod: DiscreteRod) -> int | None:
-    """Return the least number of edges from the start that have an unstable mode, or None."""
+    """Return the least number of edges, from the start, that form an unstable piece, or None."""
     (diagonal, off), rows = rod.hessian, rod.constraint_rows
 
     def is_unstable(k: int) -> bool:
@@ -267,7 +268,7 @@ def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
 
 
 def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
-    """Return derivatives (n+1, 2) by the loads of the nodes from the derivatives by the forces of the edges."""
+    """Return the derivatives (n+1, 2) by the nodal loads, computed from the derivatives by the edge forces."""
     n = per_force.shape[0]
     per_load = np.zeros((n + 1, 2))
     ends = supports.ends
@@ -281,7 +282,7 @@ def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
     return per_load
 
 
-SAFE_MARGIN = 5.0  # large enough for inaccuracies of cutting and mounting; 0 is the limit of stability
+SAFE_MARGIN = 5.0  # large enough for inaccuracies of cutting and mounting; the limit of stability is 0
 OUT_OF_BALANCE = 0.05  # largest imbalance of a rest shape, as a fraction of the moments
 
 

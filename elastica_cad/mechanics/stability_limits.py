@@ -24,7 +24,7 @@ Path: TypeAlias = "Callable[[float], PathStep] | ArrayLike | Sequence[Mapping[st
 LARGEST_TURN_RAD = 0.3  # largest rotation of an edge in a step along the path
 FIRST_STEPS = 16  # initial number of steps for each leg of the path
 RESOLUTION_SHARE = 1e-9  # accuracy of the limit, as a fraction of the path
-PUSH_RAD = 0.02  # displacement along the critical mode, from which the energy is minimized
+PUSH_RAD = 0.02  # displacement along the critical mode, from which the next stable shape is found
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -185,12 +185,12 @@ class Course:
         return cls(rod, entry_at, legs, float(legs))
 
     def clipped(self, t: float, step: float) -> float:
-        """Return the next parameter; a step ends at a corner of the path."""
+        """Return the parameter of the next step, which ends at a corner of the path at the latest."""
         corner = min(np.floor(t / self.end * self.legs + 1e-9) + 1, self.legs) * self.end / self.legs
         return float(corner if t + step >= corner * (1 - 1e-12) else t + step)
 
     def around(self, t: float) -> tuple[float, float]:
-        """Return an interval of the parameter at t without a corner of the path."""
+        """Return an interval of the parameter around t that contains no corner of the path."""
         reach_t = 1e-3 * self.end
         a = max(t - reach_t, float(np.floor(t / self.end * self.legs)) * self.end / self.legs)
         return a, min(a + 2 * reach_t, self.end)
@@ -213,9 +213,9 @@ class Course:
 
 
 def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, RodState]:
-    """Return the equilibrium at the start of the path.
+    """Return the parameter and the equilibrium at the start of the path.
 
-    If a straight rod must bend first, the equilibrium is slightly later.
+    If a straight rod must bend first, the parameter is slightly larger.
     """
     for t in (0.0, 1e-3 * course.end):
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
@@ -330,7 +330,7 @@ def _present(rod: Rod, names: set[str]) -> dict[str, Any]:
 
 
 def _between(a: Any, b: Any, u: float, name: str) -> Any:
-    """Return the linear interpolation between a and b at the fraction u."""
+    """Return the linear interpolation between the values a and b of a quantity at the fraction u."""
     if name == "gravity":
         zero = np.zeros(2)
         e = (1 - u) * (zero if a is None else a.e) + u * (zero if b is None else b.e)

@@ -77,7 +77,7 @@ class _PowerLaw(FixedLaw):
 
     @property
     def _shape(self) -> tuple[int, float, float]:
-        """Power of the parameter in E I; second moment of area and area for the parameter 1."""
+        """Exponent of the parameter in E I, and second moment of area and area for the parameter 1."""
         raise NotImplementedError
 
     @property
@@ -224,7 +224,7 @@ class LeavesLaw(FixedLaw):
             raise InputError(f"leaves is {self.leaves!r}: give a whole number from 2 to {MOST_LEAVES}")
         if not is_whole(self.fewest) or not 1 <= self.fewest <= self.leaves:
             raise InputError(f"fewest is {self.fewest!r}: give a whole number of plies, 1 to {self.leaves}")
-        _ = self.relaxed  # refuses an invalid width
+        _ = self.relaxed  # the property refuses an invalid width
 
     @property
     def quantity(self) -> str:
@@ -272,7 +272,7 @@ class LeavesLaw(FixedLaw):
 
 @dataclass(frozen=True)
 class Leaf:
-    """Ply, or piece of a ply, from `start` to `end`, mm; `number` 1 is the first ply of full length."""
+    """Ply of a stack, or piece of a ply, from `start` to `end`, mm; the plies have the numbers 1, 2, ..."""
 
     number: int
     start: float
@@ -367,7 +367,7 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Least and largest value of the parameter, mm; a least value of 0 means no lower limit."""
+        """Least and largest value of the parameter, mm; 0 as the least value means no lower limit."""
 
     @property
     def follows_bend(self) -> bool:
@@ -388,13 +388,13 @@ class BoundedLaw(StiffnessLaw, Protocol):
 
 
 class BendFactor(Protocol):
-    """Function that returns factors (n,) on the stiffness of the stations of a strip for their curvatures."""
+    """Function that returns factors (n,) on the stiffness at the stations of a strip for their curvatures."""
 
     def __call__(self, curvature: FloatArray, /) -> FloatArray:
         """Return the factors of the stations (..., n) for their curvatures (..., n), 1/mm."""
 
     def resampled(self, s: FloatArray, at: FloatArray, /) -> Self:
-        """Return the function for stations `at` (m,), mm, by interpolation between stations `s` (n,), mm."""
+        """Return the factors as a function at stations `at` (m,), interpolated between stations `s` (n,), mm."""
 
 
 def at_stations(values: float | FloatArray, s: FloatArray, at: FloatArray) -> float | FloatArray:
@@ -434,7 +434,7 @@ def scale_within(
     if solved is None:
         return B
     bounded = solved < B
-    # a search limits the section at nodes; it may be slightly larger between nodes
+    # a search limits the section at the nodes; between nodes it may be slightly larger
     over = limited and B < solved < B * (1 + BETWEEN_NODES)
     kept = (heavy and not over) or bounded or abs(B / solved - 1) < SAME_SCALE
     return solved if kept else B

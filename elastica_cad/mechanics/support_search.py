@@ -21,7 +21,7 @@ PLACE_DIGITS = 3
 """Number of significant digits of an arc length."""
 
 CLEARLY_BETTER = 2.0
-"""Ratio of the least stiffness ratios above which a pin is preferred to a rail, or a tie to both."""
+"""Quotient of two stiffness ratios above which the result is a pin instead of a rail, or a tie instead of both."""
 
 MOST_RATIO = 8.0
 """Largest stiffness ratio of a useful strip."""
@@ -92,7 +92,10 @@ def suggest_support(
 
 
 def _stable(requests: Sequence[RodRequest], most: float) -> tuple[float, Element] | None:
-    """Return the ratio and element of the stable rod with the least ratio, up to `most`; None if there is none."""
+    """Return the stable rod of least ratio: its ratio, up to `most`, and its element.
+
+    None if there is no such rod.
+    """
     possible = []
     for i, request in enumerate(requests):
         with suppress(ElasticaError):

@@ -54,7 +54,7 @@ class InflectionLine:
 
     @property
     def a(self) -> float:
-        """Constant a of a + <b, x>, mm."""
+        """Constant a, mm, of the equation a + <b, x> = 0 of the line."""
         return -float(self.b @ np.asarray(self.point))
 
     def distance(self, position: FloatArray) -> FloatArray:
@@ -203,7 +203,7 @@ class EquilibriumCheck:
 
     @property
     def cautions(self) -> tuple[str, ...]:
-        """Warnings for a finished strip, after the message that the points leave the result undecided."""
+        """Warnings for a finished strip, after the message that the points do not decide the result."""
         return self.warnings if self.undecided is None else (str(self.undecided), *self.warnings)
 
     @property
@@ -407,7 +407,7 @@ def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
 
 
 def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
-    """Return the changes that lead to the nearest realizable curve; noisy points are smoothed first.
+    """Return the changes that make the curve realizable: smoothing of noisy points, then the nearest curve.
 
     If a point is an outlier, there are no changes, because the outlier is probably a typing error.
     """
@@ -424,7 +424,7 @@ def lengths(s: Iterable[float]) -> Listed:
 
 
 def _shown_on(curve: PlaneCurve, point: FloatArray) -> str:
-    """Return a point (2,) in the notation of the program in which the curve was drawn."""
+    """Return the coordinates of a point (2,) as the drawing program displays them."""
     return (curve.provenance or Provenance()).shown(point)
 
 
@@ -455,9 +455,8 @@ def require_bendable(curve: PlaneCurve) -> None:
 SAMPLED_SHARE, CORNER_DEG = 0.15, 50.0
 """Criteria for a corner that may be a bend through measured points.
 
-The first is the least turn beside the corner, as a fraction of its turn. The second is the turn of a corner in
-degrees,
-as in `curve_from_points`.
+The first is the least turn at a neighbouring point, as a fraction of the turn at the corner. The second is the
+turn of a corner in degrees, as in `curve_from_points`.
 """
 
 
@@ -539,7 +538,7 @@ PLACES = 721
 """Number of points along a closed curve among which the flattest point is chosen."""
 
 CLEAR_SHARE = 0.05
-"""Least curvature at the start of a closed curve, relative to the largest; with less an inflection is too near."""
+"""Least curvature at the start of a closed curve, relative to the largest; the start is not near an inflection."""
 
 PLACE_DIGITS = 6
 """Number of decimals, mm, of a start point, so that equal curves from two programs begin at the same point."""
@@ -590,7 +589,8 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     points = np.concatenate([first.control_points, second.control_points[1:]])
     weights = None
     if first.weights is not None and second.weights is not None:
-        # a common factor on its weights does not change a part: scale the second part to continue the first
+        # a common factor on all its weights does not change the second part, so scale it to continue the
+        # first part
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
     return PlaneCurve(knots, points, p, weights).drawn_as(drawn and drawn.of_part())
@@ -606,7 +606,7 @@ def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
 
 
 def flattest_place(curve: PlaneCurve) -> float:
-    """Return the arc length, mm, of the flattest point away from inflections; 0 if the start is as flat."""
+    """Return the arc length, mm, of the flattest point away from inflections; 0 if the start is equally flat."""
     nodes = curve.sample(PLACES)
     bent = np.abs(nodes.curvature)
     largest = float(bent.max())
@@ -616,44 +616,46 @@ def flattest_place(curve: PlaneCurve) -> float:
 
 
 AT_END_SHARE = 1e-6
-"""Distance of a curvature zero from an end, as a fraction of the length, within which it counts as at the end."""
+"""Distance from an end, as a fraction of the length, within which a zero of the curvature is at the end."""
 
 SEAM_SHARE = 0.01
-"""Least curvature at the start of a closed curve, relative to the largest; with less the start is moved."""
+"""Curvature at the start of a closed curve, relative to the largest, below which the start is moved."""
 
 PINNED_SHARE = 1e-6
-"""Largest curvature at a pinned end, relative to the largest of the curve, that counts as 0."""
+"""Curvature at a pinned end, relative to the largest curvature, up to which it counts as 0."""
 
 GENTLE_SHARE = 1e-5
-"""Largest slope of the curvature in an inflection that counts as 0, relative to largest curvature over length.
+"""Slope of the curvature at an inflection up to which it counts as 0.
 
-The stiffness there would be some ten thousand times that at other points.
+It is relative to the largest curvature over the length. For this slope, the stiffness at the inflection would be
+some ten thousand times that at other points.
 """
 
 FAINT_SHARE = 1e-7
-"""Largest curvature at a minimum of its absolute value, relative to the largest, that counts as 0.
+"""Curvature at a minimum of its absolute value up to which it counts as 0, relative to the largest curvature.
 
-It is about the square of the limit for slopes, because curvature near a minimum increases with the square of the
-distance.
+It is about the square of the limit for slopes, because the curvature near a minimum increases with the square of
+the distance.
 """
 
 ALL_BUT_UNBENT_SHARE = 1e-3
-"""Largest relative curvature at an end for which a zero of the extended curve counts as at the end."""
+"""Curvature at an end, relative to the largest, up to which a zero of the extended curve counts as at the end."""
 
 STEP_SHARE = 1e-3
-"""Largest jump of the curvature, relative to the larger side, that is not reported.
+"""Jump of the curvature, relative to the larger side, up to which it is not reported.
 
-It changes the width of a strip of 40 mm by 0.04 mm. Arcs that were drawn to micrometres have smaller jumps.
+Such a jump changes the width of a strip of 40 mm by 0.04 mm. Arcs that were drawn to micrometres have smaller
+jumps.
 """
 
 KINK_SHARE = 0.01
-"""Largest jump of the slope of the curvature, times length over curvature, that is not reported.
+"""Jump of the slope of the curvature, times length over curvature, up to which it is not reported.
 
-It turns the edge of a strip whose width is a fifth of its length by at most 0.1 degree.
+Such a jump turns the edge of a strip whose width is a fifth of its length by at most 0.1 degree.
 """
 
 SHARP_SHARE = 5.0
-"""Least jump of the slope of the curvature at which the edge has a visible corner.
+"""Jump of the slope of the curvature, times length over curvature, from which the edge has a visible corner.
 
 The corner has 10 degrees on a strip whose width is a fifteenth of its length.
 """
@@ -667,7 +669,7 @@ _DIP_SHARE = 0.01
 def examine_curvature(
     curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
 ) -> EquilibriumCheck:
-    """Check the conditions on the curvature: zeros of kappa - kappa_0, jumps, straight pieces, kinks."""
+    """Check the curvature of a curve for zeros of kappa - kappa_0, jumps, straight pieces and kinks."""
     require_bendable(curve)
     excess = ExcessCurvature(curve, natural_curvature)
     largest = float(np.abs(excess.survey).max())
@@ -715,7 +717,7 @@ def examine_curvature(
 
 
 def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
-    """Move the start of a closed curve away from a point without bending, and return a message about it."""
+    """Return the curve with its start moved to a bent point if it is not bent there, and a message about it."""
     curve = excess.curve
     # do not move the start, because the arc length of a `RestCurvature` is measured from it
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):
@@ -732,7 +734,7 @@ def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvatu
 
 
 def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:
-    """Return the zeros of kappa - kappa_0; zeros near an end, also beyond it, are moved to the end."""
+    """Return the zeros of kappa - kappa_0; zeros near an end, also beyond the end, are moved to the end."""
     curve = excess.curve
     low, high = curve.domain
     length, near = curve.length, AT_END_SHARE * curve.length
@@ -745,13 +747,13 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
         else:
             ends[at_end] = zero
     hardly_bent = np.abs(excess.survey[[0, -1]]) <= 2 * max(PINNED_SHARE, ALL_BUT_UNBENT_SHARE) * largest
-    if not (ends or hardly_bent.any()):  # the ends are not zeros by extrapolation either
+    if not (ends or hardly_bent.any()):  # without such ends, no zeros can be found there by extrapolation
         return tuple(zeros)
     t_ends = np.array([low, high])
     at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)
     for is_end, (support, (t, kappa, slope)) in enumerate(zip(supports.ends, at_ends, strict=True)):
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
-        # a zero at the same small distance beyond the end
+        # the extended curve has a zero just beyond the end
         beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
         if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in zeros)):
             way = int(np.sign(slope))
@@ -791,7 +793,7 @@ def faint_places(
 
 
 def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[float]:
-    """Return the smaller of both one-sided slopes |d kappa / ds| at each zero."""
+    """Return the smaller one-sided slope of the curvature, |d kappa / ds|, at each zero."""
     if not zeros:
         return []
     t = np.array([zero.t for zero in zeros])
@@ -855,7 +857,7 @@ def _straight_part_reasons(
 
 
 def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
-    """Return True if kappa - kappa_0 and its slope are zero at t, so that not even the bent piece is possible."""
+    """Return True if kappa - kappa_0 and its slope are zero at t, so that the bent piece is impossible too."""
     at = np.array(t)
     kappa = abs(float(excess.at(at, left=left)))
     slope = abs(float(excess.slope_at(at, left=left)))
@@ -932,10 +934,10 @@ def _warn_of_widths(
 
 
 def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatArray, FloatArray]:
-    """Return jumps (n,) of the curvature, and of its slope times the length, as fractions of the curvature."""
+    """Return jumps (n,) of the curvature, and of its slope times the length, relative to the curvature."""
     after = np.array([place.t for place in breaks])
     low, high = curve.domain
-    before = np.where(after == low, high, after)  # on a closed curve, the end is before the start
+    before = np.where(after == low, high, after)  # at the start of a closed curve, `before` is the end
     kappa = curve.curvature_at(before, left=True), curve.curvature_at(after)
     slope = curve.curvature_slope_at(before, left=True), curve.curvature_slope_at(after)
     size = np.maximum(np.abs(kappa).max(axis=0), TINY)

@@ -7,7 +7,7 @@ from elastica_cad.geometry.plane_points import clipped
 from elastica_cad.mechanics.rod import Rod
 
 PARALLEL = 1e-6
-"""Sine of the angle below which neighbouring sides of a thrust line have no corner."""
+"""Sine of the angle up to which neighbouring sides of a thrust line are parallel and have no corner."""
 
 
 def inflections_of(rod: Rod) -> FloatArray:

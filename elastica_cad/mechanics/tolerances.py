@@ -22,7 +22,7 @@ from elastica_cad.mechanics.sheets import Range, Sheet
 from elastica_cad.refusals import Length
 
 ROUNDED_SHARE = 1e-9
-"""Largest force or moment at a free end, as a fraction of the largest in the rod, that counts as 0."""
+"""Force or moment at a free end, as a fraction of the largest in the rod, up to which it counts as 0."""
 
 
 @dataclass(frozen=True)
@@ -138,7 +138,7 @@ def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
 
 
 def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, float]:
-    """Return the rod as cut, with its weight, and the factor on its least stiffness."""
+    """Return the rod as it was cut, with its weight, and the factor by which its least stiffness changed."""
     K, B = 1 + (np.asarray(rod.stiffness) - 1) * v.stiffness_range, 1.0
     least = np.inf if v.width_loss == 0 else least_width(rod, max_width, v.width_loss)
     plate = _plate_of(rod)
@@ -158,9 +158,9 @@ def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, fl
 def _plate_as_cut(
     rod: Rod, law: CurlingLaw, curl: SheetCurl, stiffer: FloatArray, v: Imperfection
 ) -> tuple[Rod, float]:
-    """Return the cut rod as `_as_cut` does, for a strip that bends as a plate.
+    """Return the rod as it was cut, like `_as_cut`, for a strip that bends as a plate.
 
-    `stiffer` (n,) is the factor on the stiffness of the nodes.
+    `stiffer` (n,) contains the factors on the stiffness of the nodes.
     """
     kappa = np.asarray(rod.curvature)
     wanted = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
@@ -181,7 +181,7 @@ def _plate_as_cut(
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
     """Return the rod with the weight of the changed sheet.
 
-    `width_factor` is the factor on the least bending stiffness by the loss of width.
+    The loss of width changes the least bending stiffness by the factor `width_factor`.
     """
     if rod.gravity is None:
         return rod
@@ -194,7 +194,7 @@ def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
     return replace(rod, weight=weight, bending_stiffness=B)
 
 
-_CHUNK = 16  # number of bends in a task of an executor
+_CHUNK = 16  # number of rods in one task of an executor
 
 MOST_SAMPLES = 100_000
 """Largest number of rods that are bent in a study."""
@@ -437,7 +437,7 @@ def tolerance_study(
 
 
 class _Outcome(NamedTuple):
-    """Deviation, mm, or None without a rest shape; and a flag that is True if the rod snapped."""
+    """Deviation, mm, or None if there is no rest shape; `snapped` is True if the rod snapped."""
 
     deviation: float | None
     snapped: bool
@@ -486,7 +486,7 @@ def _merged(parts: Sequence[Imperfection]) -> Imperfection:
 def _run(
     rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
 ) -> list[_Outcome]:
-    """Return the results for all imperfections; equal imperfections are computed once."""
+    """Return the results for all imperfections; equal imperfections are computed only once."""
     different = list(dict.fromkeys(_reduced(rod, v) for v in todo))
     bent = partial(_outcome, rod, max_width)
     answers = map(bent, different) if executor is None else executor.map(bent, different, chunksize=_CHUNK)
@@ -495,7 +495,7 @@ def _run(
 
 
 def _reduced(rod: Rod, v: Imperfection) -> Imperfection:
-    """Return the imperfection without the changes that have no effect on this rod."""
+    """Return the imperfection without changes that have no effect on this rod."""
     loaded = feels_modulus(rod)
     if not loaded:
         v = replace(v, youngs_modulus=1.0, density=1.0)

@@ -39,38 +39,41 @@ from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.solids import FlatSolid, turned
 
 LEAST_CUT_MM, LEAST_PRINTED_MM = 0.8, 0.9
-"""Least thickness in the plane, mm, of a part cut by laser, and of a printed part.
+"""Least thickness in the plane, mm, of parts cut by laser and of printed parts.
 
-The printed value is that of two lines of a 0.4 mm nozzle.
+The value for printed parts is the width of two lines of a 0.4 mm nozzle.
 """
 
 SIDE_MM = 1e-3
 """Tolerance of the cut sides, mm."""
 
 LEAST_GAP_MM = 0.3
-"""Least gap between different parts of the flexure, mm; smaller gaps close or fuse during cutting or printing."""
+"""Least gap between parts of the outline, mm; smaller gaps close or fuse during cutting or printing."""
 
 APART = 3.0
-"""Distance along the part, in thicknesses, below which two points are neighbours that may be close."""
+"""Distance along the part, in thicknesses, up to which points are neighbours.
+
+The gap between them is not checked.
+"""
 
 CONTACT_POINTS = 241
 TRAVEL_STEPS = 48
-SHAPES = 8  # number of shapes of a travel in which the part is checked for contact with itself
+SHAPES = 8  # number of shapes on a path in which the part is checked for contact with itself
 State: TypeAlias = Literal["first", "second"]
 STATES = get_args(State)
 FAR_SHARE = 0.05
-"""Least displacement of the pushed point, as a fraction of the largest displacement between the states."""
+"""Least displacement of a point that is pushed, as a fraction of the largest displacement between the states."""
 
 REST_SHARE = 1e-3
-"""Distance of a rest shape from the drawn state, as a fraction of the length, above which there is a warning.
+"""Largest distance of a rest shape from the drawn state without a warning, as a fraction of the length.
 
-Two rest shapes within this distance count as the same.
+Two rest shapes within this distance of each other count as the same.
 """
 
 SPARE = 0.98
 """Fraction of the strain limit that is used.
 
-The rest is a reserve, because the path of a part that stretches depends on its thickness.
+The remaining 2 % are a reserve. The strain on the path depends on the thickness if the part stretches.
 """
 
 OFF_MM = 0.1
@@ -270,12 +273,13 @@ class Flexure:
         def excess(scale: float) -> float:
             return float(self._strains(bends, pull * scale**2, scale).max()) - most
 
-        high = 2 * most / float(np.abs(bends).max())  # other causes of strain only reduce the thickness
+        # the other causes of strain can only require a smaller thickness
+        high = 2 * most / float(np.abs(bends).max())
         return high if excess(high) <= 0 else float(brentq(excess, high / 20, high, xtol=1e-9 * high))
 
     @property
     def thickness_range(self) -> tuple[float, float]:
-        """Least and largest thickness in the plane, mm."""
+        """Least and largest thickness in the plane along the part, mm."""
         return self.scale, self.scale * self.pair.ratio ** (1 / 3)
 
     def thickness_at(self, s: FloatArray) -> FloatArray:
@@ -292,8 +296,7 @@ class Flexure:
         """Return the largest strain (..., n) at the nodes.
 
         It is computed from changes of curvature (1/mm) and axial strains (..., n). The ends are within the
-        fillets and have
-        the strain of the fillets.
+        fillets and have the strain of the fillets.
         """
         s, h = self.pair.first.s, scale * self.pair.first.stiffness ** (1 / 3)
         bent = np.abs(bends) * h / 2 * curved_beam_factor(h * np.abs(self.pair.natural_curvature))
@@ -325,7 +328,7 @@ class Flexure:
 
     @property
     def stretch(self) -> float:
-        """Largest change of length by the forces of the drawn states, mm."""
+        """Largest change of the length of the part by the forces of both drawn states, mm."""
         strain = self.scale**2 * self._pull_of(self.pair.states)
         return float(np.abs(strain @ self.pair.first.node_lengths).max())
 
@@ -359,7 +362,7 @@ class Flexure:
             self.sheet.thickness, self.thickness_at(self.pair.first.s), poisson_ratio=self.sheet.poisson_ratio
         )
 
-    # --- its shape
+    # --- shape of the part
 
     @cached_property
     def centre(self) -> "CentreLine":
@@ -430,9 +433,8 @@ class Flexure:
     def overhang(self, s: float) -> float:
         """Return the distance from an end of the free length to its pad, mm.
 
-        The fillet makes the part thicker towards the pad. The fillet is as compliant as a shorter piece of the
-        strip, so it
-        begins within the free length. The pad is as compliant as a half-plane.
+        The fillet makes the part thicker towards the pad. It is therefore only as compliant as a shorter piece of
+        strip, and begins within the free length. The pad itself is as compliant as a half-plane.
         """
         s = require_number(s, "the arc length", "mm")
         return _overhang(float(self.thickness_at(np.array([s]))[0]), self.fillet)
@@ -441,7 +443,8 @@ class Flexure:
     def pad_width(self) -> float:
         """Actual width of the pads, mm."""
         thickest = float(self.thickness_at(np.array([0.0, self.pair.length])).max())
-        return max(self.pad.width, thickest + 5 * self.fillet)  # space for roots and corners
+        # the remaining width is for the fillets and for straight edges beside them
+        return max(self.pad.width, thickest + 5 * self.fillet)
 
     def pads_along(self, line: "CentreLine") -> tuple[list[FloatArray], list[FloatArray]]:
         """Return the corners of the start and end pads of the part bent to a centre line, anticlockwise."""
@@ -575,8 +578,8 @@ class Flexure:
     def force_range(self) -> tuple[float, float]:
         """Least and largest value of `travel.largest_force` within the tolerances, N.
 
-        The thickness in the plane varies by `OFF_MM`, and the properties of the sheet within their ranges. The
-        force is 0 for a thickness with which the part does not snap.
+        The thickness in the plane varies by `OFF_MM`, and the properties of the sheet within their ranges. If the
+        part does not snap with some thickness, its force is 0.
         """
         forces = [self.travel.largest_force]
         for off in (-OFF_MM, OFF_MM):
@@ -680,7 +683,7 @@ class Flexure:
             _distance(rods[-1].position, second.position) <= REST_SHARE * first.length,
         )  # fmt: skip
 
-    # --- faults and warnings
+    # --- errors and warnings
 
     @cached_property
     def contacts(self) -> dict[str, float]:
@@ -694,7 +697,7 @@ class Flexure:
         return {name: gap for name, gap in gaps.items() if gap < LEAST_GAP_MM}
 
     def _gap(self, line: "CentreLine") -> float:
-        """Return the least gap, mm, between points of part and pads that are not neighbours."""
+        """Return the least gap, mm, between points of the part and its pads that are not neighbours (`APART`)."""
         length = self.pair.length
         s = np.linspace(0.0, length, CONTACT_POINTS)
         beyond = np.arange(self.pad_width / 2, self.pad.length + 1e-9, self.pad_width / 4)
@@ -870,7 +873,7 @@ Source: O'Donnell, J. Appl. Mech. 27, 1960.
 
 
 SHARP_MM = 0.1
-"""Radius of a root without a fillet, mm: half the width of a laser cut."""
+"""Radius, mm, of the corner between strip and pad without a fillet: half the width of a laser cut."""
 
 
 def root_factors(radius: float) -> tuple[float, float]:
@@ -894,15 +897,11 @@ def root_factors(radius: float) -> tuple[float, float]:
 
 
 def curved_beam_factor(share: FloatArray) -> FloatArray:
-    """Return factors on the strain of the inner side of a curved beam.
+    """Return the factors (n,) by which strains on the inner side of a curved beam exceed those of a straight beam.
 
-    By Winkler's theory, the strain is h |kappa - kappa_0| / 2 times this factor, for thickness h and curvature
-    kappa. `share` (n,) is h |kappa_0| with the natural curvature kappa_0. The factor is about 1 + share / 3.
-
-    Examples
-    --------
-    >>> curved_beam_factor(np.array([0.0, 0.2])).round(4).tolist()
-    [1.0, 1.0711]
+    By Winkler's theory, the strain is h |kappa - kappa_0| / 2 times the factor. Here h is the thickness, kappa
+    the curvature and kappa_0 the natural curvature. The argument `share` (n,) is h |kappa_0|. The factor is about
+    1 + share / 3.
     """
     x = np.clip(share, 1e-3, 1.8)
     inner = 1 - x / 2
@@ -952,7 +951,7 @@ def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
 
 
 def _distinct(places: FloatArray) -> list[FloatArray]:
-    """Return the points without repetitions."""
+    """Return the points (n, 2) without those within 0.01 mm of an earlier point."""
     distinct: list[FloatArray] = []
     for place in places:
         if all(np.hypot(*(place - other)) > 0.01 for other in distinct):

@@ -19,7 +19,7 @@ from elastica_cad.refusals import Length, note
 Kept: TypeAlias = Literal["ends", "shape"]
 
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
-"""Distance (fraction of the length) and angle (rad) of two ends, below which they become the same clamp."""
+"""Tolerances within which two ends become the same clamp: fraction of the length, and angle in rad."""
 
 LONGEST_STEP = 0.02  # largest step of the logarithm of the length for Newton's method
 NEWTON_STEPS = 20
@@ -31,7 +31,7 @@ TANGENT_ERROR = 1e-9
 LARGEST_TURN = 0.5
 """Largest change of the tangent direction, rad, at any point of the curve."""
 
-EQUAL = 1e-12  # relative difference of lengths that count as equal
+EQUAL = 1e-12  # lengths with at most this relative difference count as equal
 
 
 @dataclass(frozen=True, eq=False)
@@ -165,7 +165,7 @@ def _moved(before: PlaneCurve, after: PlaneCurve) -> float:
 def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) -> bool:
     """Return True if the clamps of both curves agree after a rigid motion.
 
-    The tolerance is a fraction of the length.
+    The tolerance `share` is a fraction of the length; the tolerance of the angles is proportional to it.
     """
     size = max(first.curve.length, second.curve.length)
     apart, angles, other_angles = np.hypot(*(first.chord - second.chord)), first.clamps[2], second.clamps[2]
@@ -175,7 +175,7 @@ def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) ->
 
 
 def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float:
-    """Return the common length with the least sum of the changes of curvature of both curves."""
+    """Return the common length for which the sum of the changes of curvature of both curves is least."""
     from scipy.optimize import minimize_scalar
 
     low, high = sorted(lengths)
@@ -205,8 +205,7 @@ class _Drawn:
     """Curve and its requested clamps: start (2,), end (2,), both angles (2,).
 
     The angle of its tangent changes by c + alpha u + <beta, integral of position>. Here u is the fraction of the
-    length, c the
-    change at the start, and alpha and beta (2,) are unknowns.
+    length, c the change at the start, and alpha and beta (2,) are unknowns.
     """
 
     curve: PlaneCurve
@@ -224,13 +223,14 @@ class _Drawn:
 
     @cached_property
     def _nodes(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Quadrature of the curve, and derivatives by the three unknowns.
+        """Quadrature nodes of the curve, and derivatives by the three unknowns.
 
-        It contains the edges of panels (N + 1,) as fractions u of the length. Weights (N p,), angles (N p,) and
-        derivatives
-        of the curvature (N p, 3) at the nodes follow. The last array contains derivatives of the angle (N p + 1,
-        3) at the
-        nodes and at the end.
+        The arrays are:
+
+        - edges of panels (N + 1,), as fractions of the length;
+        - weights (N p,) and angles of the tangent (N p,) at the nodes;
+        - derivatives (N p, 3) of the curvature at the nodes;
+        - derivatives (N p + 1, 3) of the angle at the nodes and at the end.
         """
         curve = self.curve
         edges = curve.arc_length(curve.smooth_panels) / curve.length

@@ -1,16 +1,13 @@
 """Theorem 1 for two curves: existence of a strip, with any natural curvature, with both curves as rest shapes.
 
 In both states, the moments M_i of a strip that is held at its ends are affine functions of the position gamma_i
-(paper,
-Eq. 3),
+(paper, Eq. 3),
 
     K (kappa_1 - kappa_0) = M_1 = a_1 + <b_1, gamma_1>,    K (kappa_2 - kappa_0) = M_2 = a_2 + <b_2, gamma_2>,
 
 with stiffness K, curvatures kappa_i and natural curvature kappa_0. It follows that K d = N with d = kappa_1 -
-kappa_2 and
-N = M_1 - M_2. The parameters of N are a number and two vectors. A positive K exists if and only if some N has the
-sign of
-d everywhere, and the same zeros with the same orders. Then kappa_0 = kappa_1 - M_1 / K.
+kappa_2 and N = M_1 - M_2. The parameters of N are a number and two vectors. A positive K exists if and only if
+some N has the sign of d everywhere, and the same zeros with the same orders. Then kappa_0 = kappa_1 - M_1 / K.
 """
 
 from collections.abc import Iterable, Sequence
@@ -46,31 +43,32 @@ from elastica_cad.mechanics.theorem1 import (
 from elastica_cad.refusals import Length, note
 
 EQUAL_LENGTHS_SHARE = 1e-4
-"""Largest relative difference of both lengths; for a larger difference, use `matched_pair` first."""
+"""Largest relative difference of the lengths of two curves; if it is larger, use `matched_pair` first."""
 
 SAME_CLAMPS = 1e-3
-"""Tolerance of the same clamps, in lengths of the curve and rad."""
+"""Tolerances within which clamps are the same: fraction of the length, and angle in rad."""
 
 CONGRUENT_SHARE = 1e-7
-"""Difference of curvature, as a fraction of the largest curvature, below which curves are congruent."""
+"""Curves are congruent if their difference of curvature is below this fraction of the largest curvature."""
 
 FAINT_SHARE = 1e-9
-"""Least difference of curvature, as a fraction of the largest, that differs from zero inside a curve."""
+"""A difference of curvature inside a curve counts as zero up to this fraction of the largest difference."""
 
 GENTLE_SHARE = 1e-7
-"""Slope of the difference of curvature at a zero that counts as zero, relative to largest difference over length.
+"""Slope of the difference of curvature below which a zero has a higher order than 1.
 
-The width of the strip at the zero would be proportional to the inverse of this slope.
+It is relative to the largest difference divided by the length. At a zero of order 1, the width of the strip would
+be proportional to the inverse of the slope.
 """
 
 SHORT_SHARE = 0.01
-"""Longest zero of high order, as a fraction of the length; a longer interval of zeros is a flat interval."""
+"""Largest length of a zero of high order, as a fraction of the length; a longer interval is a flat interval."""
 
 BESIDE_SHARE = 1e-4
-"""Distance, as a fraction of the length, from a zero at an end to the point at which the sign is evaluated."""
+"""Distance from an end of the curve at which the sign beside a zero is evaluated, as a fraction of the length."""
 
 DEPENDENT_SHARE = 1e-8
-"""Relative tolerance of ranks, which are smaller if 1, gamma_1 and gamma_2 are linearly dependent."""
+"""Relative tolerance of ranks; a rank is smaller if 1, gamma_1 and gamma_2 are linearly dependent."""
 
 NUMBERS = 6
 """Number of parameters of the moments: a_1 - a_2, b_1, b_2, a_1. The first five determine N = M_1 - M_2."""
@@ -221,7 +219,7 @@ def _with_orders(
         t = float(curve.parameter(np.array(s)))
         sign = int(np.sign(difference.at(t)))
         zeros.append(PairZero(s, t, 2, sign, sign))
-    for end in (0.0, curve.length):  # or a zero at the same small distance beyond the end
+    for end in (0.0, curve.length):  # the zero may also be the same small distance beyond the end
         if all(z.s != end for z in zeros):
             t = curve.domain[int(end > 0)]
             value, slope = (abs(float(along(t))) for along in (difference.at, difference.slope_at))
@@ -245,10 +243,8 @@ def _can_be_met(first: PlaneCurve, zero: PairZero) -> bool:
     """Return True if some difference of moments N has a zero of the same order as d.
 
     N' = <b_1, T_1> - <b_2, T_2>, with tangents T_i. Where d = 0, N'' = kappa (<b_1, n_1> - <b_2, n_2>), with the
-    common
-    curvature kappa and normals n_i. A double zero is therefore possible where the curves are bent. If N'' is zero
-    too, the
-    order of N exceeds the order of d by two.
+    common curvature kappa and normals n_i. A double zero is therefore possible where the curves are bent. If N''
+    is zero too, the order of N exceeds the order of d by two.
     """
     if zero.order == 2:
         bent = float(first.curvature_at(np.array(zero.t)))
@@ -303,8 +299,8 @@ def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
 class PairedPanels:
     """Moments of two states along both curves, as linear functions of six numbers.
 
-    The numbers are a_1 - a_2, b_1, b_2 and a_1; the vectors b are multiplied by the length. See the module for
-    the symbols.
+    The numbers are a_1 - a_2, b_1, b_2 and a_1; the vectors b are multiplied by the length. The docstring of the
+    module defines the symbols.
 
     Attributes
     ----------
@@ -398,19 +394,22 @@ class PairedPanels:
 
     @property
     def _difference(self) -> FloatArray:
-        """Coefficients (N p, 5) of the difference of moments N at the nodes."""
+        """Coefficients (N p, 5) of the difference of moments N at the nodes, for the first five numbers."""
         return (self.stiffness * self.panels.curvature[..., None]).reshape(-1, NUMBERS - 1)
 
     @cached_property
     def rank(self) -> int:
-        """Number of parameters of the difference of moments: five; three for congruent or mirrored curves."""
+        """Dimension of the space of differences of moments N: five, or three for congruent or mirrored curves."""
         return int(
             np.linalg.matrix_rank(self._difference, DEPENDENT_SHARE * np.sqrt(self._difference.shape[0]))
         )
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Zeros after the longest initial sequence of zeros for which a difference of moments exists."""
+        """Zeros that no difference of moments N can have together with the zeros before them.
+
+        These are the zeros after the longest initial sequence for which such an N exists.
+        """
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])
             if not free.shape[1] or np.abs(self._difference @ free).max() <= CONGRUENT_SHARE:
@@ -419,7 +418,7 @@ class PairedPanels:
 
     @cached_property
     def family(self) -> StiffnessFamily:
-        """All stiffnesses, as functions of the free numbers (q,)."""
+        """All stiffnesses that the conditions permit, as functions of the free numbers (q,)."""
         return StiffnessFamily(self.panels, PanelFunction.through(self.stiffness @ self.basis))
 
     def least_ratio(self, family: StiffnessFamily | None = None) -> FloatArray | None:

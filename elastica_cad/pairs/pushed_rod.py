@@ -17,35 +17,35 @@ EDGES = 480
 STIFF, STIFFEST = 400.0, 1000.0
 """Length over thickness of a rod of unknown thickness, and largest value in computations.
 
-A thinner rod hardly stretches, and rounding errors would exceed its forces.
+A thinner rod hardly stretches, and its axial forces would have large rounding errors.
 """
 
 MOST_ITERATIONS = 2000
 CALM = 1e-8
-"""Largest force on a node at rest, as a fraction of the largest force of an edge."""
+"""Largest sum of forces on a node at rest, as a fraction of the largest force in an edge."""
 
 FIRST_DAMPING, LEAST_DAMPING, DAMPING_STEP = 1e-6, 1e-12, 4.0
-"""First and least damping, as fractions of the largest stiffness of a node, and factor between damping values.
+"""First and least damping, as fractions of the largest stiffness of a node, and the factor between two values.
 
-Damping is added where the energy is not convex, or a step would increase the energy.
+Damping is added if the energy is not convex, or if a step would increase the energy.
 """
 
 NOISE = 4e-15
-"""Rounding error of the forces, over the stiffness of an edge times the length over the shortest edge."""
+"""Rounding error of a force, divided by the stiffness of an edge and by the length over the shortest edge."""
 
 ROUNDING = 1e-11
-"""Predicted decrease, as a fraction of the energy, below which every step is accepted.
+"""Predicted decrease of the energy, as a fraction of it, below which every step is accepted.
 
-Rounding errors would exceed such a decrease.
+Rounding errors of the energy exceed such a decrease.
 """
 
 KICK = 1e-4
-"""Asymmetric displacement from a saddle of the energy, as a fraction of the length."""
+"""Size of the asymmetric displacement that moves a rod away from a saddle of the energy, relative to its length."""
 
 
 @dataclass(frozen=True, eq=False)
 class RestShape:
-    """Rest shape of a clamped rod that its axial forces stretch.
+    """Rest shape of a clamped rod that can also stretch.
 
     Attributes
     ----------
@@ -282,7 +282,7 @@ class _Chain:
         return float(bent + self.axial * self.edge @ (r / self.edge - 1) ** 2) / 2
 
     def gradient(self, x: FloatArray) -> FloatArray:
-        """Return the forces (n + 1, 2) that hold the nodes."""
+        """Return the forces (n + 1, 2) that are necessary to hold the nodes: the derivatives of the energy."""
         force = self._edge_forces(x)
         return np.asarray(np.pad(force, ((1, 0), (0, 0))) - np.pad(force, ((0, 1), (0, 0))))
 
@@ -297,10 +297,8 @@ class _Chain:
         """Return the second derivatives of the energy by the inner nodes, as an upper band (6, 2 n - 2).
 
         With respect to the edges they have the blocks A_i on the diagonal and C_i = -K_{i+1} a_i a_{i+1}^t beside
-        it. Here a_i
-        is the derivative of the angle of edge i, and K_i the stiffness of a node. A node is the end of an edge
-        and the start of
-        the next edge.
+        it. Here a_i is the derivative of the angle of edge i, and K_i the stiffness of a node. A node is the end
+        of an edge and the start of the next edge.
         """
         r, t, turn = self._edges(x)
         n = np.column_stack([-t[:, 1], t[:, 0]])
@@ -393,7 +391,7 @@ class _Chain:
         raise NotConvergedError("the pushed rod has no rest shape: push it less far, or at another place")
 
     def _kicked(self, x: FloatArray, held: bool) -> FloatArray:
-        """Return the nodes after a displacement from a saddle of the energy."""
+        """Return the nodes after a small asymmetric displacement (`KICK`) away from a saddle of the energy."""
         share = self.s / self.s[-1]
         bow = KICK * self.s[-1] * np.sin(np.pi * share) ** 2 * (np.sin(2 * np.pi * share) + 0.3)
         moved = np.asarray(x + bow[:, None] * np.array([0.6, 0.8]))

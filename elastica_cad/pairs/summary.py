@@ -17,7 +17,7 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
     quick : bool
         True to omit the path between the states, which takes longest to compute.
     live : bool
-        True to show "…" for stability.
+        True to show "…" instead of the stability, which is computed later.
     """
     path = [] if quick else [Row(note("Force"), _force(part))]
     first, second = part.rest_deviations

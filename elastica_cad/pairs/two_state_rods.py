@@ -36,14 +36,14 @@ TANGENTS = 12
 """Number of tangents to K^(2/3) at each sample in the first linear program, for the stiffness K."""
 
 WIDEST_TANGENTS = 1e4
-"""Range of the first tangents, as a stiffness ratio."""
+"""Ratio of the largest to the least stiffness at which the first linear program has tangents to K^(2/3)."""
 
 TANGENT_ROUNDS = 30
 SETTLED = 1e-6
-"""Relative change of the least thickness below which no further tangents are added."""
+"""No more tangents are added if the least thickness changes relatively by less than this."""
 
 SMOOTH = 4
-"""Number of continuous derivatives of a curve for which the stiffness is as smooth as its cubic spline."""
+"""Number of continuous derivatives of a curve with which a cubic spline represents its stiffness well."""
 
 THICKNESS_SAMPLES = 301
 """Number of samples of both curves for the strain limit; a flexure evaluates the strain at its nodes."""
@@ -261,9 +261,9 @@ def _first_curvature(paired: PairedPanels) -> FloatArray:
 def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
     """Return the rows (N, p, 6) of conditions rows @ numbers >= 0 for the limits.
 
-    They are |kappa_1 K - M_1| <= k K and |M_i| <= c K, divided by k and c. K is the stiffness, M_i the moment and
-    kappa_i the
-    curvature of a state. The limits are k for the natural curvature and c for the bend.
+    Here K is the stiffness, and M_i and kappa_i are moment and curvature of state i. The limits are k for the
+    natural curvature and c for the bend. The conditions are |kappa_1 K - M_1| <= k K and |M_i| <= c K, divided by
+    k and c.
     """
     K = _stiffness_rows(paired)
     rows: list[FloatArray] = []
@@ -280,18 +280,17 @@ def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
 def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float | None) -> FloatArray:
     """Return the numbers (6,) of the same stiffness with the least bend.
 
-    The bend is the largest change of curvature in both states. Unless the curves are congruent or mirrored, only
-    the
-    parameter a_1 is free. In these cases several rods have the same least bend. The rod whose natural curvature
-    is nearest
-    to the mean of both curvatures is selected.
+    The bend is the largest change of curvature in both states. Usually only the parameter a_1 can vary without a
+    change of the stiffness. For congruent or mirrored curves further parameters can, and several rods have the
+    same least bend. Then the rod with the natural curvature nearest to the mean of both curvatures is selected.
     """
     panels, size = paired.panels, paired.check.length
     K = _stiffness_rows(paired) @ numbers
     idle = paired.idle
     step = size * (paired.moments[0] @ idle) / K[..., None]
     d = size * panels.curvature
-    excess = size * (paired.moments[0] @ numbers) / K  # length times (kappa_1 - kappa_0)
+    # change of curvature in the first state, times the length
+    excess = size * (paired.moments[0] @ numbers) / K
     kappa = size * _first_curvature(paired)
     functions = [(sign * step, sign * (excess - part)) for sign in (1.0, -1.0) for part in (0.0, d)]
     bounds = [] if most_natural is None else [
@@ -310,7 +309,10 @@ Bounded: TypeAlias = "list[tuple[FloatArray, FloatArray]]"
 
 
 def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return z (r,) that minimises the largest value of functions rows @ z + offset, with bounds >= 0."""
+    """Return numbers z (r,) for which the largest value of some functions is least, within bounds.
+
+    Each function and each bound is a pair (rows, offset) with the value rows @ z + offset; bounds must be >= 0.
+    """
     along = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in functions]
     held = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in bounds]
     program = MinimaxProgram(along[0][0].dense)
@@ -321,7 +323,7 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
         program.hold(rows.dense, offset.dense)
     for _ in range(METHOD.most_rounds):
         answer = program.solve()
-        if answer is None:  # within rounding errors, only the given numbers satisfy the bounds
+        if answer is None:  # except for rounding errors, only the numbers given satisfy the bounds
             return np.zeros(none.shape[1])
         z, most = answer
         settled = True
@@ -345,9 +347,9 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
 
 
 def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return the farthest point from `start` towards `goal` at which the bounds hold.
+    """Return the point between `start` and `goal`, nearest to `goal`, at which the bounds hold.
 
-    The largest value of the functions does not increase either.
+    The largest value of the functions may not increase.
     """
     values = [(rows @ start + offset, rows @ (goal - start)) for rows, offset in functions]
     most = max(float(value.max()) for value, _ in values) * (1 + BOUNDED)
@@ -364,10 +366,8 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
     """Return the numbers (6,) of the flexure with the largest least thickness at a given strain.
 
     The strain of a section with moment M, stiffness K and thickness h ~ K^(1/3) is |M| h / (2 K) ~ |M| K^(-2/3).
-    The strain
-    is scaled to at most 1. The convex problem is to maximise k subject to K >= k and |M_i| <= K^(2/3). Tangents
-    replace the
-    power, and are added at each solution until k converges.
+    The strain is scaled to at most 1. The convex problem is to maximise k subject to K >= k and |M_i| <= K^(2/3).
+    Tangents replace the power, and are added at each solution until k converges.
     """
     from scipy.optimize import linprog
 
@@ -396,7 +396,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
         fixed.append(with_least(K, -limits.ratio))
 
     def tangents(at: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the conditions |M| <= K_0^(2/3) + 2/3 K_0^(-1/3) (K - K_0), at stiffnesses K_0 (2 n,)."""
+        """Return the tangents |M| <= K_0^(2/3) + 2/3 K_0^(-1/3) (K - K_0) to the limit K^(2/3), at K_0 (2 n,)."""
         slope = (2 / 3 * at ** (-1 / 3))[:, None] * stiff
         offset = at ** (2 / 3) / 3
         return np.concatenate([with_least(M - slope), with_least(-M - slope)]), np.tile(offset, 2)

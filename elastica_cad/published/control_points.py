@@ -28,8 +28,8 @@ from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 _ALONG = 0.1  # weight of a move along the curve relative to a move across it
 _BEND = 0.005  # size of a move that changes the curvature by 1 / length, as a fraction of the length
 _STRETCH = 0.05  # size of a move that changes the velocity d/dt by 100 %, as a fraction of the length
-_LINE_STEP = 0.02  # size of a move of the line, as a move of the curve in fractions of its length
-_RANK = 1e-11  # least singular value of a change that is not neglected, as a fraction of the largest
+_LINE_STEP = 0.02  # change of the line that counts as a move of the curve by this fraction of its length
+_RANK = 1e-11  # relative size of singular values below which conditions count as dependent
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +83,11 @@ class CurveChanges:
 
     @cached_property
     def basis(self) -> FloatArray:
-        """Moves of control points and line (2 m + 3, r): columns dq (x and y in turn), da, db."""
+        """Allowed moves as columns (2 m + 3, r), for control points and the line of the inflections.
+
+        The first 2 m rows move x and y of the control points in turn; the last three change a, b_x and b_y of the
+        line.
+        """
         curve = self.state.curve
         a, b = self.state.line
         count = curve.control_points.size
@@ -95,7 +99,7 @@ class CurveChanges:
             rows.append(np.column_stack([moved, np.ones(zeros.size), curve.evaluate(zeros)]))
         size, length = np.abs(self._moment).max(), curve.length
         centre = curve.evaluate(self._t).mean(axis=0)
-        # describe the line by numbers of order 1: the moment at the middle of the curve, and its slope
+        # describe the line by numbers of order 1: the moment in the middle of the curve, and its slope
         line = np.array(
             [[1.0, -centre[0] / length, -centre[1] / length], [0, 1 / length, 0], [0, 0, 1 / length]]
         )
@@ -131,11 +135,11 @@ class CurveChanges:
 
     @cached_property
     def compliance(self) -> PanelFunction:
-        """Changes (r) of the compliance C = 1/K = kappa / M at fixed parameters.
+        """Derivatives (r,) by u of the compliance C = 1/K = kappa / M at fixed parameters.
 
         They are dC = (d kappa - C dM) / M, with curvature kappa and moment M. For allowed moves, numerator and
-        denominator are
-        zero only at an inflection. There the quotient is interpolated by the polynomial through the Gauss nodes.
+        denominator are zero only at an inflection. There the quotient is interpolated by the polynomial through
+        the Gauss nodes.
         """
         state, curve = self.state, self.state.curve
         _, b = state.line
@@ -150,12 +154,16 @@ class CurveChanges:
         return PanelFunction.through(change.reshape(*panels.t.shape, -1))
 
     def watched(self) -> tuple[FloatArray, FloatArray]:
-        """Return the compliances 1/K (n,) at the samples of the state, and their derivatives (n, r)."""
+        """Return the compliances 1/K (n,) at the samples of the state, and their derivatives by u (n, r)."""
         return 1 / self.state.stiffness, self.compliance.at(*self.state.places)
 
     @cached_property
     def _stretching(self) -> tuple[PanelFunction, FloatArray, FloatArray]:
-        """Derivatives of arc lengths by r moves: in panels, at their left ends (N, r), and of the curve (r,)."""
+        """Derivatives by u of arc lengths, from moves along the tangent.
+
+        The results are the changes of arc length from the left end of each panel, at its left end (N, r), and of
+        the whole curve (r,).
+        """
         panels, curve = self.state.balance.panels, self.state.curve
         d1 = curve.evaluate(self._t, 1)
         tangent = d1 / np.linalg.norm(d1, axis=1, keepdims=True)
@@ -171,7 +179,7 @@ class CurveChanges:
 
     @cached_property
     def margin(self) -> FloatArray:
-        """Changes (r,) of the stability margin, if the scale of the moment is fixed."""
+        """Derivatives (r,) by u of the stability margin, for a fixed scale of the moment."""
         state, rod, nodes = self.state, self.state.rod, self.state.nodes
         panels, curve = state.balance.panels, state.curve
         panel, x = panels.locate(nodes.t)
@@ -179,7 +187,7 @@ class CurveChanges:
         d1 = curve.evaluate(nodes.t, 1)
         speed = np.linalg.norm(d1, axis=1)
         share = np.linspace(0.0, 1.0, nodes.t.size)
-        # the nodes slide along the curve, so that they remain at equal distances
+        # nodes move along the curve too, so that they remain at equal distances
         slide = (share[:, None] * length - before[panel] - along.at(panel, x)) / speed[:, None]
         half = (np.diff(panels.edges) / 2)[panel]
         K_slope = state.balance.stiffness.slope_at(panel, x) / (state.scale * half)
@@ -195,24 +203,24 @@ class CurveChanges:
         return np.asarray(by.stiffness @ K + by.angles @ angles + force + by.length * length)
 
 
-# price of a violated bound, relative to half the mean square distance in lengths; far above all multipliers
+# price of a violated bound, in the unit of half the mean square distance (relative to the length)
 _PRICE = 0.1
-_ROW_PRICE = 10.0  # price of a condition of a step that cannot be satisfied, above the price of every bound
-# accuracy of a step relative to the price, so that half a mean square distance of 1e-8 has an effect
+_ROW_PRICE = 10.0  # price of a step condition that cannot be satisfied; it exceeds the price of every bound
+# accuracy of a step relative to the price; half a mean square distance of 1e-8 then still has an effect
 _ACCURACY = 1e-12
 _MARGIN_UNIT = 50.0  # typical error of the margin, used as its unit
-_COARSE = 3.0  # largest factor of a step on the ratio or its bound; larger steps are refused
-_RATIO_PART, _MARGIN_PART = 0.9, 6.0  # targets of a step: factor on the ratio, and increase of the margin
+_COARSE = 3.0  # a step to more than this multiple of the present or permitted ratio is refused
+_RATIO_PART, _MARGIN_PART = 0.9, 6.0  # targets of one step: factor of the ratio, and increase of the margin
 # initial, largest and smallest radius of the trust region, in lengths of the curve
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
-_SETTLED = 1e-3  # predicted gain of a step, as a fraction of the distance, below which the search ends
+_SETTLED = 1e-3  # the search ends if the predicted gain of a step is below this fraction of the distance
 _RESOLUTION = (
-    # least gain of a step (half the mean square distance, in lengths); smaller gains are rounding errors
+    # least gain of a step, in the unit of the distance; smaller gains are rounding errors
     1e-12
 )
 _INSIDE = 1e-5  # relative distance from the bounds, so that they hold between the samples too
-_ENFORCED = 1e-11  # largest error of a constraint that counts as satisfied, in lengths and radians
-_ROUNDS = 12  # largest number of times that samples are added where a step would violate the bounds
+_ENFORCED = 1e-11  # a constraint with a smaller error counts as satisfied, in lengths and radians
+_ROUNDS = 12  # samples are added where a step would violate the bounds, at most this number of times
 
 
 @dataclass(frozen=True)
@@ -233,14 +241,17 @@ class Bounds:
         return excess + max(0.0, (self.margin - state.margin) / _MARGIN_UNIT)
 
     def from_here(self, state: EquilibriumCurve) -> "Bounds":
-        """Return bounds for the next step, because small steps lead to the nearer of many minima."""
+        """Return bounds for the next step, between the present values and these bounds.
+
+        Small steps lead to the nearest of many minima.
+        """
         ratio = max(self.ratio, _RATIO_PART * state.ratio)
         if self.margin is None:
             return Bounds(ratio)
         return Bounds(ratio, min(self.margin, state.margin + _MARGIN_PART))
 
     def inside(self) -> "Bounds":
-        """Return slightly stricter bounds."""
+        """Return slightly stricter bounds, because the curve must also be within them between samples."""
         ratio = 1 + (self.ratio - 1) * (1 - _INSIDE)
         return Bounds(ratio, None if self.margin is None else self.margin + _INSIDE * _MARGIN_UNIT)
 
@@ -343,7 +354,7 @@ def _half_square(changes: CurveChanges, target: PlaneCurve) -> float:
 
 @dataclass(frozen=True, eq=False)
 class _Step:
-    """Move of the control points (m, 2), mm, with its size relative to the length, and the predicted gain."""
+    """Move of the control points (m, 2), mm, its size relative to the length, and the predicted gain."""
 
     points: FloatArray
     size: float
@@ -372,8 +383,7 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
     """Return the best step to first order.
 
     The unknowns are the coordinates u of the move divided by the length, the largest compliance c = 1 / min K,
-    and the
-    slacks of the two bounds.
+    and the slacks of the two bounds.
     """
     length = changes.state.curve.length
     J = changes.distance_rows @ changes.basis[:-3]
@@ -428,7 +438,7 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
 
 
 def _peaks(values: FloatArray, above: float = -np.inf) -> IntArray:
-    """Return the indices of the eight highest local maxima of values (n,) above a level."""
+    """Return the indices of the eight highest local maxima above a level, of values (n,)."""
     padded = np.concatenate([[-np.inf], values, [-np.inf]])
     peaks = np.flatnonzero((values >= padded[:-2]) & (values >= padded[2:]) & (values > above))
     return np.asarray(peaks[np.argsort(-values[peaks], kind="stable")[:8]])

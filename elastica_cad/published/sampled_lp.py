@@ -116,13 +116,10 @@ def sampled_rows(
 ) -> FloatArray:
     """Return rows (n, 3) that give the stiffness K = rows @ (a, b_x, b_y) at the samples.
 
-    In Eq. 6 of the paper the terms of sample i in F_i and G_i cancel. Therefore
-    K_i kappa_i = a + <b, gamma_i> + <R^t e, gamma_i> F_{i+1} - G_{i+1}, with F_i = F_{i+1} + w_i K_i and
-    G_i = G_{i+1} + w_i <R^t e, gamma_i> K_i. Here gamma_i, kappa_i and w_i are position, curvature and Voronoi
-    length of a
-    sample, e the vector of gravity, and R a quarter turn. In reverse order this is a banded triangular system
-    with three
-    right-hand sides.
+    In Eq. 6 of the paper the terms of sample i in F_i and G_i cancel. Therefore K_i kappa_i = a + <b, gamma_i> +
+    <R^t e, gamma_i> F_{i+1} - G_{i+1}, with F_i = F_{i+1} + w_i K_i and G_i = G_{i+1} + w_i <R^t e, gamma_i> K_i.
+    Here gamma_i, kappa_i and w_i are position, curvature and Voronoi length of a sample, e the vector of gravity,
+    and R a quarter turn. In reverse order this is a banded triangular system with three right-hand sides.
     """
     affine = np.column_stack([np.ones(len(position)), position])
     if weights is None or e is None:
