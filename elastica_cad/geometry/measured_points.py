@@ -189,9 +189,9 @@ def estimate_noise(points: FloatArray) -> float:
     """Return the standard deviation, mm, of the distance of points (n, 2) from a smooth curve.
 
     The result is the median of divided differences normal to the curve, scaled to unit variance of white noise.
-    The order of the differences is the least for which the next order does not reduce the estimate (Gasser, Sroka
-    and Jennen-Steinmetz, Biometrika 73, 1986, use order 2). The result is 0 if there are too few points, or if
-    the differences decrease like those of a smooth curve.
+    The order of the differences is increased as long as this reduces the estimate. Gasser, Sroka and
+    Jennen-Steinmetz (Biometrika 73, 1986) use order 2. The result is 0 if there are too few points, or if the
+    differences decrease like those of a smooth curve.
 
     Examples
     --------

@@ -1,10 +1,9 @@
 """Removal of corners that are caused by rounding of coordinates.
 
-A handle is the vector from a node of a spline to its neighbouring control point. If a file contains coordinates
-rounded to the nearest multiple of 2 h, each coordinate moves by at most h, and a point by at most h sqrt(2). A
-handle of length l then turns by at most asin(2 sqrt(2) h / l). If the rounding of both handles explains the
-corner at a node, the curve was smooth there when it was drawn. Both handles are then turned into a common
-direction.
+A handle is the vector from a node of a spline to its neighbouring control point. If the coordinates in a file are
+rounded to multiples of 2 h, each coordinate moves by at most h. A point moves by at most h sqrt(2). A handle of
+length l then turns by at most asin(2 sqrt(2) h / l). If the rounding of both handles explains the corner at a
+node, the curve was smooth there when it was drawn. Both handles are then turned into a common direction.
 """
 
 from dataclasses import dataclass

@@ -110,18 +110,17 @@ def bend(
     supports : Supports, optional
         New supports; by default those of the rod.
     force : (2,) array_like, optional
-        Dead force over the least bending stiffness, 1/mm2 (F / B with F in N, B in N mm2), in the
-        direction of x and y; each component acts at the end where its coordinate is free. None keeps the present
-        force.
+        Components in x and y of a force with a constant direction, divided by the least bending stiffness B (N
+        mm2), 1/mm2. Each component acts at the end where its coordinate is free. None keeps the present force.
     moment : float or pair of float, optional
         Moment over the least bending stiffness, 1/mm, counterclockwise positive, applied at the end with a free
         angle (a pair for start and end). None keeps the present moment.
     guess : Rod or array_like, optional
         Initial shape: a rod, or angles at the n nodes or n-1 edges.
     side : {+1, -1}, optional
-        Side of the first bulge of a straight rod that buckles: left (+1) or right (-1) of the direction from start
-        to end. By default, a straight rod whose ends are pushed together bends to the left, and a straight rod
-        under a dead load stays straight if it can.
+        Side of the first bulge of a straight rod that buckles: left (+1) or right (-1), seen from start to end.
+        By default, a straight rod bends to the left if its ends are pushed together. Under a force it stays
+        straight if it can.
     mode : int
         Buckling mode of a straight rod; modes above 1 are usually unstable.
     samples : int, optional

@@ -126,8 +126,8 @@ def elastica_between(
     Raises
     ------
     InputError
-        The length is too short, the ends coincide without angles, a force acts on a held end, or the end is free
-        and the start is not clamped.
+        The length is too short, the ends coincide without angles, or a force acts on a held end. This error also
+        occurs if the end is free and the start is not clamped.
     NotConvergedError
         As `bend`.
 

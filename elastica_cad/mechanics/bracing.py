@@ -5,11 +5,12 @@ The energy of a rod gamma(s) with bending stiffness K and minus internal force l
     Q = int K h'^2 - <lambda, gamma'> h^2 ds + sum over ties (T / l) (int from p to q of <u, gamma'> h ds)^2
         - sum over rails (2 t h sigma + t kappa sigma^2),    sigma = -<gamma', v> at the station,
 
-where h is the change of the tangent's angle, R a quarter turn, and v(s) = int h R gamma' ds the change of position.
-The change keeps the ends fixed, and v = 0 at pins, <n, v> = 0 at rails, <u, v_q - v_p> = 0 for taut ties. T is the
-pull of a tie of length l along u between the stations p and q, t n the force of a rail, and kappa the curvature.
-The term of a tie describes a cord of constant length whose ends turn about each other. The term of a rail
-describes a strip that slides over it: the point of contact moves by sigma along the strip.
+where h is the change of the tangent's angle, R a quarter turn, and v(s) = int h R gamma' ds the change of
+position. The change keeps the ends fixed. It satisfies v = 0 at pins, <n, v> = 0 at rails, and <u, v_q - v_p> = 0
+for taut ties. A tie of length l pulls along u between the stations p and q with the force T. The force of a rail
+is t n, and kappa is the curvature. The term of a tie describes a cord of constant length whose ends turn about
+each other. The term of a rail describes a strip that slides over it: the point of contact moves by sigma along
+the strip.
 """
 
 from collections.abc import Sequence

@@ -128,7 +128,7 @@ def creep(rod: Rod, factor: float) -> Creep:
         Rod in equilibrium.
     factor : float
         Creep factor phi, 0 or more. For wood-based panels under permanent load it is k_def of Eurocode 5, table
-        3.2: for plywood (EN 636) 0.80 in heated rooms, 1.00 under a roof, 2.50 outdoors.
+        3.2. For plywood (EN 636) this is 0.80 in heated rooms, 1.00 under a roof, and 2.50 outdoors.
 
     Raises
     ------

@@ -252,9 +252,9 @@ def optimal_rod(
         for which the ratio is least. If the ratio decreases with every increase of B, the default is the least B
         whose ratio is within 1 % of the ratio without weight.
     largest_stiffness : float, optional
-        Largest E I of the rod, N mm2, under a weight in newtons; for example the E I of the widest strip that
-        fits. The result has the least ratio of all rods with this largest E I. If the curve is not the rest shape
-        of such a rod under this weight, the largest E I is smaller.
+        Largest E I of the rod, N mm2, under a weight in newtons. It may be the E I of the widest strip that fits.
+        The result has the least ratio of all rods with this largest E I. If the curve is not the rest shape of
+        such a rod under this weight, the largest E I is smaller.
     least_stiffness : float, optional
         Lower bound of E I, N mm2, in addition to `largest_stiffness`.
     law : MaterialLaw, optional

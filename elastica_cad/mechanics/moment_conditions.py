@@ -6,10 +6,10 @@ On a drawn curve gamma the equations of the rod (paper, Eqs. 3 and 5)
 
 are linear in the state (M, b) at the end of the curve. One integration for each of these three numbers is
 therefore enough. M is the moment, b minus the internal force after a quarter turn R^t, and K the stiffness. Kappa
-and kappa_0 are the curvature and the natural curvature. Here q is the weight per stiffness (1/l_eg^3), p a weight
-per length that does not depend on K (N/mm), tau the inverse of the least bending stiffness, and e a unit vector
-upwards. Rods without weight have constant b, and M = a + <b, gamma>. A force f on the strip between its ends is a
-jump of R b by f, so each unknown force is one more number (`elements`).
+and kappa_0 are the curvature and the natural curvature. Here q is the weight per stiffness (1/l_eg^3), and p a
+weight per length that does not depend on K (N/mm). Tau is the inverse of the least bending stiffness, and e a
+unit vector upwards. Rods without weight have constant b, and M = a + <b, gamma>. A force f on the strip between
+its ends is a jump of R b by f, so each unknown force is one more number (`elements`).
 """
 
 from collections.abc import Callable, Sequence
@@ -141,7 +141,7 @@ def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray 
     load : LineLoad, optional
         Weight along the curve; none by default.
     units : (N + 1, 2, u) array, optional
-        Forces on the strip at the ends of the panels for the value 1 of each of the u unknown forces.
+        Forces on the strip at the ends of the panels, if one of the u unknown forces is 1 and the others are 0.
     """
     if units is None:
         units = np.zeros((panels.count + 1, 2, 0))
@@ -182,8 +182,8 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
 def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
     """Return the moments at the ends of panels, with exact zeros where kappa - kappa_0 is zero.
 
-    The rounding errors at these zeros are interpolated linearly between the zeros and subtracted, because next to
-    a zero they would be large relative to the moment.
+    The rounding errors at these zeros would be large relative to the moment next to a zero. They are interpolated
+    linearly between the zeros and subtracted.
     """
     vanishes = np.zeros(panels.count + 1, dtype=bool)
     vanishes[:-1] = panels.zero_left

@@ -76,7 +76,7 @@ class MountedElements:
         Elements with their `mount`. Their forces and arc lengths are the initial values of the unknowns.
     supports : Supports
     anchor : (2,) array
-        Position of the end that holds x and y, mm, from which positions are computed: the start if it is held,
+        Position, mm, of the end from which positions are computed. It is the start if x and y are held there,
         otherwise the end.
     load : (2,) array
         Sum of the known forces, 1/mm2.

@@ -21,9 +21,9 @@ SMALL_STEP = 1e-6
 def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
     """Return for each element the largest displacement of the rod, mm, per mm of error in mounting the element.
 
-    The error is a displacement of a rail along its normal or of a pin in the worst direction, or a change of the
-    length of a cord. The equations of equilibrium are linearised about the present shape. The value for a slack
-    element is 0.
+    The error is a displacement of a pin in the worst direction, a displacement of a rail along its normal, or a
+    change of the length of a cord. The equations of equilibrium are linearised about the present shape. The value
+    for a slack element is 0.
 
     Parameters
     ----------

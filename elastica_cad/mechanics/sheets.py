@@ -492,8 +492,9 @@ class Sheet:
     thickness_range, youngs_modulus_range, density_range, max_strain_range, kerf_range : (low, high), optional
         Range that occurs in practice, in the unit of the quantity; by default the value counts as exact.
     least_width, least_ligament, least_bridge : float, optional
-        Least width, mm, of a strip or tongue, of a ligament of a perforated strip, and of a bridge between cuts of
-        a plate, that can be cut and lifted out. The defaults are rules of thumb (`FabricationLimits`).
+        Least width, mm, with which a piece can be cut and lifted out. It applies to strips, tongues, ligaments of
+        perforated strips, and bridges between the cuts of a plate. The defaults are rules of thumb
+        (`FabricationLimits`).
     stock : (float, float), optional
         Sides of the largest sheet on sale, mm.
     break_strain : float, optional

@@ -357,12 +357,12 @@ class Stability:
 def stability(rod: Rod) -> Stability:
     """Return the stability of a rest shape with its weight, supports and elements between its ends.
 
-    The computation takes O(n) operations. Two independent methods must agree: the number of negative eigenvalues
-    of the second variation with the end constraints (LDL^t), and the lowest eigenvalue under these constraints
-    (inverse iteration). The result also contains the stability determinant of the Jacobi equation (paper, section
-    6.2). The determinant is valid with weight too, because weight changes only the force. All methods use the
-    stiffness dM/dkappa (`Rod.tangent_stiffness`). For a wide strip (`section`) that becomes stiffer when it is
-    bent, it is up to a tenth more than M / kappa.
+    The computation takes O(n) operations. Two independent methods must agree. The first counts the negative
+    eigenvalues of the second variation with the end constraints (LDL^t). The second computes its lowest
+    eigenvalue (inverse iteration). The result also contains the stability determinant of the Jacobi equation
+    (paper, section 6.2). The determinant is valid with weight too, because weight changes only the force. All
+    methods use the stiffness dM/dkappa (`Rod.tangent_stiffness`). For a wide strip (`section`) that becomes
+    stiffer when it is bent, it is up to a tenth more than M / kappa.
 
     Parameters
     ----------

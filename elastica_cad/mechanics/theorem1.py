@@ -169,8 +169,8 @@ class EquilibriumCheck:
     bent_beforehand : bool
         True if the strip is not flat before it is bent.
     undecided : Undecided or None
-        For a curve that was fitted to points: the comparison with another curve that fits the points equally well
-        but differs in its result, or in the inflections for which this curve is refused.
+        Only for a curve that was fitted to points: the comparison with another curve that fits the points equally
+        well. The other curve has a different result, or is refused for different inflections.
     """
 
     realizable: bool
@@ -292,8 +292,8 @@ class PairZero:
     t : float
         Parameter of the point on the first curve.
     order : int
-        Order of the zero of the difference of curvatures. It is 1 if the difference changes sign, 2 if it does
-        not, 3 if it changes sign with the slope 0, and 0 if it changes sign by a jump.
+        Order of the zero of the difference of curvatures. It is 1 if the difference changes sign, and 2 if it
+        does not. It is 3 if the difference changes sign with the slope 0, and 0 if it changes sign by a jump.
     before, after : int
         Signs of the difference before and after the point; 0 beyond the ends of the curves.
     """

@@ -300,8 +300,8 @@ class ToleranceEffect:
     percentile_95 : float
         95th percentile of the deviations of the samples, mm.
     samples, failed, snapped : int
-        Number of bent rods; number of rods without a rest shape, which are not included in the deviations; and
-        number of rods that snapped to another shape far from the design, which are included.
+        Numbers of bent rods, of rods without a rest shape, and of rods that snapped to a shape far from the
+        design. The deviations do not include rods without a rest shape, but include those that snapped.
     """
 
     name: str

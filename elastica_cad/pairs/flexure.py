@@ -189,11 +189,11 @@ class Flexure:
 
     Notes
     -----
-    The thickness in the plane is h = (12 B K / (E t))^(1/3), with least bending stiffness B, relative stiffness
-    K, modulus E of the sheet and depth t. The strain of a state on the inner side is |kappa - kappa_0| h / 2
-    times Winkler's factor for curved beams, plus the strain by the axial force. In the fillets the strain is
-    larger by a notch factor. The fillets are partly within the free length, so that the ends are as compliant as
-    ends that are clamped at the drawn points.
+    The thickness in the plane is h = (12 B K / (E t))^(1/3). Here B is the least bending stiffness, K the
+    relative stiffness, E the modulus of the sheet, and t the depth. The strain of a state on the inner side is
+    |kappa - kappa_0| h / 2 times Winkler's factor for curved beams, plus the strain by the axial force. In the
+    fillets the strain is larger by a notch factor. The fillets are partly within the free length, so that the
+    ends are as compliant as ends that are clamped at the drawn points.
 
     Examples
     --------
@@ -879,9 +879,9 @@ SHARP_MM = 0.1
 def root_factors(radius: float) -> tuple[float, float]:
     """Return the notch factors, for bending and for tension, of a fillet beside a wide pad.
 
-    The factors agree with plane finite elements within 1 % for pads at least three times as wide as the strip and
-    radii of 0.05 to 2.5 times the thickness. For narrower pads the factors are too large. Whole parts agree with
-    finite elements (`tests/validation/test_pushed_parts.py`).
+    The factors agree with plane finite elements within 1 %, if the radius is 0.05 to 2.5 times the thickness, and
+    the pad is at least three times as wide as the strip. For narrower pads the factors are too large. Whole parts
+    agree with finite elements (`tests/validation/test_pushed_parts.py`).
 
     Parameters
     ----------

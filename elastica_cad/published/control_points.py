@@ -382,8 +382,8 @@ def _moved(curve: PlaneCurve, step: _Step, constraints: Sequence[Constraint]) ->
 def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float) -> _Step:
     """Return the best step to first order.
 
-    The unknowns are the coordinates u of the move divided by the length, the largest compliance c = 1 / min K,
-    and the slacks of the two bounds.
+    The unknowns are the coordinates u of the move divided by the length, the largest compliance c, and the slacks
+    of the two bounds. The largest compliance is 1 / min K.
     """
     length = changes.state.curve.length
     J = changes.distance_rows @ changes.basis[:-3]

@@ -61,9 +61,9 @@ def optimize_ratio(
 ) -> OptimizedRatio:
     """Return the curve whose control points are moved as little as possible to a stiffness ratio of `target`.
 
-    A local step is the least total move from the drawn curve that reduces the ratio to the target, to first order
-    and within a trust region. A global step finds the inflection line of least ratio (paper, Eq. 4). The ratio is
-    that of the continuous curve, so the result never exceeds the target.
+    A local step keeps the curve as close as possible to the drawn curve and reduces the ratio to the target. It
+    is computed to first order, within a trust region. A global step finds the inflection line of least ratio
+    (paper, Eq. 4). The ratio is that of the continuous curve, so the result never exceeds the target.
 
     Parameters
     ----------
