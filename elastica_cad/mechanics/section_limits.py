@@ -98,7 +98,7 @@ def judge_strain(sheet: Sheet, strain: float, at: float | None = None) -> Strain
     >>> [judge_strain(ply, share * ply.max_strain).state.name for share in (1.0, 1.2, 3.0)]
     ['ALLOWED', 'WARNED', 'REFUSED']
     >>> judge_strain(Sheet.named("card-200gsm"), 0.015).outcome
-    'it keeps a bend from there'
+    'the material stays bent there'
     """
     used = strain / sheet.max_strain
     if used <= 1 + STRAIN_SLACK:
