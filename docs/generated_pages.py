@@ -23,12 +23,12 @@ from elastica_cad.design.tables import CONSTANTS, FUNCTIONS
 
 NAMES = {
     "Curves": (
-        "PlaneCurve", "read_curves", "write_curves", "four_point_map", "Path", "Profile", "Frame",
+        "PlaneCurve", "read_curves", "read_model", "write_curves", "four_point_map", "Path", "Profile", "Frame",
     ),
     "Can it be bent?": ("check_equilibrium", "EquilibriumCheck", "NotRealizable", "split"),
     "Rods": (
-        "optimal_rod", "Rod", "bend", "stability", "Stability", "stability_limit", "Supports", "End", "Gravity",
-        "Weight", "PointMass", "PointForce", "Rail", "Pin", "Tie",
+        "optimal_rod", "Rod", "bend", "stability", "Stability", "stability_limit",
+        "Supports", "End", "Gravity", "Weight", "PointMass", "PointForce", "Rail", "Pin", "Tie",
     ),
     "The nearest rod": (
         "nearest_rod", "nearest_rods", "NearestRod", "Status", "Limits", "Keep", "Box", "HalfPlane",

@@ -32,7 +32,7 @@ from elastica_cad.strip.styles import Plain as Plain
 from elastica_cad.strip.outline import Hole as Hole, Tab as Tab
 from elastica_cad.strip.travel import bend_strip as bend_strip
 from elastica_cad.model.bows import bow as bow
-from elastica_cad.files import read_curves as read_curves, save as save
+from elastica_cad.files import read_curves as read_curves, read_model as read_model, save as save
 from elastica_cad.formats.curve_writer import write_curves as write_curves
 from elastica_cad.forming.limits import Box as Box, HalfPlane as HalfPlane, Keep as Keep, Limits as Limits
 from elastica_cad.forming.many_rods import nearest_rods as nearest_rods

@@ -23,6 +23,7 @@ from elastica_cad.geometry.fairing import FIT_TOLERANCE
 
 if TYPE_CHECKING:
     from elastica_cad.forming.section_spec import Surface
+    from elastica_cad.model.model import Model
     from elastica_cad.pairs.flexure import Flexure
     from elastica_cad.strip.drawing import Drawing
     from elastica_cad.strip.strip import Strip
@@ -151,6 +152,38 @@ def _kernel_drawing(path: Path, unit: str | None) -> DrawnFile:
     except ImportError as error:
         raise _no_kernel(path) from error
     return read_step_drawing(path, unit=unit)
+
+
+def read_model(path: str | Path) -> "Model":
+    """Read a design file (TOML), and make its model as `elastica model` does.
+
+    Raises
+    ------
+    InputError
+        The file is not a valid design; the message names the position in the file.
+    NotRealizable, NotConvergedError
+        A strip is impossible. A single error has the messages of all strips.
+
+    Examples
+    --------
+    >>> from tempfile import TemporaryDirectory
+    >>> text = '''
+    ... sheet = "birch-plywood-0.8"
+    ... max_width = 20
+    ... [[strips]]
+    ... label = "A"
+    ... curve = { spline = [[0, 0], [30, 60], [70, 60], [100, 0]], degree = 3 }
+    ... '''
+    >>> with TemporaryDirectory() as folder:
+    ...     file = Path(folder, "arch.toml")
+    ...     _ = file.write_text(text)
+    ...     model = read_model(file)
+    >>> [strip.label for strip in model.strips]
+    ['A']
+    """
+    from elastica_cad.design.design_file import read_design
+
+    return read_design(path, read_curves, read_surface).model()
 
 
 def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> "Surface":

@@ -172,7 +172,7 @@ def read_design(
     Parameters
     ----------
     path : path-like
-        TOML file with `schema = 1`. Names of files in it are relative to its folder.
+        TOML file. Names of files in it are relative to its folder.
     read_curves : callable
         Function that reads a curve file, such as `elastica_cad.read_curves`.
     read_surface : callable
@@ -211,7 +211,7 @@ def design_of(
     top, slips = Table(data, str(path), {}), Slips()
     with slips.gathering():
         top.only(*names_of(DesignKeys))
-    if data.get("schema") != DESIGN_SCHEMA:
+    if data.get("schema", DESIGN_SCHEMA) != DESIGN_SCHEMA:
         slips.add(note(
             "{file}: schema is {schema}; this version reads schema = {known}",
             file=path, schema=quoted(data.get("schema")), known=DESIGN_SCHEMA,

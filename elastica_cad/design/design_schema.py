@@ -97,6 +97,5 @@ def design_schema() -> dict[str, Any]:
         "$schema": "http://json-schema.org/draft-04/schema#",
         "title": "Design file of elastica_cad",
         **_table(tables()["design"]),
-        "required": ["schema"],
         "definitions": {name: _table(keys) for name, keys in tables().items() if name != "design"},
     }

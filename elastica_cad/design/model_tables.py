@@ -155,7 +155,7 @@ class Extras:
 class DesignKeys(SharedKeys):
     """All keys at the top of a design file."""
 
-    schema: Annotated[Literal[1], Option("Version of the keys in this file: 1.")]
+    schema: Annotated[Literal[1], Option("Version of the keys in this file.")] = 1
     name: Annotated[str | None, Option("Name of the model, and of its files.", most=60)] = None
     let: Annotated[
         dict[str, float] | None, Option("Names and values for formulae; each value may use earlier names.")

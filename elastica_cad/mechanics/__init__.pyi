@@ -31,6 +31,7 @@ from elastica_cad.mechanics.loads import (
     Supports as Supports,
     Weight as Weight,
 )
+from elastica_cad.mechanics.many_optimal_rods import optimal_rods as optimal_rods
 from elastica_cad.mechanics.moment_curvature import (
     ElasticPlasticLaw as ElasticPlasticLaw,
     MaterialLaw as MaterialLaw,

@@ -12,7 +12,7 @@ import pytest
 
 import elastica_cad as ec
 
-MOST = 80
+MOST = 81
 ROOMS = (
     "geometry",
     "mechanics",

@@ -11,6 +11,7 @@ from elastica_cad import (
     PlaneCurve,
     load_sheets,
     read_curves,
+    read_model,
     write_curves,
 )
 from elastica_cad.design import read_design
@@ -551,3 +552,11 @@ def test_a_count_of_strips_with_one_label_is_so_many_of_the_same_part(read):
     assert (part.name, len(part.members)) == ("S", 6)
     places = [placed.frame.origin for placed in design.model().placed]
     assert np.linalg.norm(np.diff(places, axis=0), axis=1).min() >= 20  # they stand behind each other
+
+
+def test_the_version_of_the_keys_may_be_left_out(tmp_path):
+    (tmp_path / "arch.toml").write_text(
+        'sheet = "card-200gsm"\nmax_width = 20\n[[strips]]\nlabel = "A"\n'
+        "curve = { spline = [[0, 0], [30, 60], [70, 60], [100, 0]], degree = 3 }\n"
+    )
+    assert [strip.label for strip in read_model(tmp_path / "arch.toml").strips] == ["A"]
