@@ -653,3 +653,17 @@ def test_arrays_and_clones_are_cut_as_often_as_they_stand(tmp_path):
     assert found["held by a plate"] == 2, "blocks for what stands on a plate"
     assert found["opened again"] == [{"Strip": 2}, {"Strip": 3}, {"Strip": 1}]
     assert "set its Scale to 1" in found["scaled"]
+
+
+@pytest.mark.campaign
+def test_flat_parts_of_copies_on_demand_and_in_a_drawing(tmp_path):
+    found = launching.run_window("flats.py", tmp_path)
+    (first, volume, _), (second, same, _) = found["pasted"]
+    assert [first, second] == ["Strip", "Strip001"]
+    assert same == pytest.approx(volume)
+    assert found["undone"], "the pasted strip and its flat part are one step"
+    assert found["redone"]
+    assert sorted(found["on demand"]) == ["Strip", "Strip001"]
+    assert found["on demand, undone"] == 1
+    assert found["again"] == "Every selected strip has its flat part."
+    assert found["edges"] > 8 + 10, "the outline, and the lines of five letters"

@@ -71,14 +71,13 @@ class Command:
         """Run the command, and show its error if it fails."""
         from freecad.elastica_wb.host.dialogs import show_message
         from freecad.elastica_wb.host.refusal import FAILURES, explained
+        from freecad.elastica_wb.undo_steps import active_steps, undo_new_steps
 
-        step = App.getActiveTransaction()
+        before = active_steps()
         try:
             self.run()
         except FAILURES as error:
-            if App.getActiveTransaction() != step:
-                # recorded, so that a macro undoes the same changes
-                Gui.doCommand("App.closeActiveTransaction(True)")
+            undo_new_steps(before)
             show_message(str(explained(error)))
 
 

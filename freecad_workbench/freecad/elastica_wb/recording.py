@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Recording of actions in macros: function calls, values of properties, and undo steps."""
+"""Recording of actions in macros: function calls and values of properties."""
 
 from collections.abc import Callable
 from typing import Any
@@ -42,18 +42,6 @@ def record_call(obj: Any, method: str, *arguments: Any) -> None:
 def record_recompute(document: Any) -> None:
     """Recompute a document by a Python line that macros record."""
     record_call(document, "recompute")
-
-
-def record_step(document: Any, name: str) -> None:
-    """Begin an undo step by a Python line that macros record, so that the macro can also undo the changes."""
-    record_call(document, "openTransaction", name)
-
-
-def record_end_of_step(document: Any, *, abort: bool = False) -> None:
-    """End an undo step, or with `abort` undo all its changes, by Python lines that macros record."""
-    record_call(document, "abortTransaction" if abort else "commitTransaction")
-    # otherwise, FreeCAD would add later unrelated changes to the step if the document was not changed
-    Gui.doCommand(f"App.closeActiveTransaction({abort})")
 
 
 def _written(value: Any) -> str:

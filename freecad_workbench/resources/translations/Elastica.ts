@@ -1470,6 +1470,10 @@
         <source>second</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Every selected strip has its flat part.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -2512,6 +2516,17 @@
     </message>
     <message>
         <source>Make a part that rests in both selected curves, such as a clip that snaps, and the plate that holds it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Flat</name>
+    <message>
+        <source>Flat part</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the flat part of each selected strip that has none, such as a copy</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

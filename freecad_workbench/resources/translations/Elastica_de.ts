@@ -1466,6 +1466,10 @@
         <source>second</source>
         <translation>zweiter</translation>
     </message>
+    <message>
+        <source>Every selected strip has its flat part.</source>
+        <translation>Jeder gewählte Streifen hat sein flaches Teil.</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -2509,6 +2513,17 @@
     <message>
         <source>Make a part that rests in both selected curves, such as a clip that snaps, and the plate that holds it</source>
         <translation>Ein Teil machen, das in beiden gewählten Kurven ruht, etwa eine Klammer, die umschnappt, und die Platte, die es hält</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Flat</name>
+    <message>
+        <source>Flat part</source>
+        <translation>Flaches Teil</translation>
+    </message>
+    <message>
+        <source>Make the flat part of each selected strip that has none, such as a copy</source>
+        <translation>Das flache Teil jedes gewählten Streifens erstellen, der keines hat, etwa einer Kopie</translation>
     </message>
 </context>
 </TS>

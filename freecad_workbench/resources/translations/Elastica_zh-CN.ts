@@ -1466,6 +1466,10 @@
         <source>second</source>
         <translation>第二</translation>
     </message>
+    <message>
+        <source>Every selected strip has its flat part.</source>
+        <translation>所选条带均已有平面件。</translation>
+    </message>
 </context>
 <context>
     <name>ElasticaBend</name>
@@ -2509,6 +2513,17 @@
     <message>
         <source>Make a part that rests in both selected curves, such as a clip that snaps, and the plate that holds it</source>
         <translation>制作在所选两条曲线中都能静止的零件，例如会突跳的卡扣，以及固定它的板</translation>
+    </message>
+</context>
+<context>
+    <name>Elastica_Flat</name>
+    <message>
+        <source>Flat part</source>
+        <translation>平面件</translation>
+    </message>
+    <message>
+        <source>Make the flat part of each selected strip that has none, such as a copy</source>
+        <translation>为所选条带中没有平面件者（例如副本）创建平面件</translation>
     </message>
 </context>
 </TS>

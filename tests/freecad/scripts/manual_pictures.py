@@ -153,6 +153,18 @@ def crossing():
     return strip_of(HILL, "B", 40, "Hill"), strip_of(CROSSING, "C", 40, "Crossing")
 
 
+def flat_again():
+    """The flat part of a strip that had lost it; this tool has no panel."""
+    strip = strip_of(label="RIB 7", upright=False)
+    choose(strip.Document.Flat)
+    assert trigger("Std_Delete")
+    choose(strip)
+    assert trigger("Elastica_Flat")
+    assert until(lambda: strip.Document.getObject("Flat") is not None)
+    look("flat", top=True)
+    close()
+
+
 def standing():
     """Two strips that are slotted into each other, in printed blocks."""
     opened("Elastica_Interlock", *crossing()).accept()
@@ -208,6 +220,7 @@ def work():
     by_panel("Elastica_Edit", *crossing(), StartTab=15.0)
     by_panel("Elastica_Perforate", strip_of(), OuterWidth=40.0)
     by_panel("Elastica_Laminate", strip_of(), OuterWidth=40.0)
+    flat_again()
     held = strip_of(LONG_WAVE, upright=False)
     held.Between = ["at = [180, -9]"]
     held.Document.recompute()

@@ -135,6 +135,16 @@ STRIPS = (
         in_sketch=True,
     ),
     Command(
+        name="Elastica_Flat",
+        text=QT_TRANSLATE_NOOP("Elastica_Flat", "Flat part"),
+        tip=QT_TRANSLATE_NOOP(
+            "Elastica_Flat", "Make the flat part of each selected strip that has none, such as a copy"
+        ),
+        run=actions.make_flat_parts,
+        has_subject=HAS_STRIP,
+        in_sketch=True,
+    ),
+    Command(
         name="Elastica_Rails",
         text=QT_TRANSLATE_NOOP("Elastica_Rails", "Rails, ties and loads"),
         tip=QT_TRANSLATE_NOOP(

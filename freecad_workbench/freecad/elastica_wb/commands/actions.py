@@ -21,17 +21,13 @@ from freecad.elastica_wb.features import curves, flat, flexure, model, nest
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.dialogs import show_message
 from freecad.elastica_wb.host.refusal import why_not_made
+from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.live import observers
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.panels.check import CheckPanel
 from freecad.elastica_wb.panels.feature_panels import panel_of
-from freecad.elastica_wb.recording import (
-    record_end_of_step,
-    record_recompute,
-    record_step,
-    record_value,
-    recorded,
-)
+from freecad.elastica_wb.recording import record_recompute, record_value, recorded
+from freecad.elastica_wb.undo_steps import close_step, open_step, open_step_and
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.pairs.flexure import STATES
@@ -67,9 +63,7 @@ def _close_sketch() -> None:
 
 def _edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
     """Make a feature in the open document and open its panel, in one undo step until OK."""
-    # begin the undo step first; otherwise closing the sketch would begin a step with another name
-    record_step(App.ActiveDocument, step)
-    _close_sketch()
+    open_step_and(_close_sketch, App.ActiveDocument, step)
     feature = recorded(make, App.ActiveDocument, *arguments)
     record_recompute(App.ActiveDocument)
     show_panel(panel_of, feature)
@@ -128,9 +122,7 @@ def bodies_and_path() -> tuple[list[Any], Any]:
 def make_strips() -> None:
     """Make a bent strip and its flat part for every selected curve, and open one panel for all strips."""
     drawn = chosen_curves()
-    # begin the undo step first; otherwise FreeCAD would give it another name
-    record_step(App.ActiveDocument, "Strip from sketch")
-    _close_sketch()
+    open_step_and(_close_sketch, App.ActiveDocument, "Strip from sketch")
     strips = [recorded(make_strip, source, edges, flat_part=False) for source, edges in drawn]
     for strip in strips:
         _add_flat(strip)
@@ -142,6 +134,17 @@ def make_strips() -> None:
 def _add_flat(strip: Any, layer: str = "Base") -> None:
     recorded(flat.create, strip.Document, strip, layer)
     record_recompute(strip.Document)  # recompute, so that the next flat part is placed beside this one
+
+
+def make_flat_parts() -> None:
+    """Make the flat parts that the selected strips lack, in one undo step."""
+    missing = [(strip, layer) for strip in chosen_strips() for layer in flat.missing_layers(strip)]
+    if not missing:
+        raise InputError(translate("Elastica", "Every selected strip has its flat part."))
+    open_step_and(_close_sketch, App.ActiveDocument, "Flat part")
+    for strip, layer in missing:
+        _add_flat(strip, layer)
+    close_step(App.ActiveDocument)
 
 
 def edit_strips() -> None:
@@ -162,14 +165,14 @@ def laminate() -> None:
     strips = chosen_strips()
     _even_out(strips, "Laminated", "Laminate")
     for strip in strips:
-        if not any(part.Layer == "Backing" for part in flat.flats_of([strip])):
-            _add_flat(strip, "Backing")
+        for layer in flat.missing_layers(strip):
+            _add_flat(strip, layer)
     show_panel(panel_of, strips[-1], strips)
 
 
 def _even_out(strips: list[Any], style: str, step: str) -> None:
     """Give strips a constant width: by default the largest width of the plain strip."""
-    record_step(App.ActiveDocument, step)
+    open_step_and(_close_sketch, App.ActiveDocument, step)
     usual = preferences.get("MaxWidth")
     for strip in strips:
         if strip.Style == "Plain" and strip.MaxWidth.Value and strip.OuterWidth.Value == usual:
@@ -181,7 +184,7 @@ def _even_out(strips: list[Any], style: str, step: str) -> None:
 def make_model() -> None:
     """Make slots where strips cross, hide the single strips, and open the panel of the model."""
     strips = chosen_strips(least=2)
-    record_step(App.ActiveDocument, "Interlock selected strips")
+    open_step(App.ActiveDocument, "Interlock selected strips")
     feature = recorded(model.create, App.ActiveDocument, strips)
     for part in flat.flats_of(strips):
         record_value(part, "Model", feature)
@@ -204,14 +207,14 @@ def make_nest() -> None:
     failed = [message for message in map(why_not_made, sources) if message]
     if failed:
         raise InputError("; ".join(failed))
-    record_step(document, "Nest on sheets")
+    open_step(document, "Nest on sheets")
     try:
         feature = recorded(nest.create, document, sources)
         record_recompute(document)
     except BaseException:
-        record_end_of_step(document, abort=True)
+        close_step(document, abort=True)
         raise
-    record_end_of_step(document)
+    close_step(document)
     # do not undo the step, because the parts may fit on sheets of another size
     if "Invalid" in feature.State:
         show_message(feature.getStatusString())

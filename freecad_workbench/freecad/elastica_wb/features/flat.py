@@ -14,7 +14,7 @@ from freecad.elastica_wb.features.strip import shown_strip
 from freecad.elastica_wb.host.objects import is_flat, is_model, is_strip
 from freecad.elastica_wb.host.property_table import Property
 from freecad.elastica_wb.host.resources import translate
-from freecad.elastica_wb.solving.strip_cache import flat_shape
+from freecad.elastica_wb.solving.strip_cache import engraved_shape
 
 from elastica_cad.errors import InputError
 from elastica_cad.strip.strip import Strip
@@ -34,7 +34,7 @@ class FlatFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Set the shape to that of the flat strip."""
+        """Set the shape to that of the flat strip, with its engraved text."""
         if obj.Strip is None or not is_strip(obj.Strip):
             raise InputError("The strip is missing. Choose a strip in the property Strip.")
         strip = _slotted(obj)
@@ -43,7 +43,7 @@ class FlatFeature(Feature):
             raise InputError(
                 "{strip} is not laminated and has no backing. Choose the layer Base.", strip=obj.Strip.Label
             )
-        obj.Shape = flat_shape(strip, layer)
+        obj.Shape = engraved_shape(strip, layer)
 
 
 def create(document: Any, strip: Any, layer: str = "Base") -> Any:
@@ -64,6 +64,12 @@ def create(document: Any, strip: Any, layer: str = "Base") -> Any:
 def layers_of(strip: Any) -> list[str]:
     """Return the names of the layers of a strip. Each layer is cut from a separate sheet."""
     return LAYERS if strip.Style == "Laminated" else LAYERS[:1]
+
+
+def missing_layers(strip: Any) -> list[str]:
+    """Return the layers of a strip that have no flat part."""
+    made = {part.Layer for part in flats_of([strip])}
+    return [layer for layer in layers_of(strip) if layer not in made]
 
 
 def _slotted(obj: Any) -> Strip:

@@ -25,8 +25,9 @@ from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live.preview import Place, Preview
 from freecad.elastica_wb.live.sketches import edited_sketch
 from freecad.elastica_wb.live.verdict_card import GAP_PX, STYLE, free_part, heading_style
-from freecad.elastica_wb.recording import record_call, record_end_of_step, record_step, recorded
+from freecad.elastica_wb.recording import record_call, recorded
 from freecad.elastica_wb.solving.verdicts import Verdict
+from freecad.elastica_wb.undo_steps import close_step, open_step
 
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
@@ -129,10 +130,10 @@ class BetweenClamps:
         if self.found is None:
             return
         document = self.sketch.Document
-        record_step(document, translate("Elastica_Between", "Curve of given length"))
+        open_step(document, translate("Elastica_Between", "Curve of given length"))
         self.number = recorded(replace_curve, self.sketch, self.number, self.found.curve)
         record_call(self.sketch, "solve")  # recorded, because solving moves points
-        record_end_of_step(document)
+        close_step(document)
 
     def _places(self) -> FloatArray:
         reach = REACH * float(np.hypot(*(self.ends[1] - self.ends[0])))

@@ -274,6 +274,18 @@ class Changes:
         for name in dict.fromkeys(obj.Document.Name for obj in pasted):
             recompute([obj for obj in pasted if obj.Document.Name == name and is_ours(obj)])
 
+    def slotBeforeCloseTransaction(self, abort: bool) -> None:
+        """Make the flat parts of pasted strips, in the undo step of the paste."""
+        pasted = [obj for obj in self._pasted if not abort and lives(obj) and is_strip(obj)]
+        if any(_is_importing(obj.Document) for obj in pasted):
+            return
+        for strip in pasted:
+            from freecad.elastica_wb.features import flat
+
+            self._pasted += [
+                flat.create(strip.Document, strip, layer) for layer in flat.missing_layers(strip)
+            ]
+
     def _soon(self) -> None:
         if not self._pending:
             self._pending = True

@@ -33,7 +33,7 @@ from freecad.elastica_wb.live.curve_picture import comb_scale, curve_picture, wi
 from freecad.elastica_wb.live.overlay import Overlay
 from freecad.elastica_wb.live.sketch_drag import Dragged
 from freecad.elastica_wb.live.verdict_card import VerdictCard
-from freecad.elastica_wb.recording import record_call, record_end_of_step, record_step, recorded
+from freecad.elastica_wb.recording import record_call, recorded
 from freecad.elastica_wb.solving.strip_cache import (
     SEARCHING,
     default_spec,
@@ -42,6 +42,7 @@ from freecad.elastica_wb.solving.strip_cache import (
     solve_strip,
 )
 from freecad.elastica_wb.solving.verdicts import Answer, Verdict, refusal_answer, strip_answer
+from freecad.elastica_wb.undo_steps import close_step, open_step
 from pivy import coin
 
 from elastica_cad.defaults import CUTTABLE_RATIO
@@ -120,10 +121,10 @@ class Session:
             self._show_answer(replace(self.card.answer, sentence=str(explained(error))))
             return
         self._placed = curve.control_points
-        record_step(document, translate("Elastica", "Use the nearest curve"))
+        open_step(document, translate("Elastica", "Use the nearest curve"))
         recorded(curve_into, self.sketch, curve)
         record_call(self.sketch, "solve")  # recorded, because solving moves points
-        record_end_of_step(document)
+        close_step(document)
         self.refresh()
 
     def _attach(self) -> None:

@@ -17,7 +17,8 @@ from freecad.elastica_wb.host.refusal import FAILURES, explained
 from freecad.elastica_wb.host.resources import icon, load_panel, quantities_of, translate
 from freecad.elastica_wb.host.words import worded
 from freecad.elastica_wb.live import session as live
-from freecad.elastica_wb.recording import record_end_of_step, record_recompute, record_step
+from freecad.elastica_wb.recording import record_recompute
+from freecad.elastica_wb.undo_steps import active_step, close_step, forget_step, open_step
 
 from elastica_cad._text import printable
 from elastica_cad.errors import InputError
@@ -50,8 +51,8 @@ class Panel:
         self._timer = later(self._safely_changed, PAUSE_MS, self.form)
         # earlier changes outside of an undo step, such as changes in the console, must not become part of
         # this step
-        if self.step and not (document.HasPendingTransaction and App.getActiveTransaction()):
-            record_step(document, self.step)
+        if self.step and not (document.HasPendingTransaction and active_step(document)):
+            open_step(document, self.step)
 
     def make_form(self) -> Any:
         """Make the form. Its message is at the top, so that it is visible without scrolling."""
@@ -77,7 +78,7 @@ class Panel:
             return False
         if self.document is not None:
             record_recompute(self.document)
-            record_end_of_step(self.document)
+            close_step(self.document)
         self._close()
         return True
 
@@ -85,7 +86,7 @@ class Panel:
         """Restore the state before the panel was opened (Cancel)."""
         self._timer.stop()
         if self.document is not None and document_lives(self.document):
-            record_end_of_step(self.document, abort=True)
+            close_step(self.document, abort=True)
             record_recompute(self.document)
         self._close()
         return True
@@ -95,7 +96,7 @@ class Panel:
         if self.form is None:
             return
         if self.step:
-            App.closeActiveTransaction(True)
+            forget_step()
         Gui.Control.closeDialog()
         self.form = None
         gc.collect()

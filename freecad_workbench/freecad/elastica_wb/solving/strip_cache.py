@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 import Part
-from freecad.elastica_wb.curves.part_shapes import make_solid
+from freecad.elastica_wb.curves.part_shapes import make_solid, make_wire
 from freecad.elastica_wb.curves.sketch_curves import MOST_DRAGGED
 from freecad.elastica_wb.host import preferences
 from freecad.elastica_wb.host.progress import in_background
@@ -30,6 +30,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import STRAIN_SLACK
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length, note
+from elastica_cad.strip.drawing import ENGRAVE
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.solids import BentSolid, BodyRecord, FlatSolid, glued
 from elastica_cad.strip.strip import Strip
@@ -277,6 +278,21 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
         return Part.Compound([make_solid(record) for record in glued(records)])
     record = records[layer]
     return make_solid(replace(record, frame=Frame()) if layer else record)
+
+
+@remembered
+def engraved_shape(strip: Strip, layer: int = 0) -> Part.Shape:
+    """Return the shape of `flat_shape`, with the engraved text as edges on its upper face.
+
+    Bodies of tapered thickness and stacks of plies have no plane face with the text.
+    """
+    shape = flat_shape(strip, layer)
+    if strip.layout.worked_size is not None or strip.layout.stack is not None:
+        return shape
+    face = Frame().shifted(z=strip.layers[layer].sheet.thickness)
+    strokes = strip.drawings()[layer].strokes
+    letters = [make_wire(stroke.path, face) for stroke in strokes if stroke.layer == ENGRAVE]
+    return Part.Compound([shape, *letters]) if letters else shape
 
 
 @remembered

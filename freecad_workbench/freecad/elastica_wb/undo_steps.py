@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+# SPDX-FileNotice: Part of the Elastica addon.
+
+"""Undo steps by Python lines that macros record, for every version of FreeCAD.
+
+A transaction belongs to the whole program up to FreeCAD 1.1, and to one document from FreeCAD 1.2.
+"""
+
+from collections.abc import Callable
+from typing import Any
+
+import FreeCAD as App
+import FreeCADGui as Gui
+from freecad.elastica_wb.recording import record_call
+
+
+def open_step(document: Any, name: str) -> None:
+    """Begin an undo step by a Python line that macros record, so that the macro can also undo the changes."""
+    record_call(document, "openTransaction", name)
+
+
+def open_step_and(close_sketch: Callable[[], None], document: Any, name: str) -> None:
+    """Begin an undo step, and close the open sketch in it."""
+    open_step(document, name)  # first, otherwise FreeCAD names the step after closing the sketch
+    close_sketch()
+    if not active_step(document):  # FreeCAD 1.2 ends the step with the sketch
+        open_step(document, name)
+
+
+def close_step(document: Any, *, abort: bool = False) -> None:
+    """End the undo step of a document, or with `abort` undo all its changes."""
+    record_call(document, "abortTransaction" if abort else "commitTransaction")
+    if not _of_documents():
+        # otherwise, FreeCAD would add later unrelated changes to the step if the document was not changed
+        Gui.doCommand(f"App.closeActiveTransaction({abort})")
+
+
+def active_step(document: Any) -> int:
+    """Return the number of the undo step into which changes of a document go, or 0."""
+    if _of_documents():
+        return int(document.getBookedTransactionID())
+    return (App.getActiveTransaction() or ("", 0))[1]
+
+
+def active_steps() -> dict[str, int]:
+    """Return the undo step of every open document that has one."""
+    steps = {name: active_step(document) for name, document in App.listDocuments().items()}
+    return {name: step for name, step in steps.items() if step}
+
+
+def undo_new_steps(before: dict[str, int]) -> None:
+    """Undo the steps that began after `active_steps` returned `before`."""
+    for name, document in App.listDocuments().items():
+        if active_step(document) not in (0, before.get(name)):
+            close_step(document, abort=True)
+
+
+def forget_step() -> None:
+    """Close the undo step of a document that was closed, unless FreeCAD did."""
+    if not _of_documents():
+        App.closeActiveTransaction(True)
+
+
+def _of_documents() -> bool:
+    return hasattr(App.Document, "getBookedTransactionID")
