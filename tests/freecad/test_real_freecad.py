@@ -391,6 +391,8 @@ def test_the_card_over_an_open_sketch(tmp_path):
     assert found["covered"] == []
     assert found["folded"] == [True, False, False]
     assert found["unfolded"] == [True, True]
+    assert found["small"] == [True, 0, True, True], "the curve is in sight; the card opens on request"
+    assert found["large again"]
     poles, shown, verdict = found["drawn"]
     assert shown == poles <= 24
     assert verdict == "can"

@@ -21,6 +21,7 @@ from inside import (
     picture,
     run,
     sketch,
+    still,
     until,
     window,
 )
@@ -55,6 +56,29 @@ def is_hidden(card, place):
 
 def pole(drawn, number):
     return tuple(drawn.Geometry[0].getPole(number))[:2]
+
+
+def in_a_small_view(drawn, card):
+    """The card where the view has little room: points of the curve below it; unfolded and folded by its button."""
+    main = Gui.getMainWindow()
+    main.showNormal()
+    main.resize(760, 520)
+    until(lambda: card.frame.parent().height() < 330)
+    fit("Top")
+    fit(height=150)
+    folded = until(lambda: not card.words.isVisible(), 10)
+    still(lambda: card.frame.geometry().getRect())
+    curve = drawn.Geometry[0]
+    span = curve.LastParameter - curve.FirstParameter
+    points = [tuple(curve.value(curve.FirstParameter + span * k / 60))[:2] for k in range(61)]
+    picture("small.png")
+    below = sum(is_hidden(card, point) for point in points)
+    click(card.fold)
+    opened = until(card.words.isVisible, 10)
+    still(lambda: card.frame.geometry().getRect())
+    picture("small-opened.png")
+    click(card.fold)
+    return [folded, below, opened, until(lambda: not card.words.isVisible(), 10)]
 
 
 def work():
@@ -96,6 +120,11 @@ def work():
     picture("folded.png")
     click(card.fold)
     answers["unfolded"] = [card.frame.height() > height / 2, card.words.isVisible()]
+    until(lambda: live.session().near is not None)
+    answers["small"] = in_a_small_view(drawn, card)
+    window()
+    fit(height=320)
+    answers["large again"] = until(card.words.isVisible, 10)
     until(lambda: live.session().near is not None)
     click(card.button)
     until(lambda: drawn.Geometry[0].NbPoles > len(BAD), 120)

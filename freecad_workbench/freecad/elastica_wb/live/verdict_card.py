@@ -24,6 +24,7 @@ CUBE_PX = 140  # space, pixels, for the navigation cube and the axes at the righ
 WIDEST_PX, FOLDED_PX = 480, 240
 # largest width of the card, as a fraction of the width of the view, so that the curve is visible beside it
 SHARE = 0.45
+SMALL = 0.2  # fraction of the view's area above which a card is folded if it would hide points
 LOOKED_MS = 100  # time, ms, after the last move of the camera, until the card is placed again
 FOLDED = "CardFolded"
 
@@ -60,6 +61,7 @@ class VerdictCard(QtCore.QObject):
             part.setFocusPolicy(QtCore.Qt.NoFocus)  # so that the sketcher receives keys
         self.answer: Answer | None = None
         self._tall = self._corner = 0
+        self._shrunk = self._stays_open = False  # folded by the size of the view; unfolded there by the user
         self._places: Sequence[Any] = ()
         self._over.installEventFilter(self)
         self._soon = later(self._place, LOOKED_MS, self)
@@ -126,14 +128,27 @@ class VerdictCard(QtCore.QObject):
             self._soon.start()
 
     def _turn(self, *_: Any) -> None:
-        preferences.put(FOLDED, not preferences.get(FOLDED))
+        if self._shrunk or self._stays_open:
+            self._stays_open = self._shrunk
+        else:
+            preferences.put(FOLDED, not preferences.get(FOLDED))
         self._place()
 
     def _place(self) -> None:
-        """Set the width of the card, and place the card and its buttons in a corner."""
+        """Place the card and its buttons in a corner. In a small view, fold the card if it would hide points."""
         if self._over is None:  # FreeCAD may report a camera move while it is closing the view
             return
-        folded, over = preferences.get(FOLDED), self._over
+        folded = preferences.get(FOLDED)
+        hidden = self._lay_out(folded=folded)
+        part = free_part(self._over)
+        is_small = self.frame.width() * self.frame.height() > SMALL * part.width() * part.height()
+        self._shrunk = not folded and not self._stays_open and is_small and hidden > 0
+        if self._shrunk:
+            self._lay_out(folded=True)
+
+    def _lay_out(self, *, folded: bool) -> int:
+        """Set the width of the card, and move the card. Return the number of points that it hides."""
+        over = self._over
         self.fold.setText("▴" if folded else "▾")
         self.fold.setFixedSize(self.fold.sizeHint())
         self.button.setFixedSize(self.button.sizeHint())
@@ -149,22 +164,23 @@ class VerdictCard(QtCore.QObject):
         layout.activate()
         tall = self.heading.sizeHint().height() if folded else layout.totalHeightForWidth(width)
         self.frame.setFixedHeight(tall)
-        x, y = self._free_corner()
+        (x, y), hidden = self._free_corner()
         self.frame.move(x, y)
         self.fold.move(x + width - self.fold.width() - 2, y + 2)
         self.button.move(x + GAP_PX, y + self.frame.height() - self.button.height() - GAP_PX // 2)
         self.fold.show()
+        return hidden
 
-    def _free_corner(self) -> tuple[int, int]:
-        """Return the position of the frame's upper left corner at which the frame hides the fewest points.
+    def _free_corner(self) -> tuple[tuple[int, int], int]:
+        """Return the upper left corner at which the frame hides the fewest points, and the number of these points.
 
         The current position is preferred to other positions with the same number.
         """
         over, size = self._over, self.frame.size()
         part = free_part(over)
         start, above = part.left() + GAP_PX, part.top() + GAP_PX
-        end = part.left() + part.width() - size.width() - CUBE_PX
-        below = part.top() + part.height() - size.height() - GAP_PX
+        end = max(start, part.left() + part.width() - size.width() - CUBE_PX)
+        below = max(above, part.top() + part.height() - size.height() - GAP_PX)
         corners = [(start, below), (start, above), (end, above), (end, below)]
         scale = self._view.getSize()[1] / over.height()
         seen = [
@@ -177,7 +193,7 @@ class VerdictCard(QtCore.QObject):
             return sum(left - GAP_PX < x < left + wide and top - GAP_PX < y < top + tall for x, y in seen)
 
         self._corner = min(range(len(corners)), key=lambda corner: (hidden(corner), corner != self._corner))
-        return corners[self._corner]
+        return corners[self._corner], hidden(self._corner)
 
 
 def free_part(over: Any) -> Any:
