@@ -38,7 +38,7 @@ NAMES = {
         "FabricationLimits", "Drawing", "save",
     ),
     "A strip that is moved": ("bend_strip", "strip.Travel", "plot.travel"),
-    "A rod with a cord": ("bow", "model.Bow"),
+    "A rod with a cord": ("bow", "model.Bow", "plot.bow"),
     "Sheets": ("Sheet", "sheet_names", "load_sheets"),
     "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
                "touching_widths"),

@@ -5,6 +5,7 @@ from elastica_cad.plot.strip_pictures import (
     strip as strip,
     strip_sheet as strip_sheet,
 )
+from elastica_cad.plot.bow_picture import bow as bow
 from elastica_cad.plot.check_picture import check as check
 from elastica_cad.plot.model_pictures import bodies as bodies, model as model
 from elastica_cad.plot.strip_pictures import travel as travel

@@ -4,9 +4,8 @@ import sys
 from pathlib import Path
 
 import elastica_cad as ec
+from elastica_cad import plot
 from elastica_cad.mechanics import RoundLaw
-from elastica_cad.plot import save_figure
-from elastica_cad.plot.bow_picture import bow as draw_bow
 
 GLASS = ec.Sheet("glass fibre rod", 5.0, 38000.0, density=1900.0, max_strain=0.01)
 
@@ -19,7 +18,7 @@ def main(folder="out/bow"):
         print(f"{name}: rod {bow.length:.0f} mm, cord {bow.cord:.0f} mm, rise {bow.rise:.0f} mm")
         print(f"    pull {bow.pull:.1f} N, {bow.deviation:.1f} mm from the drawn curve")
     Path(folder).mkdir(parents=True, exist_ok=True)
-    save_figure(draw_bow(even, even.shortened()), Path(folder) / "bow.png", force=True)
+    plot.save_figure(plot.bow(even, even.shortened()), Path(folder) / "bow.png", force=True)
     return even, taper
 
 

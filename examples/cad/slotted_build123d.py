@@ -21,7 +21,7 @@ OPTIONS = {
 with BuildPart() as bent:
     with BuildLine(Plane.XZ):
         Spline(*POINTS, tangents=TANGENTS)
-    rib = elastic_strip(form="bent", **OPTIONS)
+    rib = elastic_strip(**OPTIONS)
 
 with BuildPart() as flat:
     with BuildLine():

@@ -17,7 +17,7 @@ OPTIONS = {
     "label": "rib 1",
 }
 
-bent = Workplane("XZ").spline(POINTS, tangents=TANGENTS).elasticStrip(SHEET, form="bent", **OPTIONS)
+bent = Workplane("XZ").spline(POINTS, tangents=TANGENTS).elasticStrip(SHEET, **OPTIONS)
 flat = (
     Workplane("XY", origin=(0, -60, 0))
     .spline(POINTS, tangents=TANGENTS)

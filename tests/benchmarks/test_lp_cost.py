@@ -13,8 +13,8 @@ from tests.benchmarks.timing import seconds
 
 @pytest.fixture(scope="module")
 def plain(project_root):
-    """The names of examples/plain_highs.py: the programs of the paper, all rows written out."""
-    return runpy.run_path(str(project_root / "examples" / "plain_highs.py"))
+    """The names of docs/plain_highs.py: the programs of the paper, all rows written out."""
+    return runpy.run_path(str(project_root / "docs" / "plain_highs.py"))
 
 
 def half_ellipse(n):
@@ -68,7 +68,7 @@ def test_cost_hardly_grows_with_the_samples(benchmark):
 
 def test_all_strips_of_the_gallery(benchmark, plain, project_root):
     """The nine models of the paper: the same ratios from both, in a fraction of the seconds."""
-    gallery = runpy.run_path(str(project_root / "examples" / "gallery.py"))
+    gallery = runpy.run_path(str(project_root / "docs" / "gallery.py"))
     models = {
         name: [part.strip.rod for part in gallery["built"](name)[0].parts]
         for name, seconds_of_the_paper in gallery["PAPER"].items()

@@ -393,7 +393,7 @@ def test_a_model_is_saved_as_a_folder(built, tmp_path, check_drawing_file):
 
 def test_the_table_comes_from_a_run(project_root):
     """A row has a cell for each column, counts from the model and seconds from the clock."""
-    names = runpy.run_path(str(project_root / "examples" / "gallery.py"))
+    names = runpy.run_path(str(project_root / "docs" / "gallery.py"))
     model, found, solving, seconds = names["built"]("lantern")
     assert 0 < solving <= seconds
     cells = names["row"]("lantern", model, found, solving, seconds).strip("| ").split(" | ")
@@ -410,7 +410,7 @@ def test_the_table_comes_from_a_run(project_root):
 @pytest.mark.parametrize("name", [name for name in MODELS if name != "facade"])
 def test_the_table_is_of_the_models_as_they_are(name, built, project_root):
     """Sheets, counts, samples, size, ratios and deviation as made; seconds are those of the run that wrote it."""
-    names = runpy.run_path(str(project_root / "examples" / "gallery.py"))
+    names = runpy.run_path(str(project_root / "docs" / "gallery.py"))
     table = (project_root / "docs" / "models_in_numbers.md").read_text()
     (line,) = [
         one for one in table.split("\n") if one.startswith(f"| {name.replace('_', ' ')} | ") and "x" in one
@@ -419,7 +419,7 @@ def test_the_table_is_of_the_models_as_they_are(name, built, project_root):
     cells = names["row"](name, built(name), [], 0.0, 0.0).strip("| ").split(" | ")
     assert told[:5] == cells[:5]
     ratios = [[float(ratio) for ratio in one[5].split("-")] for one in (told, cells)]
-    assert ratios[0] == pytest.approx(ratios[1], abs=0.03), "write it again: python examples/gallery.py"
+    assert ratios[0] == pytest.approx(ratios[1], abs=0.03), "write it again: python docs/gallery.py"
     assert float(told[7].split()[0]) == pytest.approx(float(cells[7].split()[0]), abs=0.005, rel=2e-3)
 
 
@@ -433,7 +433,7 @@ def test_pictures_are_there_and_small(project_root):
 @pytest.mark.parametrize("name", ["s_curve", "projective", "robustness"])
 def test_studies_draw_themselves(name, example, project_root, tmp_path):
     """Texts of a picture do not overlap."""
-    drawn = runpy.run_path(str(project_root / "examples" / "studies.py"))["STUDIES"][name](example(name))
+    drawn = runpy.run_path(str(project_root / "docs" / "studies.py"))["STUDIES"][name](example(name))
     drawn.savefig(tmp_path / "drawn.png", dpi=drawn.dpi)
     texts = []
     for axes in drawn.axes:

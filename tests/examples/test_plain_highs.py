@@ -9,7 +9,7 @@ import elastica_cad as ec
 
 @pytest.fixture(scope="module")
 def plain(project_root):
-    return runpy.run_path(str(project_root / "examples" / "plain_highs.py"))
+    return runpy.run_path(str(project_root / "docs" / "plain_highs.py"))
 
 
 @pytest.mark.campaign

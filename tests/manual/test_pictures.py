@@ -69,9 +69,9 @@ def test_a_script_draws_it(picture):
     elif path.parent.name == "arch":
         assert picture == "examples/arch/arch.png"  # compared below
     else:
-        assert path.stem == path.parent.name  # drawn by examples/gallery.py
-        gallery = (ROOT / "examples" / "gallery.py").read_text(encoding="utf-8")
-        studies = (ROOT / "examples" / "studies.py").read_text(encoding="utf-8")
+        assert path.stem == path.parent.name  # drawn by docs/gallery.py
+        gallery = (ROOT / "docs" / "gallery.py").read_text(encoding="utf-8")
+        studies = (ROOT / "docs" / "studies.py").read_text(encoding="utf-8")
         assert f'"{path.stem}"' in gallery + studies
 
 
@@ -84,13 +84,13 @@ def test_tools_are_shown_in_every_language_and_small():
 
 
 def test_the_first_picture_is_drawn_by_its_script(tmp_path):
-    runpy.run_path(str(ROOT / "examples" / "gallery.py"))["draw_arch"](tmp_path / "arch.png")
+    runpy.run_path(str(ROOT / "docs" / "gallery.py"))["draw_arch"](tmp_path / "arch.png")
     told, drawn = (
         matplotlib.image.imread(p) for p in (ROOT / "examples/arch/arch.png", tmp_path / "arch.png")
     )
     assert drawn.shape[:2] == told.shape[:2]
     off = np.abs(drawn[..., :3] - told[..., :3]).mean()
-    assert off < 0.02, "draw it again: python examples/gallery.py --pictures"
+    assert off < 0.02, "draw it again: python docs/gallery.py --pictures"
 
 
 @pytest.mark.parametrize("page", ["curves", "tabs"])

@@ -1,7 +1,7 @@
 """Build every example, time it, draw it, and write docs/models_in_numbers.md.
 
-python examples/gallery.py             the table
-python examples/gallery.py --pictures  and NAME/NAME.png beside each script
+python docs/gallery.py             the table
+python docs/gallery.py --pictures  and NAME/NAME.png beside each script of examples/
 """
 
 import runpy
@@ -16,9 +16,9 @@ import elastica_cad as ec
 from elastica_cad.design.design_file import read_design
 from elastica_cad.forming import nearest_search, rod_solution
 
-HERE = Path(__file__).parent
-NUMBERS = HERE.parent / "docs" / "models_in_numbers.md"
-race = runpy.run_path(str(HERE / "plain_highs.py"))["race"]
+EXAMPLES = Path(__file__).parents[1] / "examples"
+NUMBERS = Path(__file__).with_name("models_in_numbers.md")
+race = runpy.run_path(str(Path(__file__).with_name("plain_highs.py")))["race"]
 # seconds for stiffness and fabricability, and in all, from Table 1 of the paper
 PAPER = {
     "shell": (1.44, 2.01),
@@ -86,10 +86,10 @@ def stopwatch():
 def built(name):
     """The model of an example, its nearest rods, the seconds that finding rods took, and those of the design."""
     if name == "pavilion":
-        design = read_design(HERE / "pavilion" / "pavilion.toml", ec.read_curves)
+        design = read_design(EXAMPLES / "pavilion" / "pavilion.toml", ec.read_curves)
         build = design.model
     else:
-        build = runpy.run_path(str(HERE / name / f"{name}.py"))["build"]
+        build = runpy.run_path(str(EXAMPLES / name / f"{name}.py"))["build"]
     with stopwatch() as (spent, answers):
         start = time.process_time()
         model = build()
@@ -104,9 +104,9 @@ def draw(name, model):
     from elastica_cad import plot
 
     if name == "facade":
-        model = runpy.run_path(str(HERE / name / f"{name}.py"))["states"]()
+        model = runpy.run_path(str(EXAMPLES / name / f"{name}.py"))["states"]()
     elevation, azimuth = VIEWS.get(name, (25.0, -60.0))
-    file = HERE / name / f"{name}.png"
+    file = EXAMPLES / name / f"{name}.png"
     figure = plot.model(model, elevation=elevation, azimuth=azimuth, flat=FLAT.get(name, 2))
     plot.save_figure(figure, file, force=True, resolution=90)
     Image.open(file).convert("RGB").quantize(48).save(file, optimize=True)
@@ -119,7 +119,7 @@ def draw_arch(file):
     from elastica_cad.plot.canvas import save_figure
     from elastica_cad.plot.strip_pictures import strip_sheet
 
-    (curve,) = ec.read_curves(HERE / "arch" / "arch.dxf")
+    (curve,) = ec.read_curves(EXAMPLES / "arch" / "arch.dxf")
     strip = ec.make_strip(curve, "birch-plywood-0.8", max_width=40, label="ARCH")
     save_figure(strip_sheet(strip), file, force=True, resolution=90)
     Image.open(file).convert("RGB").quantize(48).save(file, optimize=True)
@@ -151,6 +151,7 @@ def row(name, model, found, solving, seconds):
 
 
 def main(*options):
+    """Write the table of the models, and draw them on request."""
     lines = [
         "| model | sheets | strips (different) | samples | size, cm | R | from the target, mm | as made, mm "
         "| rods, s | paper | all, s | paper |",
@@ -175,14 +176,14 @@ def main(*options):
         if "--pictures" in options:
             draw(name, model)
     if "--pictures" in options:
-        draw_arch(HERE / "arch" / "arch.png")
+        draw_arch(EXAMPLES / "arch" / "arch.png")
     lines.append(
         f"| all of the paper's | | | | | | | | {total[0]:.2f} | {total[2]:.2f} | {total[1]:.2f} | {total[3]:.2f} |"
     )
     raced.append(race_row("all", *programs))
     text = (
         "# The paper's models in numbers\n\n"
-        "`python examples/gallery.py` writes this page from one run. Seconds are processor time. Columns:\n\n"
+        "`python docs/gallery.py` writes this page from one run. Seconds are processor time. Columns:\n\n"
         "- *from the target*: the largest distance of the design from the curve that was asked for, also as a "
         "share of the curve's length;\n"
         "- *as made*: the largest distance of the strip, as it is made and held, from its design;\n"

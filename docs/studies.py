@@ -1,6 +1,6 @@
-"""Pictures of the studies: NAME/NAME.png beside each script, on request.
+"""Pictures of the studies: NAME/NAME.png beside each script of examples/, on request.
 
-python examples/studies.py [NAME ...]
+python docs/studies.py [NAME ...]
 """
 
 import runpy
@@ -13,7 +13,7 @@ import elastica_cad as ec
 from elastica_cad import plot
 from elastica_cad.plot.strip_pictures import paint_flat
 
-HERE = Path(__file__).parent
+EXAMPLES = Path(__file__).parents[1] / "examples"
 WIDTH = 9.0  # inches
 INK, FAINT, MARK, OTHER = "#1f2430", "#8a8f98", "#c2452d", "#2f6db3"
 SHADES = ("#9ecae1", "#5b9fd0", INK, "#e59a5f", "#c2452d")
@@ -130,11 +130,12 @@ STUDIES = {"s_curve": s_curve, "projective": projective, "robustness": robustnes
 
 
 def main(*chosen):
+    """Draw the pictures of the studies."""
     from PIL import Image
 
     for name in chosen or STUDIES:
-        figure = STUDIES[name](runpy.run_path(str(HERE / name / f"{name}.py")))
-        file = HERE / name / f"{name}.png"
+        figure = STUDIES[name](runpy.run_path(str(EXAMPLES / name / f"{name}.py")))
+        file = EXAMPLES / name / f"{name}.png"
         plot.save_figure(figure, file, force=True, resolution=90)
         Image.open(file).convert("RGB").quantize(64).save(file, optimize=True)
 
