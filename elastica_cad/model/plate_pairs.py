@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from elastica_cad._types import FloatArray
+from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad._values import require_positive
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
@@ -30,13 +30,16 @@ from elastica_cad.model.plates import (
     tab_slot,
 )
 from elastica_cad.refusals import Length
-from elastica_cad.strip.outline import ENDS
+from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
 from elastica_cad.strip.strip import Placed
 from elastica_cad.strip.tab_seats import Lean, TabSeat, lean_against
 
 LEAN_ROUNDS = 6
 """Largest number of rounds in which slots are moved; three are usually enough."""
+
+CLEAR = 1e-6
+"""Fraction of a distance by which another must be smaller to decide the direction of a strip."""
 
 LEANED_MM = 0.03
 """The rounds end when slots move by less than this, mm. Each round reduces the movement to a tenth."""
@@ -237,6 +240,9 @@ def end_plates(
 ) -> tuple[BasePlate, ...]:
     """Return a plate for the tabs at each end of the strips, in the best plane for these tabs.
 
+    The ends are those of the first strip. A strip that was drawn opposite to its neighbours has its end at their
+    starts.
+
     Parameters
     ----------
     placed : sequence of Placed
@@ -278,12 +284,41 @@ def end_plates(
     names = [ring_options.name] if len(groups) == 1 else [f"{ring_options.name}-{end}" for (end,) in groups]
     if gap is not None:
         require_positive(gap, "the gap between two plates")
+    tabs_at = _tabs_at_ends(placed)
     plates: list[BasePlate] = []
     for group, name in zip(groups, names, strict=True):
-        plate = _plate(tabs_to_hold(placed, group), sheet, replace(ring_options, name=name))
+        plate = _plate(
+            [tab for end in group for tab in tabs_at[end]], sheet, replace(ring_options, name=name)
+        )
         outer = replace(ring_options, name=f"{name}-outer")
         plates += [plate] if gap is None else _add_second(placed, plate, outer, gap)
     return tuple(plates)
+
+
+def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
+    """Return the tabs of all strips at the start and at the end of the first strip."""
+    tabs = tabs_to_hold(placed)
+    pairs = [*zip(tabs[::2], tabs[1::2], strict=True)]
+    opposite = _opposite(np.array([[tab.frame.origin for tab in pair] for pair in pairs]))
+    ordered = [pair[::-1] if turned else pair for pair, turned in zip(pairs, opposite, strict=True)]
+    return {end: [pair[k] for pair in ordered] for k, end in enumerate(ENDS)}
+
+
+def _opposite(ends: FloatArray) -> BoolArray:
+    """Return True for each strip that is directed opposite to the first, from starts and ends (n, 2, 3).
+
+    A strip has the direction in which its ends are nearer to those of the nearest strip with a known direction.
+    """
+    apart = np.linalg.norm(ends[:, None, :, None] - ends[None, :, None, :], axis=-1)
+    alike, turned = apart[:, :, 0, 0] + apart[:, :, 1, 1], apart[:, :, 0, 1] + apart[:, :, 1, 0]
+    opposite, known = np.zeros((2, len(ends)), dtype=bool)
+    known[0] = True
+    while not known.all():
+        steps = np.where(known[:, None] & ~known, np.minimum(alike, turned), np.inf)
+        old, new = np.unravel_index(np.argmin(steps), steps.shape)
+        opposite[new] = opposite[old] ^ (turned[old, new] < (1 - CLEAR) * alike[old, new])
+        known[new] = True
+    return opposite
 
 
 def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions) -> tuple[BasePlate, ...]:

@@ -100,6 +100,34 @@ def test_of_two_rings_at_an_end_each_says_which_it_is():
         assert away.max() < reach - 0.4
 
 
+RIB = [(60, 0), (75, 40), (90, 90), (75, 140), (60, 180)]
+RADIAL = [(60, 0), (75, 50), (110, 70), (145, 50), (160, 0)]
+
+
+@pytest.mark.parametrize("points", [RIB, RADIAL], ids=["lamp", "radial"])
+@pytest.mark.parametrize("opposite", [(1,), (1, 3, 5), (2, 3, 4, 5), (0, 2)])
+def test_ribs_drawn_in_opposite_directions_are_sorted_into_rings(points, opposite):
+    """The slots are where they are if all ribs are drawn alike."""
+    ways = [ec.PlaneCurve.spline(line, degree=3) for line in (points, points[::-1])]
+    ribs = [
+        ec.make_strip(curve, "polypropylene-0.8", max_width=20, ends=(Tab(12), Tab(12))) for curve in ways
+    ]
+    turns = [(np.cos(t), np.sin(t), 0) for t in np.arange(7) * 2 * np.pi / 7]
+
+    def slots(turned):
+        lamp = [ec.Placed(ribs[k in turned], (0, 0, 0), axis, (0, 0, 1)) for k, axis in enumerate(turns)]
+        rings = end_plates(lamp, MDF)
+        middles = [
+            ring.frame.point([*np.mean(slot.corners, axis=0), 0.0]) for ring in rings for slot in ring.slots
+        ]
+        return [[len(ring.slots) for ring in rings], np.array(middles)]
+
+    (counts, alike), (sorted_counts, found) = slots(()), slots(opposite)
+    assert sorted_counts == counts == [7, 7]
+    found = np.roll(found, 7 if 0 in opposite else 0, axis=0)  # the ring of the first rib is first
+    assert np.abs(found - alike).max() < 0.05
+
+
 def test_a_pole_is_closed_by_a_cap(globe):
     """Strips that come in level lie under it, each on its seat, within its share of the turn."""
     foot, cap = globe.plates
