@@ -69,7 +69,7 @@ def _alone(package: str, name: str, needed: str) -> Any | None:
 
     The module is not added to `sys.modules`, because scipy loads its own copy later.
     """
-    # only located, because importing it would also import network modules and others
+    # scipy is only located, because importing it would also import network modules and others
     scipy = find_spec("scipy")
     places = None if scipy is None else scipy.submodule_search_locations
     spec = PathFinder.find_spec(

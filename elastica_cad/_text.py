@@ -11,7 +11,7 @@ from pathlib import PurePath, PurePosixPath, PureWindowsPath
 
 _SUSPECT = re.compile(
     r"[^ -~\n\xa0\u1680\u2000-\u200a\u202f\u205f\u3000]"
-)  # matches all characters except printable ASCII, line ends and spaces
+)  # pattern for all characters except printable ASCII, line ends and spaces
 
 
 def printable(text: str) -> str:

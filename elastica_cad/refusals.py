@@ -294,7 +294,7 @@ class Refusal(str):
         values, where = dict(values or {}), dict(where or {})
         sentence = ENGLISH.template(text)
         sentence = ENGLISH.vformat(sentence, (), values) if values else sentence
-        # control codes are escaped, because a traceback prints the text on a terminal
+        # `printable` escapes control codes, because a traceback prints the text on a terminal
         record = super().__new__(cls, printable(_with_places(sentence, where)))
         record.kind, record.text, record.severity = kind, text, severity
         record.values, record.where, record.changes = values, where, tuple(changes)
@@ -379,7 +379,6 @@ def _with_places(text: str, where: Mapping[str, Any]) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Convert a value to plain data for JSON."""
     if isinstance(value, bool | str) or value is None:
         return value
     if isinstance(value, int | float):

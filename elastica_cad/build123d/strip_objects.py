@@ -47,7 +47,6 @@ def add_joints(shape: Any, record: BodyRecord | PrismSolid) -> None:
 
 
 def _read_frame(location: bd.Location) -> Frame:
-    """Convert a build123d location to a frame."""
     plane = bd.Plane(location)
     return Frame(tuple(plane.origin), tuple(plane.x_dir), tuple(plane.y_dir))
 
@@ -440,8 +439,6 @@ class StripOutline(_Made, bd.BaseSketchObject):
 
 
 class _StripPart(_Made, bd.BasePartObject):
-    """Base of the strips that are part objects."""
-
     def __init__(
         self,
         path: Drawn,

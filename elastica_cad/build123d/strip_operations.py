@@ -284,7 +284,7 @@ def _child(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
     """Return a part of an assembly at its position. A strip has the property `strip`."""
     child: Any = bd.Part(solids[0].wrapped)
     if part.strip is not None:
-        child = PlacedStrip(bd.Compound(solids).wrapped, label=part.name)  # name the strip as its part
+        child = PlacedStrip(bd.Compound(solids).wrapped, label=part.name)
         base: Any = part.solids[0]
         child._made = MadeStrip(part.strip, Frame(), home=base.joints["start"])
         if len(solids) > 1:

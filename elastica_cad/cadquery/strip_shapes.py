@@ -33,7 +33,6 @@ if TYPE_CHECKING:
 
 
 def _read_frame(location: cq.Location) -> Frame:
-    """Convert a CadQuery location to a frame."""
     plane = cq.Plane(location)
     return Frame(plane.origin.toTuple(), plane.xDir.toTuple(), plane.yDir.toTuple())
 
@@ -313,7 +312,7 @@ class _Jointed(_Made):
         the strip's start or end.
         """
         here = self.location()
-        # not a dict, because viewers for both libraries would interpret a dict of this name as joints of
+        # a mapping that is not a dict, because viewers would interpret a dict named `joints` as joints of
         # build123d
         return MappingProxyType({name: here * place for name, place in self._joints.items()})
 

@@ -67,7 +67,7 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
     except click.Abort:  # click raises this exception for Ctrl-C
         return INTERRUPTED
     except OSError as problem:
-        if problem.filename is not None:  # the error concerns a file, not standard output
+        if problem.filename is not None:  # an error with a file name does not concern standard output
             raise
         return _unprinted(problem)
     return code if isinstance(code, int) else 0

@@ -156,7 +156,6 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
 
 
 def _print_files(written: tuple[Path, ...]) -> None:
-    """Report the written files, and the files that could not be written."""
     wrote(written)
     for missing in left_out(pictures=False, paper=True):
         say(missing)
@@ -232,7 +231,6 @@ def _write(
 
 
 def _report_batten(made: Batten, table: dict[str, FloatArray]) -> None:
-    """Print the report in rows, and the table of stations."""
     depth, place = made.camber
     quantity, lying = made.spec.stock.quantity, made.spec.lying
     level = "" if lying is None else f", level under its own weight and bulging {lying}"
@@ -254,7 +252,6 @@ def _report_batten(made: Batten, table: dict[str, FloatArray]) -> None:
 
 
 def _print_load(strip: Strip, end_force: float) -> None:
-    """Print the rows on force and strain, and warnings."""
     strain = (
         f"{100 * strip.max_strain:.2f} % at {strip.max_strain_at:.0f} mm; "
         f"{strip.sheet.name} allows {100 * strip.strain_limit:.2f} %"

@@ -271,7 +271,7 @@ def _gravity(chosen: dict[str, Any]) -> Gravity | None:
 
 
 def _solved(spec: RodSpec) -> Rod | NearestRod:
-    """Return the rod, and report messages about its curve."""
+    """Solve for the rod, print messages about its curve, and return the rod."""
     for note in spec.smoothing.notes:
         say(note)
     result = solve_rod(spec)
@@ -365,7 +365,6 @@ def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> d
 def _print_shapes(
     rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability], moved: Travel | None
 ) -> None:
-    """Print a table with a line for every shape, and a summary in rows."""
     states = [verdict.rating for verdict in verdicts]
     say_table(
         {

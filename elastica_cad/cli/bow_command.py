@@ -150,7 +150,6 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
 
 
 def _rows(made: Bow, *, known: bool) -> list[Row]:
-    """Return the report in rows."""
     strip, (start, end) = made.strip, np.degrees(made.end_angles)
     force = f"{made.pull:.3g} N" if known else f"{made.pull:.3g} N for each GPa of Young's modulus"
     shape = f"rise {made.rise:.1f} mm; ends at {start:.1f} and {end:.1f} degrees"
@@ -196,7 +195,6 @@ def _table(shares: list[float], shorter: Travel, *, known: bool) -> dict[str, An
 
 
 def _print_table(table: dict[str, Any]) -> None:
-    """Print the table of shorter cords."""
     formats = {
         "shorter_percent": "g",
         "cord_mm": ".1f",
@@ -223,7 +221,6 @@ def _write(
     name: str,
     chosen: dict[str, Any],
 ) -> tuple[Path, ...]:
-    """Write report, table, picture, and the drawing of a taper or a strip."""
     stem, strip = f"{name}-bow", made.strip
     files = [
         File(f"{stem}.csv", lambda path: write_text(path, csv_text(table))),

@@ -211,7 +211,7 @@ class _Request:
         outcome = self._smoothed(requested, verdict)
         report = report_check(verdict)
         report["advice"] = " ".join([*outcome, report["advice"]])
-        # the check reports noise itself
+        # leave out messages on noise, because the check reports noise, too
         of_curve = (message for message in smoothing.notes if message not in smoothing.noise)
         report["notes"] = [*outcome, *([ends.message] if ends else []), *of_curve]
         if verdict.realizable and self.alone:
@@ -267,7 +267,6 @@ def _new_folder() -> str:
 
 
 def _rows(report: dict[str, Any]) -> list[Row]:
-    """Return the printed rows of the report on a curve."""
     notes = [text for text in report.get("notes", ()) if text not in report["advice"]]
     possible = report["realizable"] and not report.get("undecided")
     verdict = Row("Verdict", " ".join([report["advice"], *notes]), severity="note" if possible else "error")

@@ -113,7 +113,6 @@ _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "wit
 
 
 def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Calibration) -> None:
-    """Warn if two readings differ by more than their errors explain."""
     readings = sorted(zip(result.readings, result.reading_uncertainties, measured, strict=True))
     (low, low_error, near), (high, high_error, far) = readings[0], readings[-1]
     if high - low > max(SIGMAS * hypot(low_error, high_error), LEAST_CONTRADICTION * low):
@@ -151,7 +150,7 @@ def _known(chosen: dict[str, Any]) -> Sheet:
             max_strain=GUESSED_STRAIN,
         )
     sheet = Sheet.named(chosen["sheet"])
-    if thickness is not None:  # the name is unchanged, although it contains the nominal thickness
+    if thickness is not None:  # the measured thickness does not change the name of the sheet
         sheet = replace(sheet.with_thickness(thickness), name=sheet.name)
     return sheet if density is None else replace(sheet, density=density, density_range=None)
 

@@ -85,7 +85,6 @@ def _explained(path: str, option: str) -> str:
 
 
 def _listed() -> str:
-    """Return the text of `elastica help`: all keys in their groups, each with its help."""
     known = paths_of(CommandKeys)
     lines = []
     for group in GROUPS:

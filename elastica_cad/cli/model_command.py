@@ -147,13 +147,13 @@ def _read_with_note(path: Path, *, unit: str | None = None) -> CurveList:
     """Read the curves of a file, and print a note if their size is doubtful."""
     curves = read_curves(path, unit=unit)
     message = f"{path.name}: {curves.file.unit.note}"
-    if curves.file.unit.note and message not in voice().notes:  # a file may have many strips
+    # print a note only once, although several strips may use the file
+    if curves.file.unit.note and message not in voice().notes:
         warn(message)
     return curves
 
 
 def _report(contents: KitContents, kit: Kit, output: Path) -> None:
-    """Print the report in rows: a row for each different strip, warnings, sheets and files."""
     answer(kit.report | {"folder": output})
     voice().files += [str(output / file.name) for file in kit.files]
     model, listed = contents.model, contents.cut_list
@@ -230,7 +230,6 @@ def _before_you_cut(contents: KitContents, kit: Kit, output: Path) -> None:
 
 
 def _warnings(model: Model) -> Iterator[Refusal]:
-    """Yield the warnings of all strips, with the names of the strips."""
     for part in model.parts:
         for text in part.strip.warnings:
             if voice().verbose or is_reported(text):

@@ -96,7 +96,6 @@ def option_of(
 
 
 def _typed_as(field: Field) -> tuple[Any, str | None]:
-    """Return the parameter type of an option and its placeholder in help."""
     from elastica_cad.design.records import written  # imports all records
 
     kinds = written(field.kind).alternatives

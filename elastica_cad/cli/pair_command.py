@@ -135,7 +135,6 @@ def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
 
 
 def _report(made: MadePair) -> None:
-    """Print the report in rows, with warnings before notes."""
     warnings = [warning_row(text) for text in made.warnings]
     for row in in_order([*pair_rows(made.part), *warnings]):
         say_row(row)

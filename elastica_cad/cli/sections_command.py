@@ -219,7 +219,6 @@ def _family_named(chosen: dict[str, Any]) -> str:
 
 
 def _spec(family: str, chosen: dict[str, Any], surface: Surface) -> SectionSpec:
-    """Return the request described by the options of the command."""
     splits: list[Split] = [PlaneSplit(numbers[3:], numbers[:3]) for numbers in chosen["splits"]]
     splits += [PointSplit(np.array(chosen["split_at"]))] if chosen["split_at"] else []
     if chosen["split_corners"] is not None:

@@ -57,7 +57,6 @@ MOST_ADVICE = 1
 
 
 def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
-    """Return the files that the options select."""
     reader, below = Reader(), Table({"cut": {}, "files": {}, **table}, "", {})
     cutting, more = (
         reader.value(kind_of(record), below, key) for key, record in (("cut", Cutting), ("files", FileKeys))
@@ -66,8 +65,6 @@ def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
 
 
 class _Grouped(click.Command):
-    """Command that lists its options in groups."""
-
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """Write each group with its heading."""
         for group, parameters in grouped(self.get_params(ctx)).items():
@@ -179,14 +176,12 @@ def _save_design(
 
 
 def _curve_keys(requested: RequestedCurve, folder: Path) -> dict[str, Any]:
-    """Return the keys of the curve for a design file in this folder."""
     unit = {"unit": requested.unit} if requested.unit else {}
     which: dict[str, Any] = {"id": requested.own} if requested.alone else {"number": requested.drawn.number}
     return {"file": seen_from(requested.path, folder), **(which if requested.count > 1 else {}), **unit}
 
 
 def _made(requested: RequestedCurve, spec: StripSpec) -> StripResult:
-    """Return the strip of a curve."""
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     if not spec.may_change:
         _ = requested.bendable(spec.smooth)

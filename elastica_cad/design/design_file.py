@@ -258,7 +258,7 @@ def parse_design(path: Path) -> dict[str, Any]:
         The file is not TOML or cannot be read.
     """
     try:
-        text = path.read_bytes().decode("utf-8-sig")  # accept a byte order mark
+        text = path.read_bytes().decode("utf-8-sig")  # "utf-8-sig" also accepts files with a byte order mark
         return parse_toml(text)
     except UnicodeDecodeError as error:
         raise InputError(

@@ -74,7 +74,6 @@ def fragment(kind: Kind) -> Fragment:
 
 
 def _table(keys: Keys) -> Fragment:
-    """Return the JSON schema of a table that may have only these keys."""
     return {
         "type": "object",
         "additionalProperties": False,

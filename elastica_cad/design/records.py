@@ -247,7 +247,6 @@ class Reader:
         return self.value(_chosen(kind.of, table.raw(key)), table, key)
 
     def _row(self, kind: Kind, table: Table, key: str) -> tuple[Any, ...]:
-        """Return the values of a list."""
         (inner,), rows = kind.of, table.raw(key)
         if inner.name == "number":
             return table.row(key) if kind.size is None else table.vector(key, kind.size)

@@ -237,7 +237,6 @@ def _between(strip: Strip) -> list[dict[str, Any]]:
 
 
 def _stations_report(strip: Strip, count: int) -> dict[str, Any]:
-    """Return stiffness and widths at `count` stations, uniform in arc length."""
     rod, layout = strip.rod, strip.layout
     s = np.linspace(0.0, rod.length, count)
     return {

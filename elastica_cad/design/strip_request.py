@@ -149,7 +149,8 @@ class FinishedStrip:
             )  # fmt: skip
         if rod.bending_stiffness is not None or rod.weight is not None or laid:
             rod = replace(rod, section=rod_spec.section, bending_stiffness=scale)
-            if isinstance(spec.style, Plain) and spec.law is None:  # the stiffness determines the widths
+            # the stiffness determines the widths, so the largest width follows from it
+            if isinstance(spec.style, Plain) and spec.law is None:
                 widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
                 spec = spec.changed(max_width=(1 + SAME_SHARE) * widest, min_width=None)
         return spec.make(rod)
@@ -167,7 +168,8 @@ def read_request(path: Path) -> Any:
         return None
     try:
         data = json.loads(path.read_bytes())
-    except (OSError, ValueError, RecursionError):  # refused later, by the reader of curves
+    # ignore the error here, because the reader of curves reports it later
+    except (OSError, ValueError, RecursionError):
         return None
     return data.get("request") if isinstance(data, dict) else None
 

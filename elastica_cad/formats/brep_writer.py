@@ -176,8 +176,6 @@ def _limits(segment: Segment) -> tuple[float, float]:
 
 
 class _Tables:
-    """The numbered tables of a BREP."""
-
     def __init__(self) -> None:
         self.traces: list[bytes] = []
         self.curves: list[bytes] = []

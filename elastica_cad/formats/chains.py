@@ -51,7 +51,7 @@ _CROWDED_CELLS = 4
 
 _Joints: TypeAlias = dict[
     tuple[int, int], tuple[int, int]
-]  # from an end to the end that it touches; an end is (number of the run, 0 for start or 1 for end)
+]  # mapping from each end to the end that it touches; an end is (number of the run, 0 for start or 1 for end)
 _Place: TypeAlias = tuple[int, float]  # position in a run: number of the edge, and parameter on it
 
 
@@ -238,7 +238,6 @@ def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tup
 
 
 def _source_of(run: Sequence[Edge]) -> Source:
-    """Return the shape of the run's first edge."""
     return run[0].source or Source()
 
 
@@ -259,7 +258,7 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
     crowd = np.bincount(i[apart <= reach[i] + reach.max()], minlength=len(ends))
     touching = (apart <= reach[i] + reach[j]) & (group[i] == group[j]) & (crowd[i] <= _CROWD)
     i, j = i[touching], j[touching]
-    paired = np.bincount(i, minlength=len(ends)) == 2  # each end also finds itself
+    paired = np.bincount(i, minlength=len(ends)) == 2  # the count is 2, because each end is also near itself
     partners = {}
     for k, other in zip(i.tolist(), j.tolist(), strict=True):
         end_a, end_b = divmod(k, 2), divmod(other, 2)
@@ -352,7 +351,7 @@ def _without_overlaps(
     limits: dict[int, list[_Place]] = {}
     least = max(
         tolerance, 2 * float(_digits_of_ends(runs).max())
-    )  # a shorter part is a gap caused by rounding
+    )  # a shorter common part is only a gap that rounding causes
     alone = _ends([runs[i] for i in range(len(runs)) if i not in dropped])
     for i, j in in_part:
         cuts = [] if {i, j} & dropped else _common_parts(runs[i], runs[j], tolerance, least)
@@ -577,7 +576,7 @@ def curve_from_points(
         _require_near(pieces[0], points, tolerance)
         return pieces[0].drawn_as(replace(drawn, measured=measured))
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
-    # noise and corners cannot be separated
+    # fall back to a polyline, because noise and corners cannot be separated
     drawn = (
         replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, noise=0.0))
     )
@@ -603,7 +602,6 @@ def _require_distance(distance: float, allowed: float) -> None:
 
 
 def _polyline(points: FloatArray) -> PlaneCurve:
-    """Return the polyline through points (n, 2) as a curve."""
     knots = np.repeat(lengths_along(points), 2)
     control = np.insert(points, slice(1, None), (points[:-1] + points[1:]) / 2, axis=0)
     return PlaneCurve(np.concatenate([knots[:1], knots, knots[-1:]]), control, 2)

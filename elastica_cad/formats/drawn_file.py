@@ -352,7 +352,7 @@ class DrawnFile:
         with name_source(self.path):
             return CurveList(
                 [curve.curve for curve in good or self.curves[:1]], self
-            )  # the first curve raises its error
+            )  # no curve is valid, so this raises the error of the first curve
 
 
 class CurveList(list[PlaneCurve]):
@@ -564,7 +564,7 @@ def _known(curves: Sequence[DrawnCurve]) -> str:
 
 
 def _parts(curve: DrawnCurve) -> set[str]:
-    """Return the names of a curve besides `name`: its id, and both names of a clone, "use1/path3"."""
+    """Return the alternative names of a curve: its id, and both parts of the name of a clone ("use1/path3")."""
     return {curve.id, *curve.name.split("/"), *curve.id.split("/")}
 
 

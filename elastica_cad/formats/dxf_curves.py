@@ -155,7 +155,8 @@ def read_dxf_drawing(
     shown = Provenance(
         place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"
     )
-    with np.errstate(over="ignore", invalid="ignore"):  # check_places refuses values that are not finite
+    # overflow is ignored here, because `check_places` later refuses values that are not finite
+    with np.errstate(over="ignore", invalid="ignore"):
         drawn = collect_curves(
             file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
             nothing="has no curve in its model space: draw a SPLINE, ARC, ELLIPSE, LINE or polyline there",
@@ -431,17 +432,18 @@ def _spline(entity: Any) -> Edge:
     degree = int(entity.dxf.degree)
     check_degree(degree)
     backwards = np.maximum.accumulate(knots) - knots
-    if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):  # knots written with too few decimals
+    # knots may decrease slightly if they were written with too few decimals
+    if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):
         knots = knots + backwards
     if weights is not None and len(weights) != len(points):
-        return Edge(knots, points, degree, weights)  # the constructor refuses these weights
+        # the constructor of Edge raises the error for these weights
+        return Edge(knots, points, degree, weights)
     poles = points if weights is None else np.column_stack([points, weights])
     knots, poles = _without_doubled_poles(*_unwound(knots, poles, degree, entity.closed), degree)
     return Edge(knots, poles[:, :3], degree, None if weights is None else poles[:, 3])
 
 
 def _is_flat(helix: Any) -> bool:
-    """Return True if all turns of a HELIX are in the same plane."""
     return bool(abs(helix.dxf.turns * helix.dxf.turn_height) <= FLAT_HELIX * abs(helix.dxf.radius))
 
 

@@ -145,7 +145,6 @@ def _through_ezdxf(
 
 
 def _entities(space: Any, path: Path, on: dict[str, Any]) -> Iterator[Any]:
-    """Yield the entities that draw a path."""
     if circle := _circle(path):
         yield space.add_circle(circle.center, circle.radius, on)
     elif not path.has_splines:
@@ -243,7 +242,6 @@ def _check_old_names(styles: Mapping[str, LayerStyle]) -> None:
 
 
 def _circle(path: Path) -> Arc | None:
-    """Return the circle if the path is a whole circle, else None."""
     first = path.segments[0]
     return first if len(path.segments) == 1 and isinstance(first, Arc) and first.is_circle else None
 

@@ -51,7 +51,7 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
         data = json.loads(file.read_bytes())
     except RecursionError as error:
         raise InputError("has lists or records nested too deeply: give a file that elastica wrote") from error
-    except ValueError as error:  # also raised for an integer of thousands of digits
+    except ValueError as error:  # this error is also raised for an integer of thousands of digits
         raise InputError(
             "is not JSON ({partition}): export it again", partition=str(error).partition(";")[0]
         ) from error

@@ -139,7 +139,6 @@ def _broken(text: str, at: int) -> InputError:
 
 
 def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
-    """Draw a command."""
     origin = pen.here if relative else np.zeros(2)
     if kind == "Z":
         if np.any(pen.here != pen.start):

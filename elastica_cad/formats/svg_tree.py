@@ -31,7 +31,7 @@ _PROPERTIES = frozenset((
 ))  # fmt: skip
 """Properties that affect the visibility and position of curves."""
 
-_OF_PARENT = ("inherit", "unset")  # values that select the value of the parent element
+_OF_PARENT = ("inherit", "unset")  # CSS values that select the value of the parent element
 _SCREEN = re.compile(r"\s*((only\s+)?(all|screen)|not\s+(print|speech))?\s*", re.IGNORECASE)
 _PRINT = re.compile(r"\s*((only\s+)?(print|speech)\b.*|not\s+(all|screen))\s*", re.IGNORECASE)
 _DYNAMIC = re.compile(r"::|:(hover|active|focus|visited|target|before|after)", re.IGNORECASE)
@@ -59,7 +59,7 @@ Each part has the preceding combinator and the simple selectors of an element.
 class _Rule(NamedTuple):
     steps: _Steps
     weight: tuple[int, ...]
-    declared: list[tuple[str, str, bool]]  # name, value, and True for a declaration with !important
+    declared: list[tuple[str, str, bool]]  # CSS declarations: name, value, and True for !important
 
 
 def _apply_styles(root: Element) -> list[str]:
@@ -221,7 +221,6 @@ class _Tree:
                 here = None if once else way.get(here)
 
     def _has(self, element: Element, part: re.Match[str]) -> bool:
-        """Return True if a simple selector matches the element."""
         if part["place"]:
             place = part["place"].lower()
             if element not in self.around or place == "root":
@@ -295,7 +294,8 @@ _HELD = ("svg", "symbol")
 
 Box = tuple[float, float, float, float]
 Extent = tuple[float, float]
-Fit = tuple[float, float, float, float]  # scale along x, scale along y, and position (x, y) of the origin
+# fit of a drawing in a box: scale along x, scale along y, and position (x, y) of the origin
+Fit = tuple[float, float, float, float]
 
 
 def _fit_views(root: ElementTree.Element) -> None:
@@ -686,7 +686,8 @@ def _refuse_bombs(tree: SvgTree) -> None:
             size = len(element.get("d", "")) + len(element.get("points", ""))
             for node in below:
                 if node is links.get(element) and node in state and not state[node][0]:
-                    unlink(element)  # the expansion of this clone contains no shapes
+                    # links are removed, because the expansion of this clone contains no shapes
+                    unlink(element)
                 elif node in state:
                     shapes, elements, size = (
                         mine + its for mine, its in zip((shapes, elements, size), state[node], strict=True)

@@ -122,7 +122,8 @@ def write_atomically(
                 else:
                     file.write(content)
                 file.close()
-                check_target(path, force=force)  # another process may have written the file
+                # check again, because another process may have written the file in the meantime
+                check_target(path, force=force)
                 os.replace(temporary, target)
             except BaseException:
                 file.close()  # Windows cannot remove an open file
@@ -342,7 +343,6 @@ def _take(lock: BinaryIO | FileIO) -> None:
 
 @contextmanager
 def _refusals(folder: str | os.PathLike[str]) -> Iterator[None]:
-    """Convert errors of the file system to InputError."""
     try:
         yield
     except OSError as problem:
@@ -379,8 +379,8 @@ def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool
 
 
 def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) -> None:
-    """Move all files from the temporary folder to their target folder."""
-    _check(target, names, force=force)  # in the meantime another process may have written files
+    # check again, because another process may have written files in the meantime
+    _check(target, names, force=force)
     if not target.exists():
         target.parent.mkdir(parents=True, exist_ok=True)
         os.rename(workshop, target)

@@ -111,7 +111,6 @@ def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
 
 
 def _label_lines(strip: Strip) -> list[str]:
-    """Return the lines of text below a side view."""
     law, sheet = strip.layout.section, strip.sheet
     flat = law is not None and law.quantity == "thickness"
     # remove the sheet's thickness from its name, because the stock has another thickness
@@ -208,7 +207,7 @@ class BattenSpec:
         try:
             taper, chord = self._taper()
         except NotConvergedError:
-            if self.lying is not None:  # the message already describes the effect of the weight
+            if self.lying is not None:  # with weight, the message is already complete
                 raise
             raise self._too_thin(0.5 - self.place, self._even_chord, "") from None
         thin = self.stock.largest * np.exp(-abs(taper))

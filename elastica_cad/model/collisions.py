@@ -183,7 +183,8 @@ def deepest_collision(first: Body, second: Body, room: float = 0.0) -> Collision
 def _flush_overlap(first: Body, second: Body) -> Collision | None:
     """Return the deepest overlap, outside slots, of two strips with nearly parallel surfaces.
 
-    Smaller overlaps than `EDGES_TOUCH_MM`, or than half the thickness of the thinner strip, are ignored.
+    Overlaps up to `EDGES_TOUCH_MM`, or up to half the thickness of the thinner strip if that is less, are
+    ignored.
     """
     return _deeper(
         first, second, 0.0, min(EDGES_TOUCH_MM, first.thickness / 2, second.thickness / 2), is_flush=True

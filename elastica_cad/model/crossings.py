@@ -242,8 +242,8 @@ class Ruling:
     strips: tuple[RuledStrip, RuledStrip]
     s_a: float
     s_b: float
-    offset: float  # distance from gamma_a to gamma_b along z_a
-    sign: float  # z_b = sign * z_a
+    offset: float  # distance from the curve gamma_a to the curve gamma_b along the ruling z_a
+    sign: float  # +1 if the rulings z_a and z_b have equal directions, -1 if they are opposite
     reach: float
 
     @property
@@ -443,7 +443,6 @@ def _joined(
     first: int,
     second: int,
 ) -> list[tuple[FloatArray, FloatArray]]:
-    """Return the pieces joined at their common ends."""
     counts = {"a": first, "b": second}
     homes: dict[tuple[str, int, int], list[int]] = {}
     for i, pair in enumerate(ends):
@@ -490,7 +489,7 @@ LENGTH_POINTS = 33
 
 @dataclass(frozen=True, eq=False)
 class CrossingPoints:
-    """Common points of both strips.
+    """Points that two strips have in common.
 
     Attributes
     ----------

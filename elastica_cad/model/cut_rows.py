@@ -98,7 +98,7 @@ class CutList:
         return CutList(tuple(replace(row, file=files.get(row.part, row.file)) for row in self.rows))
 
     def __str__(self) -> str:
-        """Return a printed table with the sums below."""
+        """Return the list as a table of text, with the sums in its last line."""
         body = [[text.format(row) for text in TABLE_COLUMNS.values()] for row in self.rows]
         sums = [TABLE_COLUMNS[name].format(self) if name in SUMMED else "" for name in TABLE_COLUMNS]
         return _table([[*TABLE_COLUMNS], *body, ["in all", *sums[1:]]], right=(2, 3, 4, 5, 6))

@@ -108,7 +108,7 @@ def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> lis
 
 
 def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
-    """Return the placed tabs as `place_tabs` does, and refuse strips whose ends fit no holder."""
+    """Place the tabs of all strips in space, like `place_tabs`. Refuse strips whose ends fit no holder."""
     require_ends(ends)
     for member, name in zip(require_placed(placed), strip_names(placed), strict=True):
         _require_holdable(member.strip, name)
@@ -123,7 +123,6 @@ def require_ends(ends: object) -> None:
 
 
 def _require_holdable(strip: Strip, name: str | None = None) -> None:
-    """Refuse a strip with ends that no holder of this package fits."""
     if strip.layout.stack is not None:
         raise InputError(
             f"{name or strip.label or 'strip'}: a holder does not fit a stack of plies, which "
@@ -379,7 +378,6 @@ class EndFixture(EqualByValue):
         return FlatSolid(_polygon(corners), (), across, self._profile.shifted(z=-across / 2))
 
     def _pocket(self) -> FlatSolid:
-        """Return the pocket of the tab, which is open towards the strip."""
         half = self.tab.thickness / 2 + self.clearance
         back, front = self.tab.length + self.clearance, -BEYOND_MM
         shift, turn = self.lean

@@ -283,8 +283,6 @@ def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
 
 @dataclass(frozen=True, eq=False)
 class _Cutter:
-    """Builder of slots at crossings."""
-
     strips: tuple[Strip, ...]
     names: tuple[str, ...]
     clearance: float

@@ -278,7 +278,6 @@ def _drawing(
     upright: bool,
     name: str,
 ) -> NestedSheet:
-    """Return the drawing of a sheet, with its pieces in the order of the model."""
     room = size[1] - margin if upright else size[0] - margin
     laid = []
     for place in sorted(places, key=lambda place: place.box.piece):

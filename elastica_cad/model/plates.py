@@ -337,8 +337,9 @@ def _round(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tu
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
-    """Return the radii of the largest circle inside and the smallest circle outside of loops (4, 2), `border`
-    mm apart from them.
+    """Return the radii of a circle inside and a circle outside of all loops (4, 2).
+
+    The circles have the centre `center`, and their distance from the loops is `border` mm.
     """
     points = np.concatenate([(loop + np.roll(loop, shift, axis=0)) / 2 for loop in loops for shift in (0, 1)])
     away = np.hypot(*(points - center).T)

@@ -81,7 +81,7 @@ class DrawingProcess:
         self._process.kill()
         self._process.wait()
         for pipe in (self._input, self._output):
-            with suppress(OSError):  # closing fails if the process has not read a request
+            with suppress(OSError):  # closing the pipe fails if the process has not read a request
                 pipe.close()
         self._folder.cleanup()
 
@@ -131,7 +131,7 @@ def serve() -> None:
     import elastica_cad.plot.strip_pictures  # noqa: F401
 
     Image.preinit()
-    with suppress(EOFError):  # raised when the command has ended
+    with suppress(EOFError):  # EOFError is raised when the command has ended
         while True:
             command, pictures = pickle.load(sys.stdin.buffer)
             MADE_BY.set(command)

@@ -327,7 +327,6 @@ def _flat_height(parts: Sequence[EqualStrips], longest: float) -> float:
 
 
 def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> None:
-    """Draw the flat parts with their names, one above another."""
     y = 0.0
     for part in parts:
         strip = part.strip

@@ -156,7 +156,6 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
 
 
 def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> Panel:
-    """Return the height and the spaces of the drawing of a bent rod."""
     if wish is not None:
         require_curve(wish)
     shown = [rod.position, comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
@@ -209,7 +208,6 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[He
 
 
 def _paint_stiffness(axes: Axes, rod: Rod) -> None:
-    """Draw the stiffness along a rod."""
     s = np.linspace(0.0, rod.length, 1201)
     stiffness = rod.profile(s)
     axes.plot(s, stiffness, color=INK, linewidth=1.6)
@@ -224,14 +222,12 @@ def _paint_stiffness(axes: Axes, rod: Rod) -> None:
 
 
 def _flat_panel(strip: Strip) -> Panel:
-    """Return the height and the spaces of the drawing of a flat strip."""
     (left, bottom), (right, top) = strip.outline.bounds
     tall = float(np.clip(WIDE * ((top - bottom) / (right - left) + 0.13), 1.2, 4.5))
     return STIFFNESS._replace(height=tall, below=0.08)
 
 
 def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
-    """Draw the flat strip with its dimensions."""
     paint_flat(axes, strip)
     (left, bottom), (right, top) = strip.outline.bounds
     length, free = right - left, strip.rod.length
@@ -433,6 +429,5 @@ def travel(moved: Travel) -> Figure:
 
 
 def _blend(first: str, last: str, count: int) -> list[tuple[float, float, float]]:
-    """Return `count` colours from `first` to `last`."""
     a, b = (np.array([int(c[i : i + 2], 16) / 255 for i in (1, 3, 5)]) for c in (first, last))
     return [tuple(a + (b - a) * part) for part in np.linspace(0, 1, max(count, 2))][-count:]

@@ -171,7 +171,6 @@ def save_templates(
 
 
 def _pages(drawing: Drawing, tiling: Tiling) -> Iterator[Any]:
-    """Yield one figure for each tile."""
     from matplotlib.figure import Figure
 
     for k, name in enumerate(tiling.names):

@@ -415,7 +415,7 @@ def _nearest(request: Mapping[str, Any]) -> Record:
     assert isinstance(near, NearestRod)
     try:
         curve = near.curve
-    except NotConvergedError:  # raised if the rest shape has no spline with few control points
+    except NotConvergedError:  # this error means that the rest shape has no spline with few control points
         curve = near.rod.curve
     return {
         "curve": curve_table(curve),
@@ -511,7 +511,8 @@ def _bend(request: Mapping[str, Any]) -> Record:
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
     pulled = bend_strip(strip, [led(part, flat, 1.0) for part in parts])
     frames = [_frame(strip, pulled, k, 1 - parts[k]) for k in range(len(parts))][::-1]
-    # raised if the strip cannot be pressed further; then only the shapes from flat to the design are shown
+    # if an error shows that the strip cannot be pressed further, only the shapes from flat to the design are
+    # shown
     with suppress(ElasticaError):
         more = np.arange(1, PRESSED_STEPS + 1) / PRESSED_STEPS
         pressed = bend_strip(strip, [led(part, end - PRESSED_SHARE * chord, 0.0) for part in more])
@@ -531,7 +532,6 @@ def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
 
 
 def _model(request: Mapping[str, Any]) -> Record:
-    """Return all strips and holders of the model, placed in space."""
     design = _design(request)
     kit = kit_contents(design.model(), design.kit, entries=design.entries, effects=True)
     messages = list(dict.fromkeys((*kit.notes, *kit.model.reports)))

@@ -133,7 +133,8 @@ class Studio:
     def __init__(self, entrance: Entrance, path: Path | None = None) -> None:
         self.path = path
         if path is not None and path.exists():
-            open_design(path)  # raises an error in the terminal for an invalid design, before the page opens
+            # read the design once, so that an invalid design is refused in the terminal before the page opens
+            open_design(path)
         file = None if path is None else path.name
         self._hello = page_words() | {
             "do": "hello",
@@ -224,7 +225,8 @@ def bound_socket(port: int) -> socket.socket:
         Another program uses the port.
     """
     bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-    if os.name == "posix":  # otherwise recently closed connections would block the port for a minute
+    # without SO_REUSEADDR, recently closed connections would block the port for a minute
+    if os.name == "posix":
         bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         bound.bind((HOST, port))

@@ -75,7 +75,7 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
         response = refused(problem)
     except MemoryError:
         response = refused(InputError("There is not enough memory. Request less, such as fewer strips."))
-    # raised for an invalid request, for example from a page of another version; the worker continues
+    # answer any exception, such as for an invalid request of an old page, so that the worker continues
     except Exception:
         traceback.print_exc()
         response = refused(
@@ -114,7 +114,8 @@ def _worded(value: Any, words: Wording) -> Any:
 
 
 def _limit_memory() -> None:
-    with suppress(ImportError, OSError, ValueError):  # on Windows, the address space cannot be limited
+    # ignore errors, because Windows cannot limit the address space
+    with suppress(ImportError, OSError, ValueError):
         import resource
 
         resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))

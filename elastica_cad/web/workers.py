@@ -86,7 +86,8 @@ class Workers:
                     reason = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
                     refusal = InputError(f"The request {reason}. Use fewer strips, samples or holes.")
                     kind, content = b"text", refused_answer(head, refusal)
-                with suppress(Exception):  # raised if the page was closed while its request was computed
+                # sending fails if the page was closed while its request was computed
+                with suppress(Exception):
                     await send(kind, content)
         finally:
             if process is not None:
@@ -98,7 +99,6 @@ async def _nobody(_: bytes, __: bytes) -> None:
 
 
 async def _started(saved: Path | None) -> asyncio.subprocess.Process:
-    """Start a worker process."""
     command = [*python_command("elastica_cad.web.worker", "main"), *([str(saved)] if saved else [])]
     pipe = asyncio.subprocess.PIPE
     # start it in a separate session, because Ctrl-C must not reach a worker; the server ends it

@@ -133,6 +133,7 @@ def register() -> None:
 def _show_state(on: bool) -> None:
     command = Gui.Command.get(LIVE.name)
     for action in command.getAction() if command is not None else []:
-        action.blockSignals(True)  # change the check mark without running the command
+        # signals are blocked, so that changing the check mark does not run the command
+        action.blockSignals(True)
         action.setChecked(on)
         action.blockSignals(False)

@@ -199,5 +199,4 @@ def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
 
 
 def _at(origin: Any) -> App.Placement:
-    """Return a placement with this origin and without rotation."""
     return App.Placement(App.Vector(*origin), App.Rotation())

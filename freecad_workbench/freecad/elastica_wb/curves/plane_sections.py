@@ -163,7 +163,8 @@ def box_of(source: Any) -> Any:
     """Return the bounding box of an object in document coordinates."""
     mesh = _mesh(source)
     if mesh is None:
-        return _shape(source).optimalBoundingBox(False)  # not the box of the poles, which is larger
+        # `BoundBox` is not used, because it contains the poles of splines and is larger
+        return _shape(source).optimalBoundingBox(False)
     box = App.BoundBox()
     for point in mesh[0][[*np.argmin(mesh[0], axis=0), *np.argmax(mesh[0], axis=0)]]:
         box.add(App.Vector(*point.tolist()))
@@ -235,7 +236,6 @@ def section_sketches(document: Any, source: Any, curves: Sequence[SectionCurve])
 
 
 def _shape(obj: Any) -> Part.Shape:
-    """Return the shape of an object or a link, in document coordinates."""
     shape = Part.getShape(obj)
     if not shape.isNull():
         shape.Placement = container(obj) * shape.Placement

@@ -93,13 +93,13 @@ def _beside(strip: Any) -> App.Placement:
     # largest width of the outline, whatever the style is
     width = max(strip.MaxWidth.Value, strip.OuterWidth.Value)
     if source is not None and not _box(source).isValid():
-        source.recompute()  # the sketch may not be recomputed, for example after an undo
+        source.recompute()  # recompute the sketch, because it may be outdated, for example after an undo
     box = _box(source)
     if not is_bounded(box):
         return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())
     y = box.YMin - GAP_MM - width
     left, right = box.XMin - strip.StartTab.Value, box.XMin + source.Shape.Length + strip.EndTab.Value
-    # in order from the back to the front
+    # the boxes are tried in order from the back to the front
     for other in sorted(_lying(strip), key=lambda flat_box: -flat_box.YMax):
         if (
             other.XMin < right

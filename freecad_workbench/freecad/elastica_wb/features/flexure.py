@@ -98,7 +98,8 @@ class FlexureFeature(Feature):
         part = flexure_of(obj)
         shapes = [make_solid(solid) for _, solid in solids_of(part, obj.Form)]
         obj.Shape = shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
-        if obj.Form != "As cut":  # otherwise the user may place the part anywhere
+        # the placement of the part as cut is not changed, because the user may choose it
+        if obj.Form != "As cut":
             obj.Placement = drawn_curve(obj.Curve, obj).placement
         travel = part.travel
         put(
@@ -196,7 +197,6 @@ def drawings_of(part: Flexure, name: str) -> Iterator[tuple[str, Drawing]]:
 
 
 def _bent(part: Flexure, line: CentreLine) -> FlatSolid:
-    """Return the body of a part that is bent to a centre line."""
     holes = [Path.circle(place, part.pad.hole / 2) for place in part.hole_places(line).reshape(-1, 2)]
     return FlatSolid(part.outline_along(line), tuple(holes), part.sheet.thickness)
 

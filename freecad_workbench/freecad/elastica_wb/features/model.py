@@ -155,7 +155,7 @@ def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
     """
     try:
         return _sought(model_of(obj))
-    except FAILURES:  # the recompute has reported it
+    except FAILURES:  # ignore the error, because the recompute has reported it
         return None
 
 

@@ -56,7 +56,7 @@ def report_left_out(obj: Any) -> None:
     """Write messages on later features of the nested pieces, which the nest does not include."""
     try:
         later_by_label = {original.Label: later_features(original) for original in counted(obj.Sources)}
-    except FAILURES:  # the recompute has reported it
+    except FAILURES:  # ignore the error, because the recompute has reported it
         return
     messages = [
         note(
@@ -85,7 +85,6 @@ def create(document: Any, sources: list[Any]) -> Any:
 
 
 def _boxes(document: Any) -> Iterator[App.BoundBox]:
-    """Yield the bounding box of each object in the document, in document coordinates."""
     for obj in document.Objects:
         box = obj.Shape.BoundBox if hasattr(obj, "Shape") else App.BoundBox()
         if is_bounded(box):

@@ -104,7 +104,7 @@ def is_cut(obj: Any) -> bool:
 
 def _cuts(obj: Any) -> list[Cut]:
     lost = why_left_out(obj)
-    if lost:  # the feature failed, so its results are outdated
+    if lost:  # refuse features that failed, because their shapes are outdated
         raise InputError(lost)
     if is_model(obj):
         model = model_of(obj)

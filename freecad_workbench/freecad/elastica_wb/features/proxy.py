@@ -126,9 +126,9 @@ class Feature(Unsaved):
         if name in FOLLOWED and CONTAINERS.name in obj.PropertiesList:
             put(obj, Containers=_containers(obj))
         numbers_name = self.sheets.get(name)
-        # False if the same sheet was chosen again
+        # after an invalid formula (`chosen` is None), the restored sheet is the same, so nothing is updated
         if numbers_name in obj.PropertiesList and self.chosen is not None:
-            with suppress(InputError):  # the next recompute reports the error
+            with suppress(InputError):  # ignore the error, because the next recompute reports it
                 sheet = sheet_called(getattr(obj, name), getattr(obj, numbers_name))
                 put(obj, **{numbers_name: text_of(sheet)})
                 if name == "Sheet" and "Thickness" in obj.PropertiesList:
@@ -154,7 +154,8 @@ class Feature(Unsaved):
                 if new != old:
                     obj.touch()
                 if name == "Sheet" and measured and obj.Thickness.Value == old.thickness:
-                    put(obj, Thickness=new.thickness)  # the thickness was the nominal thickness of the sheet
+                    # update the thickness if it was the nominal thickness of the sheet
+                    put(obj, Thickness=new.thickness)
 
     def _keep_numbers(self, obj: Any) -> None:
         """Store the data of the sheet, from which the shape is computed, in the document."""
@@ -219,7 +220,7 @@ def _recolor(obj: Any, before: str) -> None:
     """Recolour a feature and the objects made from it, except objects with their own sheet or a colour set by
     the user.
     """
-    with suppress(InputError):  # raised if the sheet no longer exists
+    with suppress(InputError):  # ignore the error if the sheet no longer exists
         old, new = (sheet_color(sheet_called(name)) for name in (before, obj.Sheet))
         users = [user for user in obj.InList if not getattr(getattr(user, "Proxy", None), "sheets", None)]
         for view in [user.ViewObject for user in (obj, *users)]:
@@ -256,7 +257,8 @@ def give_up(document: Any) -> None:
     for source in filter(_failed_unasked, document.Objects):
         ours = [feature for feature in _with_users(source) if is_ours(feature)]
         message = why_not_made(source)
-        if any(feature.Visibility for feature in ours):  # otherwise the error was reported before
+        # if all features are hidden, the error was reported before
+        if any(feature.Visibility for feature in ours):
             names = ", ".join(
                 [feature.Label for feature in ours[:MOST_NAMES]] + ["..."] * (len(ours) > MOST_NAMES)
             )

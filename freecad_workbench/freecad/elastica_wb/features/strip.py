@@ -149,7 +149,8 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     StripFeature(obj)
     if (
         is_sketch(sketch) and sketch.Label != sketch.Name
-    ):  # only if the user has named the sketch; FreeCAD does not allow two objects with the same label
+        # use the label of the sketch only if the user chose it, because FreeCAD does not allow two equal labels
+    ):
         obj.Label = f"{sketch.Label} {translate('Elastica', 'strip')}"
     if group is not None and (body or group.TypeId != BODY):
         group.addObject(obj)

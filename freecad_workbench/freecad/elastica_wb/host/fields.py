@@ -252,14 +252,14 @@ class _Keeper(QtCore.QObject):
         if kind == QtCore.QEvent.KeyPress and event.text() not in UNTYPED and _is_quantity(widget):
             widget.setProperty(EXACT, None)
         elif kind == QtCore.QEvent.FocusOut and _is_quantity(widget) and widget.property(EXACT) is None:
-            # run this after the box has read the typed text
+            # delay the call until the box has read the typed text
             QtCore.QTimer.singleShot(0, lambda: _settle(widget))
         return False
 
 
 def _settle(box: Any) -> None:
     """Store the typed value, because the box sends no signal if its rounded value has not changed."""
-    with suppress(RuntimeError):  # raised if the panel was closed
+    with suppress(RuntimeError):  # ignore the error if the panel was closed
         displayed = float(box.property("rawValue"))
         box.setProperty(EXACT, displayed)
         box.setProperty(SHOWN, displayed)

@@ -123,7 +123,6 @@ def require_choices(obj: Any, table: Iterable[Property]) -> None:
 
 
 def _formulas(obj: Any) -> dict[str, str]:
-    """Return the formulas of an object, by property."""
     return {name: formula for name, formula, *_ in obj.ExpressionEngine}
 
 
@@ -168,7 +167,7 @@ def is_misread(obj: Any, name: str) -> bool:
     choices = obj.getEnumerationsOfProperty(name)
     if present != choices[0]:
         return False
-    with suppress(Exception):  # raised if the formula cannot be computed
+    with suppress(Exception):  # ignore a formula that cannot be computed
         return not _is_choice(obj.evalExpression(formula), choices)
     return False
 
@@ -206,7 +205,8 @@ def put(obj: Any, **values: Any) -> None:
 
 def reword(obj: Any) -> None:
     """Set the stored messages of an object in the language of the user."""
-    with suppress(LookupError, TypeError, ValueError):  # raised if the file was edited by hand
+    # ignore invalid data, because the file may have been edited by hand
+    with suppress(LookupError, TypeError, ValueError):
         _put(obj, {name: _worded(name, unpacked(data)) for name, data in _records(obj).items()})
 
 

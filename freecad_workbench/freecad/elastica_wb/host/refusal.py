@@ -48,7 +48,7 @@ class _Speaker(type):
     who = ""
 
     def __str__(cls) -> str:
-        return f" Elastica, {cls.who}"  # printed after the caller of the recompute
+        return f" Elastica, {cls.who}"  # FreeCAD prints this name after the caller of the recompute
 
 
 class RefusalError(ValueError, metaclass=_Speaker):

@@ -53,7 +53,7 @@ class BetweenClamps:
         self.card = LengthCard(view, self.length, self._lengthen, self._turn_over, stop)
         self.preview = Preview(view, placement)
         self._solve()
-        # start with the tangents of the strip whose ends rotate freely
+        # start with the tangents of a strip whose ends rotate freely
         if self.angles is None and self.found is not None:
             turned = self.found.rod.angle
             self.angles = [float(turned[0]), float(turned[-1])]

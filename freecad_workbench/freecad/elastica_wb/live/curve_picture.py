@@ -134,7 +134,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
 
 
 def thrust_lines(rod: Rod) -> tuple[FloatArray, ...]:
-    """Return the sides of a rod's thrust line near the rod."""
+    """Return the parts of a rod's thrust line that are near the rod, one for each straight side."""
     low, high = rod.position.min(axis=0), rod.position.max(axis=0)
     margin = LINE_MARGIN * float(np.max(high - low))
     return tuple(thrust_sides(rod, low - margin, high + margin))

@@ -266,7 +266,7 @@ class Changes:
         0.20 does not recompute them.
         """
         pasted = [obj for obj in self._pasted if lives(obj)]
-        # wait, because timers run during its progress bar
+        # wait until FreeCAD has imported the objects, because timers run during its progress bar
         if any(_is_importing(obj.Document) for obj in pasted):
             QtCore.QTimer.singleShot(AGAIN_MS, self._after_paste)
             return
@@ -311,7 +311,7 @@ def _here() -> bool:
 
 
 def _imported(module: str) -> Any:
-    """Return a module of this workbench if it has been imported, else None."""
+    """Return a module of this workbench from `sys.modules`, or None if it was not imported before."""
     return sys.modules.get(f"freecad.elastica_wb.{module}")
 
 

@@ -87,7 +87,8 @@ class _Ribbon:
     def __init__(self, root: Any) -> None:
         material, hints = coin.SoMaterial(), coin.SoShapeHints()
         material.diffuseColor, material.transparency = AFTER, GLASS
-        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE  # makes Coin light both sides
+        # an explicit vertex order makes Coin light both sides
+        hints.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
         self._points, self._mesh = coin.SoCoordinate3(), coin.SoQuadMesh()
         pick = coin.SoPickStyle()
         pick.style = coin.SoPickStyle.UNPICKABLE

@@ -117,7 +117,7 @@ class Session:
         document = self.sketch.Document
         try:
             curve, self._cost = find_nearest_to_drag(replace(self._allows, curve=self._curve))
-        except FAILURES as error:  # raised also if the user stopped the search
+        except FAILURES as error:  # the error is also raised if the user stopped the search
             self._show_answer(replace(self.card.answer, sentence=str(explained(error))))
             return
         self._placed = curve.control_points
@@ -163,7 +163,7 @@ class Session:
             points = self._points()
             try:
                 self._show(self._dragged.geometry(points))
-            # raised if the sketch has lost points; the overlay is updated when the mouse is released
+            # if the sketch has lost points, wait for the update when the mouse is released
             except IndexError:
                 self._dragged = None
 

@@ -58,7 +58,8 @@ class VerdictCard(QtCore.QObject):
         self.fold.clicked.connect(self._turn)
         for part in (self.frame, self.button, self.fold):
             part.setStyleSheet(STYLE)
-            part.setFocusPolicy(QtCore.Qt.NoFocus)  # so that the sketcher receives keys
+            # the card takes no keyboard focus, so that the sketcher receives keys
+            part.setFocusPolicy(QtCore.Qt.NoFocus)
         self.answer: Answer | None = None
         self._tall = self._corner = 0
         self._shrunk = self._stays_open = False  # folded by the size of the view; unfolded there by the user
@@ -72,7 +73,7 @@ class VerdictCard(QtCore.QObject):
 
         `sentence` is in the units of the user; `counts` has the number of points of each part of the overlay.
         """
-        with suppress(RuntimeError):  # raised if the view was closed
+        with suppress(RuntimeError):  # ignore the error if the view was closed
             self._show(answer, sentence, _legend(counts))
         self.answer = answer
 
@@ -84,7 +85,8 @@ class VerdictCard(QtCore.QObject):
             self.words.setText(sentence)
             self.legend.setText(legend)
             tall = sum(label.heightForWidth(label.width()) for label in (self.words, self.legend))
-            if tall != self._tall:  # most mouse moves only change numbers, and not the height of the card
+            # place the card again only if its height has changed; most mouse moves only change numbers
+            if tall != self._tall:
                 self._tall = tall
                 self._place()
         self.frame.show()
@@ -101,7 +103,7 @@ class VerdictCard(QtCore.QObject):
         """Keep the card off these points in space."""
         with suppress(RuntimeError):
             self._places = places
-            self._place()  # raises an error if the view was closed
+            self._place()  # called first, because it raises an error if the view was closed
             self._camera.attach(self._view.getCameraNode())
 
     def remove(self) -> None:
@@ -219,7 +221,6 @@ PANELS, NOWHERE = "Gui::OverlayTabWidget", QtCore.QPoint(0, 0)
 
 
 def _legend(counts: Mapping[str, int]) -> str:
-    """Return the legend of the displayed parts."""
     return " &nbsp; ".join(
         f'<span style="color: {hex_of(part.color)};">{part.sign}</span>'
         f"&nbsp;{translate('Elastica', part.words).replace(' ', '&nbsp;')}"

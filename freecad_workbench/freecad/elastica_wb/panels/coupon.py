@@ -75,7 +75,6 @@ class CouponPanel(Panel):
         self.show_message(sentences(words, "\n"))
 
     def _pressed(self, button: Callable[[], None], *_: Any) -> None:
-        """Call the function of a button, and show its error in the panel."""
         with self.telling():
             button()
 
@@ -138,7 +137,7 @@ def readings_of(text: str) -> tuple[list[float], list[float]]:
         The text does not have this form.
     """
     pairs = []
-    commas = ";" in text or decimal_point() == ","  # if this is True, commas are decimal separators
+    commas = ";" in text or decimal_point() == ","  # True if commas in the text are decimal separators
     for part in text.split(";" if commas else ","):
         try:
             overhang, droop = (float(number.replace(",", ".")) for number in part.split("="))

@@ -106,7 +106,8 @@ class ExportPanel(Panel):
             raise InputError(translate("Elastica", "choose a folder for the files"))
         # "~" is not replaced if the home folder does not exist
         folder = Path(os.path.expanduser(self.form.folder.text().strip()))
-        if not folder.is_absolute():  # refused, because users do not know FreeCAD's working folder
+        # a relative path is refused, because users do not know FreeCAD's working folder
+        if not folder.is_absolute():
             raise InputError(translate("Elastica", "Enter the full path of the folder, or press Browse."))
         with progress(
             QT_TRANSLATE_NOOP("Elastica", "Writing files"), len(self.pieces) + len(self.strips)
@@ -134,13 +135,12 @@ class ExportPanel(Panel):
 def _usual_folder(document: Any) -> str:
     """Return the last used folder, else the folder of the document, else "", so that the user has to choose."""
     last = preferences.get("ExportFolder")
-    if last and os.path.isdir(last):  # False also for a folder without permission
+    if last and os.path.isdir(last):  # `isdir` returns False also for a folder without permission
         return str(last)
     return str(Path(document.FileName).parent) if document.FileName else ""
 
 
 def _listed(piece: Piece) -> str:
-    """Return a line of the cut list."""
     long, short = map(Length, piece.size)
     return note(
         "{count} x {piece}: {long:.5g} x {short:.5g}, {sheet}",

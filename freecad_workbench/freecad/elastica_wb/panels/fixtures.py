@@ -41,7 +41,7 @@ class FixturesPanel(Panel):
         if not any(box.isChecked() for box in (form.plate, form.rings, form.blocks)):
             raise InputError(translate("Elastica", "Select blocks, a plate or rings."))
         holders = []
-        # made first, because its errors should be reported before the slower blocks are made
+        # the plate is made first, because its errors should be reported before the slower blocks are made
         if form.plate.isChecked():
             holders.append(recorded(baseplate.create, self.document, self.sources))
             record_value(holders[-1], "Sheet", self.value("sheet"))

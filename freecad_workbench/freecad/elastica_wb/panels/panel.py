@@ -190,7 +190,7 @@ class _Documents:
             panel.let_go()
             panel.document, panel.preview = None, None
             panel._homes = []
-            # delayed, because FreeCAD is destroying the document, and an undo would crash
+            # closing is delayed, because FreeCAD is destroying the document, and an undo would crash
             QtCore.QTimer.singleShot(0, panel.abandon)
 
 

@@ -108,7 +108,8 @@ class PropertyPanel(Panel):
 
     def __init__(self, obj: Any, layout: Layout, others: Iterable[Any] = ()) -> None:
         self.objects = list(dict.fromkeys([obj, *others]))
-        if len(self.objects) > 1:  # curve and results differ between the features, so they are not shown
+        # for several features, curve and results are not shown, because they differ
+        if len(self.objects) > 1:
             layout = replace(layout, source="", results=lambda _: (), footnote=lambda _: "")
         self.object, self.layout = obj, layout
         for shown in self.objects:
@@ -179,7 +180,8 @@ class PropertyPanel(Panel):
                 setattr(form, name, widget)
                 set_value(widget, _plain(getattr(self.object, name)))
             outer.addWidget(box)
-        form.footnote = QtWidgets.QLabel()  # at the bottom, so that slow results do not move the widgets
+        # the footnote is at the bottom, so that slow results do not move the widgets
+        form.footnote = QtWidgets.QLabel()
         form.footnote.setWordWrap(True)
         outer.addWidget(form.footnote)
         outer.addStretch(1)
@@ -205,7 +207,6 @@ class PropertyPanel(Panel):
         self._record()
 
     def _record(self) -> None:
-        """Record the final value of each changed property for macros."""
         # nothing is read without changes, because the objects may already be deleted
         for obj, name in self._unbound(self._changed) if self._changed else ():
             record_value(obj, name, _plain(getattr(obj, name)))
@@ -318,7 +319,6 @@ class PropertyPanel(Panel):
             widget.setVisible(used)
 
     def _explained(self, row: Row) -> str:
-        """Return the details of a row as the text of a tooltip."""
         return " ".join(self.helps.get(detail) or worded(detail) for detail in row.details)
 
     def _words(self) -> str:
@@ -389,7 +389,6 @@ class PropertyPanel(Panel):
         self._overlay.show_nearest(*(strip.rod.position for strip in strips))
 
     def _take(self, number: int) -> None:
-        """Apply a suggested change."""
         for obj, change in [*self._suggested.values()][number]:
             if isinstance(change, Suggestion) and change.change.field in DRAWN:
                 sketch, _ = obj.Curve
@@ -441,7 +440,7 @@ class PropertyPanel(Panel):
             Gui.Selection.clearSelection()
             Gui.Selection.addObserver(
                 self, 0
-            )  # with the full path, because a part that is displayed through a link is a part of the link
+            )  # use the full path, because a part that is displayed through a link is a part of the link
             source, _ = getattr(self.object, self.layout.source) or (None, ())
             if source is not None:
                 source.Visibility = True

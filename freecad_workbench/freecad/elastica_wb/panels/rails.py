@@ -138,7 +138,7 @@ class RailsPanel(Panel):
         self, document: str, _name: str, element: str, place: tuple[float, float, float]
     ) -> None:
         """Use a point of the curve that the user clicks in the view."""
-        # the selection was made in the tree or in another document
+        # ignore a selection in the tree or in another document
         if not element or document != self.object.Document.Name:
             return
         x, y, _ = self.drawn.world.inverse().multVec(App.Vector(*place))
@@ -192,7 +192,7 @@ class RailsPanel(Panel):
         self.chosen, key = self._keys()[mark]
         try:
             place = self._distance(point)
-        except InputError:  # raised if the mouse is not near the curve
+        except InputError:  # ignore the move if the mouse is not near the curve
             return
         item = self.items[self.chosen]
         kept = isinstance(getattr(item, key), tuple)
@@ -228,7 +228,6 @@ class RailsPanel(Panel):
         return np.array(points, dtype=float).reshape(-1, 2)
 
     def _typed(self, item: Acting) -> Acting:
-        """Return an element or load with the numbers in the widgets."""
         if isinstance(item, Pin | Tie):
             item = replace(item, hole=self.value("hole"), notch=self.value("notch"))
         if isinstance(item, Tie):
@@ -268,7 +267,6 @@ class RailsPanel(Panel):
         self.show_message("\n".join([self.object.Verdict, *self.object.Reasons]))
 
     def _show_numbers(self) -> None:
-        """Show the numbers of the chosen element."""
         item = self.items[self.chosen] if self.items else None
         kinds = {
             "place": (Rail, Pin, Tie, PointForce, PointMass), "other": (Tie,), "forceX": (PointForce,),
@@ -300,7 +298,6 @@ class RailsPanel(Panel):
         return self._distance(place) if isinstance(place, tuple) else float(place)
 
     def _draw(self) -> Answer:
-        """Draw marks and thrust line, and return the result of the check."""
         try:
             elements = tuple(item for item in self.items if not is_load(item))
             spec = self.spec.changed(between=elements, loads=tuple(filter(is_load, self.items)))

@@ -61,12 +61,13 @@ class SheetsPanel(Panel):
 
     def sheet(self) -> Sheet:
         """Return the sheet that the widgets define."""
-        # only numbers that the user has changed, because widgets round the displayed numbers
+        # read only numbers that the user has changed, because widgets round the displayed numbers
         typed = {field: self.value(field) for field in NUMBERS if self.value(field) != self.filled[field]}
         # remove the published range of a property for which the user typed another number
         ranges = {f"{field}_range": None for field in typed if hasattr(self.seen, f"{field}_range")}
         name, source = self.form.name.text().strip(), " ".join(self.form.source.toPlainText().split())
-        if typed.get("shear_modulus") == 0:  # the field is empty, so the modulus is estimated
+        # 0 is displayed as an empty field, which means that the modulus is estimated
+        if typed.get("shear_modulus") == 0:
             typed["shear_modulus"] = None
         return replace(self.seen, name=name, source=source, **typed, **ranges)
 
@@ -78,7 +79,7 @@ class SheetsPanel(Panel):
         changed = {name: sheet for name, sheet in self.own.items() if self.before.get(name) != sheet}
         removed = self.before.keys() - self.own.keys()
         if changed or removed:
-            # includes sheets that another window has saved in the meantime
+            # read the file again, because another window may have saved sheets in the meantime
             now = own_sheets() | changed
             save_own_sheets(sheet for name, sheet in now.items() if name not in removed)
             keep_sheets()

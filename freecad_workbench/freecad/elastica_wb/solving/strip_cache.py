@@ -60,7 +60,7 @@ def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
     def result_or_error(*arguments: Any) -> Result:
         result = outcome(*arguments)
         if isinstance(result, ElasticaError):
-            raise result.with_traceback(None)  # without the traceback of earlier calls
+            raise result.with_traceback(None)  # raise a cached error without the traceback of earlier calls
         return result
 
     return result_or_error
@@ -219,7 +219,7 @@ def _keeps_limits(spec: RodSpec) -> bool:
     try:
         if ratio is not None and find_rod(replace(spec, limits=None, keep=None)).ratio > ratio:
             return False
-        again = find_rod(spec)  # checked last, because the search is slow
+        again = find_rod(spec)  # this check is the last, because the search is slow
     except ElasticaError:
         return False
     return bool(again.met and again.deviation <= AS_DRAWN_MM)

@@ -106,7 +106,7 @@ class Verdict(Enum):
     CAN = "can"
     BREAKS = "breaks"
     CANNOT = "cannot"
-    NOTHING = "nothing"  # no curve is drawn yet
+    NOTHING = "nothing"  # verdict if no curve is drawn yet
 
 
 @dataclass(frozen=True)
