@@ -1,4 +1,4 @@
-"""Draws the pictures of the how-to pages: python docs/how_to_pictures.py [FOLDER].
+"""Draws the pictures of how-to pages and of two tutorials: python docs/how_to_pictures.py [FOLDER].
 
 Each page is run as its reader does (tests/manual/run_page.py); pictures and cut files that it made are shown.
 """
@@ -33,6 +33,7 @@ MADE = {
     "own_material": "coupon/*.dxf",
     "python": "arch-cut.dxf",
     "reshape": "out/*.dxf",
+    "slat": "loaded/slat-bent.png",
     "styles": "holes/arch.dxf",
     "tabs": "screws/arch.dxf",
     "too_much": "out/s.png",
@@ -59,7 +60,8 @@ def drawn(page: str, made: str, place: Path) -> Image.Image:
     """What the page made in an empty place, as a picture."""
     tools = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     environment = {**os.environ, "PATH": tools, "PYTHONPATH": str(ROOT), "MPLBACKEND": "agg"}
-    run = [sys.executable, ROOT / "tests" / "manual" / "run_page.py", ROOT / "docs" / "how_to" / f"{page}.md"]
+    (path,) = (path for part in ("how_to", "tutorials") for path in (ROOT / "docs" / part).glob(f"{page}.md"))
+    run = [sys.executable, ROOT / "tests" / "manual" / "run_page.py", path]
     subprocess.run(run, cwd=place, env=environment, check=True)
     file = sorted(place.glob(made))[0]
     if file.suffix == ".png":

@@ -51,7 +51,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import ScaleRange
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw
 from elastica_cad.mechanics.theorem1 import AT_END_SHARE, EquilibriumCheck, InflectionLine, NotRealizable
-from elastica_cad.refusals import FieldName, Length, Listed, note
+from elastica_cad.refusals import FieldName, Length, Listed, Refusal, note
 
 TOLERANCE = 1e-6
 """Largest error of the stiffness profile, relative to its largest value; its extremes are exact."""
@@ -515,7 +515,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     change = nodes.curvature - nodal_curvature(request.natural_curvature, nodes.s)
     effective = change if request.law is None else request.law.effective_curvature(change)
     residual = float(np.abs(K * effective - moment).max() / size)
-    warnings = check.cautions
+    warnings = _without_kinks_at(balance.between, check)
     if check.moved > REPORTED_MOVE_MM:
         warning = note(
             "The curve was moved by at most {moved} to bring its inflections onto one line."
@@ -538,6 +538,32 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
         warnings=warnings, moved=check.moved,
         between=tuple(replace(action, force=action.force / least) for action in balance.between),
     )  # fmt: skip
+
+
+def _is_near(s: float, places: Sequence[float], distance: float) -> bool:
+    """Return True if a place is within a distance of one of the places."""
+    return any(abs(s - place) <= distance for place in places)
+
+
+KINK_SHARE = 0.005
+"""Largest distance of an element from a kink that its force causes, as a fraction of the length."""
+
+
+def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:
+    """Return the warnings about a curve, except those about kinks at elements, whose forces cause these kinks."""
+    near = KINK_SHARE * check.curve.length
+    stations = [s for action in actions for s in action.s]
+    jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]  # the width jumps there
+
+    def expected(warning: str) -> bool:
+        if not (isinstance(warning, Refusal) and warning.kind == "kinks"):
+            return False
+        places = warning.values["places"]
+        return not any(_is_near(s, jumps, near) for s in places) and all(
+            _is_near(s, stations, near) for s in places
+        )
+
+    return tuple(warning for warning in check.cautions if not expected(warning))
 
 
 def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:

@@ -192,10 +192,10 @@ def _batten(row, folder):
     assert (out / "batten.pdf").read_bytes().startswith(b"%PDF")
 
 
-@asks(f"{HOW_TO}/bow.md", "file", "for")
+@asks("docs/tutorials/bow.md", "file", "for")
 def _bow(row, folder):
     (folder.parent / "kite.csv").write_bytes((ROOT / "examples" / "bow" / "kite.csv").read_bytes())
-    typed(folder.parent, "bow", "kite.csv", "--rod", "5", "--sheet", "gfrp-1", "--force", "-o", "of-bow")
+    typed(folder.parent, "bow", "kite.csv", "--rod", "3", "--sheet", "gfrp-1", "--force", "-o", "of-bow")
     (name,) = quoted(row[0])
     assert (folder.parent / "of-bow" / name).stat().st_size > 200
     if name.endswith(".csv"):

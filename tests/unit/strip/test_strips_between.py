@@ -51,6 +51,16 @@ def test_loads_keep_their_fraction_of_a_smoothed_curve():
     assert rod.acting[0].s == pytest.approx(rod.length / 4)
 
 
+def test_no_kink_is_reported_where_the_force_of_a_rail_causes_it():
+    points = [(0, 0), (133, 0), (267, 14), (400, 14), (533, 14), (667, 0), (800, 0)]
+    slat = ec.PlaneCurve([0.0] * 4 + [1.0] * 3 + [2.0] * 4, points, 3)
+    strips = [
+        ec.make_strip(slat, "birch-plywood-6", max_width=100, between=rails) for rails in (ec.Rail(400), ())
+    ]
+    kinks = [[warning for warning in strip.warnings if "kink at" in warning] for strip in strips]
+    assert [len(found) for found in kinks] == [0, 1]
+
+
 def test_a_pin_and_a_force_are_reported_and_the_forces_balance():
     loads = (ec.PointMass(150, 50), ec.PointForce(250, (0, -0.2)))
     strip = strip_between(ec.Pin(200), loads=loads, gravity=True)
