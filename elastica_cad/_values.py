@@ -167,7 +167,7 @@ def alike(**values: object) -> tuple[FloatArray, ...]:
     except ValueError:
         shapes = " and ".join(f"{name} {array.shape}" for name, array in zip(values, arrays, strict=True))
         raise InputError(
-            f"the shapes of {shapes} do not match. Pass the same number of each, or a single one."
+            f"the shapes of {shapes} do not match. Pass arrays of equal length, or single values."
         ) from None
     return arrays
 

@@ -220,7 +220,7 @@ class Limits:
             require_positive(self.strain, "limit strain", "mm/mm")
             if self.sheet is None:
                 raise InputError(
-                    "a strain limit needs sheet=: the curvature it allows is 2 strain / thickness"
+                    "a strain limit needs sheet=, because the allowed curvature is 2 strain / thickness"
                 )
         for name in ("width", "length"):
             if getattr(self, name) is None:

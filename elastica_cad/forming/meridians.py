@@ -712,9 +712,8 @@ def _refuse_winding(p: FloatArray) -> None:
         too_much = most * length > 2 * np.pi * MOST_TURNS
     if too_much:
         raise InputError(
-            "a={a:g}, b=({b:g}, {b_2:g}) bend the meridian from its start to a radius of about "
-            "{most}, against its length of {length:g}: make a and b smaller (a has no unit, b is "
-            "in 1/mm)",
+            "with a={a:g} and b=({b:g}, {b_2:g}), the meridian is bent at its start to a radius of about "
+            "{most}, but it is {length:g} long. Make a and b smaller (a has no unit, b is in 1/mm)",
             a=a,
             b=b[0],
             b_2=b[1],

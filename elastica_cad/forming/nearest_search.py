@@ -378,8 +378,8 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
     curve, limits, keep = request.curve, request.limits or Limits(), request.keep or Keep()
     if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
         raise InputError(
-            "a stack of plies can keep ends, tangents and length, and limit ratio, margin, curvature, strain "
-            "and regions: remove stiffness_bounds, points, symmetry and line"
+            "a stack of plies cannot meet stiffness_bounds, nor keep points, symmetry or line. Remove these "
+            "limits"
         )
     again = partial(_again, request)
     # n plies are (n / k)^3 times as stiff as k plies

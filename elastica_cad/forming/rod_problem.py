@@ -392,8 +392,8 @@ def _stiffness_box(task: NearestTask, count: int) -> tuple[FloatArray, FloatArra
         high = np.minimum(high, np.where(support, values[:, None], np.inf).min(axis=0))
     if low.min() > 1:
         raise InputError(
-            f"stiffness_bounds require at least {low.min():.4g} everywhere, but K / min K is 1 "
-            "somewhere: reduce the lower bound to 1 at one place or more"
+            f"stiffness_bounds require K / min K of at least {low.min():.4g} everywhere, but it is 1 at the "
+            "softest place. Reduce the lower bound to 1 at one place or more"
         )
     if np.any(low > high):
         at = float(s[int(np.argmax(support[:, int(np.argmax(low - high))]))]) * task.target.size

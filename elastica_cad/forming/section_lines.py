@@ -81,7 +81,7 @@ class SectionLine:
         """
         wanted = np.atleast_2d(np.asarray(points, dtype=float))
         if wanted.shape[1] != 2 or not np.all(np.isfinite(wanted)):
-            raise InputError(f"{self.name} is split at points (k, 2) of its plane, mm")
+            raise InputError(f"points to split {self.name} must be finite rows (k, 2), in mm, in its plane")
         return self._split(np.sort([_nearest(self.points, p) for p in wanted]))
 
     def split_by(self, point: ArrayLike, normal: ArrayLike) -> tuple["SectionLine", ...]:

@@ -110,7 +110,9 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
         diagonal, off, 1, -2 * reach - 1, shift, 1, 1, 8 * reach + 8 + abs(shift), b"E"
     )
     if info != 0:
-        raise NotConvergedError("the Sturm count of the rod's second variation failed: its entries overflow")
+        raise NotConvergedError(
+            "the stability of the rod cannot be computed, because its second variation overflows"
+        )
     return int(count)
 
 

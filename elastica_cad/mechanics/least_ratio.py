@@ -363,8 +363,8 @@ def _check_section(request: RodRequest, section: BoundedLaw) -> None:
     weight = request.weight
     if request.between or request.point_forces:
         raise InputError(
-            "A section does not take rails, pins, ties or point forces into account yet. Leave out the section, "
-            "or these elements."
+            "A section law cannot be combined with rails, pins, ties or point forces yet. Leave out the "
+            "section law, or these elements."
         )
     if isinstance(section, LeavesLaw):
         raise InputError(

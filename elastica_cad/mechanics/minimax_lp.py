@@ -364,7 +364,7 @@ def least_variation(
         active[out] = meets[turns[0]]
         x = x - values[active[out]] / rates[active[out]] * step
         normals[out] = planes[active[out]]
-    raise NotConvergedError("the second phase for a smooth stiffness did not converge")
+    raise NotConvergedError("the linear program that smooths the stiffness did not converge")
 
 
 def largest_number(rows: FloatArray, number: FloatArray, largest: float, side_rows: FloatArray) -> FloatArray:

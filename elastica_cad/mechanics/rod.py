@@ -444,7 +444,7 @@ class Rod:
         if (self.stiffness <= 0).any():
             at = float(self.s[int(np.argmin(self.stiffness))])
             raise InputError(
-                f"rod stiffness is not positive at {Mm(at):.6g}: every cross-section needs some width"
+                f"the stiffness of the rod is not positive at {Mm(at):.6g}: give every place a width above 0"
             )
 
     @classmethod

@@ -229,9 +229,9 @@ class ScaleRange:
         """
         if not self.feasible:
             raise InputError(
-                f"no scale fits: station {self.lowest_at} needs E I of at least {self.lowest:.4g} N mm2 "
-                f"per unit of stiffness and station {self.highest_at} takes at most {self.highest:.4g}; "
-                f"widen the strip at station {self.highest_at}, narrow it at station {self.lowest_at} or "
+                f"no bending stiffness per unit of K suits all stations: station {self.lowest_at} needs at "
+                f"least {self.lowest:.4g} N mm2, station {self.highest_at} at most {self.highest:.4g} N mm2. "
+                f"Widen the strip at station {self.highest_at}, narrow it at station {self.lowest_at}, or "
                 "lower the stiffness ratio"
             )
         return self.highest

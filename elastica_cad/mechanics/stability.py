@@ -228,7 +228,7 @@ def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = 
     solution, info = lapack().dtbtrs(band, right, uplo="L", trans="T" if transposed else "N")
     if info != 0 or not np.all(np.isfinite(solution)):
         raise InputError(
-            "the Jacobi equation overflows: the rod is pulled far too hard for Z(s) to be a number"
+            "the conjugate point cannot be computed, because the tension in the rod is too large. Reduce the load"
         )
     return np.asarray(solution)
 

@@ -507,9 +507,10 @@ def _seam_message(curve: PlaneCurve) -> str:
 
 def _undecided_message(drawn: Provenance, turn: Turn, s: Iterable[float]) -> str:
     return note(
-        "undecided at this precision: the curve turns by {angle:.2g} degrees at {shown}, {places} from its "
-        "start. The rounding of numbers in the file alone can turn its handle of {handle} by {bound:.2g} "
-        "degrees. Save the drawing with more decimals, or make the node smooth with longer handles",
+        "undecided at this precision: at {shown}, {places} from its start, the curve turns by {angle:.2g} "
+        "degrees. The handle of this node is only {handle} long, so the rounding of numbers in the file can "
+        "turn it by {bound:.2g} degrees. Save the drawing with more decimals, or lengthen the handles of "
+        "this node",
         angle=np.degrees(turn.angle), shown=drawn.shown(turn.point), places=lengths(s),
         handle=Length(turn.handle), bound=np.degrees(turn.bound),
     )  # fmt: skip

@@ -186,7 +186,7 @@ class BattenSpec:
             raise InputError(f"the camber's place is {100 * self.place:g} % of the chord: give 1 to 99")
         if not 0 <= self.full <= MOST_FULL:
             raise InputError(
-                f"the part of full size is {100 * self.full:g} % of the batten: give 0 to {100 * MOST_FULL:g}"
+                f"{100 * self.full:g} % of the batten have the full thickness: give 0 to {100 * MOST_FULL:g} %"
             )
         if not isinstance(self.stock, ThicknessLaw | RoundLaw):
             raise InputError(f"stock is {self.stock!r}: give a ThicknessLaw or a RoundLaw")

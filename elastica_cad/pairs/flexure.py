@@ -600,11 +600,11 @@ class Flexure:
         """Message with the largest force and its range."""
         low, high = self.force_range
         return note(
-            "about {force:.2g} N ({low:.2g} to {high:.2g} N for a thickness within {off} and the variation "
-            "of the sheet)"
+            "about {force:.2g} N ({low:.2g} to {high:.2g} N if the thickness is off by up to {off} and the "
+            "sheet varies)"
             if self.sheet.youngs_modulus_range
-            else "about {force:.2g} N ({low:.2g} to {high:.2g} N for a thickness within {off}; the variation "
-                 "of the sheet is unknown)",
+            else "about {force:.2g} N ({low:.2g} to {high:.2g} N if the thickness is off by up to {off}; "
+                 "the variation of the sheet is unknown)",
             force=self.travel.largest_force, low=low, high=high, off=Length(OFF_MM),
         )  # fmt: skip
 

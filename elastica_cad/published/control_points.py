@@ -528,8 +528,8 @@ def enforce_constraints(
     if after.size > before.size and (line is not None or after.size > 2):
         listed = ", ".join(f"{s:.4g}" for s in after)
         raise NotConvergedError(
-            f"on the way the curve got {after.size} inflections (at {listed} mm) in place of "
-            f"{before.size}: keep less (ends, tangents, length), or use nearest_rod"
+            f"the moved curve has {after.size} inflections (at {listed} mm) instead of {before.size}: keep "
+            "less (ends, tangents, length), or use nearest_rod"
         )
     return EnforcedCurve(moved, residuals, largest_move(curve, moved))
 

@@ -362,7 +362,7 @@ class _Cutter:
                     k += step
                     if not 0 <= k < len(row):
                         raise InputError(
-                            "the flat pattern does not close at x = {points:.6g}: its loops cross there",
+                            "loops of the flat pattern cross at x = {points:.6g}: move holes and slots apart there",
                             points=Length(self.points[loop[-1].end][0]),
                         )
                     loop.append(self._seam(row[k - step], row[k], step > 0))
@@ -382,7 +382,8 @@ class _Cutter:
             if 0 <= row < len(on_seam) and corner in on_seam[row]:
                 return on_seam[row], step
         raise InputError(
-            "the flat pattern has an open loop at x = {points:.6g}", points=Length(self.points[corner][0])
+            "the flat pattern has an open loop at x = {points:.6g}: move holes and slots apart there",
+            points=Length(self.points[corner][0]),
         )
 
     def _seam(self, start: int, end: int, upward: bool) -> SegmentPart:

@@ -91,8 +91,8 @@ class TSlot:
         if self.depth < self.wall + self.nut[1]:
             raise InputError(
                 (
-                    "a T-slot {depth:g} deep is too shallow, because its nut reaches to {wall:g}: make the "
-                    "slot deeper"
+                    "a T-slot {depth:g} deep is too shallow for its nut, which reaches {wall:g} deep: make "
+                    "the slot deeper"
                 ),
                 depth=Length(self.depth),
                 wall=Length(self.wall + self.nut[1]),

@@ -420,7 +420,9 @@ class BentSolid:
         maps: tuple[Map, ...] = (bent[0].frame_at(0.0), *bent, bent[-1].frame_at(rod.length))
         solid = cls(pattern, maps, (lower, upper), frame, {} if joints is None else joints, between)
         if not solid.boundary.is_closed:
-            raise InputError("the flat pattern's loops cross or touch: the bent strip has no closed skin")
+            raise InputError(
+                "loops of the flat pattern touch, so the bent strip is not a solid. Move holes and slots apart"
+            )
         return solid
 
 

@@ -345,7 +345,7 @@ def test_a_strongly_bent_meridian_gets_nodes_enough():
         (lambda: meridian(1, (0, 0), (5, 0), 1, 10, ring=7), "ring=7"),
         (
             lambda: meridian(1e9, (1e9, 1e9), (50, 0), 1, 100),
-            "to a radius of about .* against its length of 100 mm",
+            "to a radius of about .* but it is 100 mm long",
         ),
         (lambda: meridian(1e5, (0, 0), (50, 0), 1, 100), "to a radius of about 0.0005 mm"),
         (lambda: meridian(0, (0, -1e4), (50, 0), 1, 100), "to a radius of about"),
