@@ -89,7 +89,7 @@ def _campaigns(row, _):
     assert re.search(rf"^campaign-{name}:", makefile, re.MULTILINE)
 
 
-@asks("docs/how_to/install.md", "extra", "gives", "weighs about")
+@asks("docs/how_to/install.md", "extra", "gives", "size on disk, about")
 def _extras(row, _):
     """What is installed here weighs what the row says, within a third: versions differ."""
     extra = "" if row[0] == "(none)" else quoted(row[0])[0]
