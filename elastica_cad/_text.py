@@ -18,8 +18,8 @@ def printable(text: str) -> str:
     r"""Escape invisible characters in a text: control codes, marks of writing direction, lone surrogates.
 
     These characters could recolour a terminal, write to its clipboard, or reverse a line. Line ends and
-    spaces are not escaped. The escapes are those of JSON, so that the contents of a JSON record do not
-    change.
+    spaces are not escaped. The escape sequences are valid in JSON, so that the contents of a JSON record do
+    not change.
 
     Examples
     --------

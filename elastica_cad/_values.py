@@ -245,7 +245,7 @@ def several(
 
 
 _KEPT = "_value_key"  # attribute of a record in which its key is cached
-# types whose values are their own keys; most fields have one of them
+# values of these types are used as keys unchanged; most fields have one of these types
 _PLAIN = frozenset({type(None), bool, int, float, str})
 
 

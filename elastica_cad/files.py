@@ -41,10 +41,10 @@ def read_curves(
 ) -> CurveList:
     """Read the curves in a file, in mm.
 
-    Splines, arcs and ellipses are kept exactly; polylines and measured points are fitted. Pieces whose ends
-    meet are joined to a curve, except named shapes of an SVG. The ends of a closed curve are equal. Corners
-    that are caused by rounded decimals are removed; `PlaneCurve.provenance` states the resulting movement of
-    the curve.
+    Splines, arcs and ellipses are read exactly; curves are fitted to polylines and measured points. Pieces
+    whose ends meet are joined to a curve, except named shapes of an SVG. The ends of a closed curve are
+    equal. Corners that are caused by rounded decimals are removed; `PlaneCurve.provenance` states the
+    resulting movement of the curve.
 
     A file may have at most 20,000 shapes (blocks and clones are counted for each use), 120,000 pieces and
     5,000 curves. A curve may have at most 3,000 pieces, and a size of 0.001 mm to 1 km. The size of a file is

@@ -544,7 +544,7 @@ class EndFixture(_Made, bd.BasePartObject):
 
 
 class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
-    """Part object: a part with two states, unloaded or in one of them.
+    """Part object: a two-state part, either unloaded or in one of its states.
 
     The unloaded part begins at the origin in direction x. In a state, the part is on the drawn curve. Rigid
     joints "start" and "end" are on the inner edges of the pads, with x outward. "hole1" to "hole4" are at the

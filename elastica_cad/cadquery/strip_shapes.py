@@ -362,7 +362,7 @@ class FixtureSolid(_Jointed, cq.Solid):
 
 
 class FlexureSolid(FlexureBody, _Moved, cq.Solid):
-    """Part with two states, unloaded or in one of them, with properties `flexure` and `state`."""
+    """Two-state part, either unloaded or in one of its states, with properties `flexure` and `state`."""
 
     @property
     def joints(self) -> Mapping[str, cq.Location]:
@@ -381,7 +381,7 @@ class FlexureSolid(FlexureBody, _Moved, cq.Solid):
 
 
 def flexure_solid(flexure: "Flexure", state: "State | None" = None, *, color: Any = None) -> FlexureSolid:
-    """Return a part with two states, unloaded or in one of them.
+    """Return the body of a two-state part, either unloaded or in one of its states.
 
     The unloaded part begins at the origin in direction x. In a state, the part is on the drawn curve.
 

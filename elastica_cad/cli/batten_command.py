@@ -1,4 +1,6 @@
-"""`elastica batten`: compute the taper with which a pressed batten has its camber at the requested place."""
+"""`elastica batten`: compute the taper with which a pressed batten has its largest depth at the requested
+position.
+"""
 
 from functools import partial
 from pathlib import Path

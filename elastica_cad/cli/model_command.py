@@ -240,7 +240,7 @@ def _warnings(model: Model) -> Iterator[Refusal]:
 def _one_of_each(messages: Iterable[str]) -> Iterator[str]:
     """Yield messages.
 
-    Of messages that differ only in numbers and names, yield the first, with the number of the others.
+    If several messages differ only in numbers and names, yield the first, with the number of the others.
     """
     kinds: dict[str, list[str]] = {}
     for message in dict.fromkeys(messages):

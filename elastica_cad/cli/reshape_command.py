@@ -1,4 +1,7 @@
-"""`elastica reshape`: pull a curve by four handles, so that a possible curve stays possible."""
+"""`elastica reshape`: move a curve by four handles.
+
+If a strip can be bent into the curve, a strip can be bent into the new curve.
+"""
 
 import warnings
 from collections.abc import Sequence

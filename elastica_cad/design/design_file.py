@@ -181,7 +181,7 @@ def read_design(
     below : sequence of path-like
         Folders from which files may be read, besides the folder of the design and the working folder.
     changes : mapping
-        Values that replace those of keys in the file.
+        New values for keys of the file.
 
     Raises
     ------
@@ -290,7 +290,9 @@ def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
 
 
 class _Sheets(dict[str, Sheet]):
-    """Sheets that a design may use: its own sheets by name, and sheets in files in its folder by file name."""
+    """Sheets that a design may use: sheets that it defines, by name, and sheet files in its folder, by file
+    name.
+    """
 
     folder = Path()
 
@@ -437,7 +439,7 @@ def _likeness(entry: StripEntry) -> Any:
 
 
 def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
-    """Return a single error with all messages; its class is that of the first error."""
+    """Return a single error with all messages; its class is the class of the first error."""
     first, slips = problems[0], Slips()
     if len(problems) == 1:
         return first

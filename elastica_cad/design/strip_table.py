@@ -186,16 +186,17 @@ def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, values: Mapping[
 
 
 TIE_KEYS = {"between": ("start", "end"), "loads": ("at",)}
-"""Keys of the places of ties and loads in the lists of a strip."""
+"""For the lists `between` and `loads` of a strip: names of the keys with positions of ties and loads."""
 
 PLACE_DIGITS = 6
 
 
 def scaled_places(table: Mapping[str, Any], factor: float) -> dict[str, list[dict[str, Any]]]:
-    """Return the lists `between` and `loads` of a table with the places (mm) of ties and loads times a factor.
+    """Return the lists `between` and `loads` of a table, with the positions (mm) of ties and loads multiplied
+    by a factor.
 
-    If a curve changes its length by this factor, ties and loads keep their fractions of the length. Places as
-    points, and those of rails and pins, are unchanged.
+    If a curve changes its length by this factor, ties and loads keep their fractions of the length. Positions
+    given as points, and positions of rails and pins, are unchanged.
 
     Examples
     --------

@@ -65,8 +65,8 @@ class JoinedRuns:
     overlaps : tuple of (Source, Source, str)
         Each shape that coincides with a shape of the same or larger length, with that shape and the result. A
         shape of the same layer and name is "left out", else it is "kept". Shapes that overlap in part are
-        "joined" to their union. They remain ("in part") if layers or names differ, or if a third shape meets
-        them there.
+        "joined" to their union. They are not joined ("in part") if layers or names differ, or if a third
+        shape meets them at the joint.
     closed : tuple of float
         Widths, mm, of the closed gaps that are explained by the rounding of coordinates in the file.
     widest : float
@@ -329,7 +329,7 @@ class _RunIndex:
 def _without_overlaps(
     runs: Sequence[Run], tolerance: float
 ) -> tuple[list[Run], tuple[tuple[Source, Source, str], ...]]:
-    """Remove runs that coincide with a longer (or earlier, equally long) run; return the rest and all overlaps."""
+    """Remove each run that coincides with a longer run. Return the remaining runs and all overlaps."""
     index, sources = _RunIndex(runs, tolerance), [_source_of(run) for run in runs]
     called = [(source.layer, source.is_named and source.name) for source in sources]
     in_part: list[tuple[int, int]] = []
@@ -461,10 +461,10 @@ def curve_from_run(
 ) -> PlaneCurve:
     """Make one curve from consecutive edges in the plane.
 
-    A run of straight pieces only is a polyline, and a curve is fitted to its vertices. True curves stay exact.
-    Several true curves are raised to a common degree. Gaps up to `tolerance` mm are closed by moving whole
-    edges, so that tangents do not turn. Corners that rounding of the coordinates explains are removed.
-    `PlaneCurve.breaks` returns the continuity at the joints.
+    A run of straight pieces only is a polyline, and a curve is fitted to its vertices. Arcs and splines are
+    converted exactly. Several true curves are raised to a common degree. Gaps up to `tolerance` mm are closed
+    by moving whole edges, so that tangents do not turn. Corners that rounding of the coordinates explains are
+    removed. `PlaneCurve.breaks` returns the continuity at the joints.
 
     Parameters
     ----------
@@ -539,7 +539,7 @@ def curve_from_points(
 ) -> PlaneCurve:
     """Return the line through points (n, 2) if they are collinear, else a curve within `tolerance` mm of them.
 
-    Corners stay corners, see `PlaneCurve.tangent_breaks`. A corner is a turn by more than 50 degrees between
+    Corners are preserved; see `PlaneCurve.tangent_breaks`. A corner is a turn by more than 50 degrees between
     two straight pieces that are long compared with the tolerance and the noise. The provenance of the curve
     states the noise of the points, at least `noise` mm. If no smooth curve follows noisy points, the curve is
     a polyline. `sides` means that the straight sides between the points belong to the drawing. If the curve

@@ -346,7 +346,7 @@ class DrawnFile:
         Raises
         ------
         InputError, NotConvergedError
-            No curve is valid; the error is that of the first curve.
+            No curve is valid. The error is the error of the first curve.
         """
         good = [curve for curve in self.curves if not curve.problem]
         with name_source(self.path):

@@ -1,4 +1,4 @@
-"""Reader of curves in DXF files. Curves that the file defines exactly stay exact."""
+"""Reader of curves in DXF files. Arcs and splines are read without approximation."""
 
 import re
 import struct
@@ -136,9 +136,9 @@ def read_dxf_drawing(
     """Read the curves of a DXF file with handles and layers, in mm; the arguments are those of `read_drawing`.
 
     LINE, ARC, CIRCLE, ELLIPSE, SPLINE and polylines of the model space are read, including those in blocks.
-    True curves stay exact, and a polyline without arcs is fitted. The unit is the file's $INSUNITS. Without
-    $INSUNITS the unit is mm, or inches if $MEASUREMENT is 0 and the curves are smaller than 40 units; the
-    report states this.
+    Arcs and splines are read exactly, and a curve is fitted to a polyline without arcs. The unit is the
+    file's $INSUNITS. Without $INSUNITS the unit is mm, or inches if $MEASUREMENT is 0 and the curves are
+    smaller than 40 units; the report states this.
 
     Raises
     ------
@@ -155,7 +155,7 @@ def read_dxf_drawing(
     shown = Provenance(
         place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"
     )
-    # overflow is ignored here, because `check_places` later refuses values that are not finite
+    # overflow is ignored, because `check_places` later refuses values that are not finite
     with np.errstate(over="ignore", invalid="ignore"):
         drawn = collect_curves(
             file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,

@@ -95,7 +95,7 @@ _OBJ_LISTS = {b"v": 0, b"vt": 1, b"vn": 2}
 def _counted_from_the_start(data: bytes) -> BytesIO:
     """Return the OBJ file with positive indices.
 
-    A negative index counts back from its own line, but trimesh counts back from the end of the file.
+    A negative index counts back from the line in which it is, but trimesh counts from the end of the file.
     """
     counts = [0, 0, 0]
     lines = []

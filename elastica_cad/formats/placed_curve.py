@@ -24,7 +24,7 @@ HORIZONTAL = np.cos(np.radians(1.0))
 def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
     """Map a run of edges from space to the coordinates of its plane.
 
-    The axes are those of `drawing_plane`.
+    The axes are chosen by `drawing_plane`.
 
     Raises
     ------
@@ -129,8 +129,8 @@ def placed_curve(
     Raises
     ------
     InputError
-        The list of edges is empty, or the edges are not plane, have no length, do not meet, meet at a corner, or
-        are not in the plane `plane`.
+        The list of edges is empty. Or the edges are not plane or not in `plane`, have no length, do not meet,
+        or meet at a corner.
     """
     if not edges:
         raise InputError("there is no edge: select at least one edge or wire for the strip to follow")

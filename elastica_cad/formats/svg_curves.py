@@ -1,4 +1,4 @@
-"""Reader of curves in SVG files. Curves that the file defines exactly stay exact."""
+"""Reader of curves in SVG files. Bezier curves and arcs are read without approximation."""
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -41,7 +41,7 @@ def read_svg_drawing(
 ) -> DrawnFile:
     """Read the curves of an SVG file with their names and layers, in mm; the arguments are those of `read_drawing`.
 
-    The y axis points up, so y is minus SVG's y. Bezier curves and arcs stay exact, with all transforms
+    The y axis points up, so y is minus SVG's y. Bezier curves and arcs are read exactly, with all transforms
     applied. A path of straight lines only is fitted. The size of a user unit follows from width, height and
     viewBox. Without a width in a physical unit, a user unit is a CSS pixel, 25.4/96 mm. It is a point,
     25.4/72 mm, in files of Adobe Illustrator, and 25.4/90 mm in files of Inkscape before 0.92. The origin is
@@ -385,7 +385,7 @@ def _points(*points: Any) -> FloatArray:
 def _arc(segment: Any) -> Edge | None:
     """Return the exact arc of a segment.
 
-    Its centre is computed again, because that of svgelements is inaccurate for half turns.
+    Its centre is computed again, because svgelements computes an inaccurate centre for half turns.
     """
     start, end, center, px, py = _points(segment.start, segment.end, segment.center, segment.prx, segment.pry)
     x_axis, y_axis = px - center, py - center

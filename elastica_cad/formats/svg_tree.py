@@ -359,8 +359,10 @@ def _origin(word: str, whole: float) -> float:
 
 
 def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Extent:
-    """Return the width and height set on a clone, or else on the nested drawing, or else those of the
-    enclosing drawing.
+    """Return the width and height of a nested drawing.
+
+    They are set on its clone, or else on the nested drawing, or else they equal the size of the enclosing
+    drawing.
     """
     width, height = (
         _size(shown.get(side) or view.get(side), whole)

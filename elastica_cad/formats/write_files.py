@@ -282,7 +282,8 @@ _STALE_S = 24 * 3600
 def _workshop(ground: Path, above: Path) -> Iterator[Path]:
     """Provide a folder in a locked temporary folder in `ground`, which is removed at the end.
 
-    Temporary folders there and in `above` that killed processes left more than a day ago are removed first.
+    Before that, old temporary folders in `ground` and `above` are removed: folders of processes that were
+    killed more than a day ago.
     """
     for place in {ground, above}:
         for old in place.glob(".elastica-*"):

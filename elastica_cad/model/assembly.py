@@ -61,7 +61,10 @@ class AssemblyPart:
 
 
 def layer_names(name: str, strip: Strip) -> tuple[str, ...]:
-    """Return the names of a strip's sheets; those of glued sheets end in "backing" or the name of the ply."""
+    """Return the names of the sheets of a strip.
+
+    The name of a glued sheet ends in "backing" or in the name of the ply.
+    """
     return tuple(f"{name} {layer.name}".rstrip() for layer in strip.layers)
 
 

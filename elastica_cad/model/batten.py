@@ -90,8 +90,8 @@ def bench_csv(strip: Strip, stations: ArrayLike | None = None) -> str:
 def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
     """Return the side view of a tapered strip at full size, or the pattern of a strip of glued plies.
 
-    A tick at each station is labelled with the distance from the tip and the size there, mm. The lines below
-    the view state the stock and the supports of the ends.
+    A tick at each station is labelled with its distance from the tip and the size of the batten, mm. The
+    lines below the view state the stock and the supports of the ends.
     """
     if strip.layout.stack:
         return LeafStack(strip).drawing
@@ -125,8 +125,9 @@ def _label_lines(strip: Strip) -> list[str]:
 ENDS = Supports("pinned", "pinned")
 SEARCH_NODES, FINE_NODES = 401, 2401  # number of nodes in the search for the taper, and for the final curve
 MOST_CAMBER = 0.4  # largest camber, as a fraction of the chord; a deeper batten is a bow
-MOST_FULL = 0.8  # largest fraction of the length that keeps the full size; the taper needs the rest
-SETTLED = 1e-7  # accuracy of camber and of its place, as a fraction of the chord
+# largest fraction of the length that has the full size; the remaining length is needed for the taper
+MOST_FULL = 0.8
+SETTLED = 1e-7  # accuracy of the camber and of its position, as a fraction of the chord
 MOST_STEPS = 30
 
 
@@ -147,10 +148,10 @@ class BattenSpec:
         the limit of planing or turning.
     label : str
     full : float
-        Fraction of the length, at the thick end, that keeps the full size; the rest is tapered.
+        Fraction of the length, at the thick end, that has the full size. The remaining length is tapered.
     lying : "up" or "down", optional
-        Side to which a batten with a level chord bulges. Camber and place then include the effect of its
-        weight. By default the weight is ignored, as for an upright batten in a sail.
+        Side to which a batten with a level chord bulges. Camber and its position then include the effect of
+        the weight. By default the weight is ignored, as for an upright batten in a sail.
 
     Raises
     ------
@@ -194,13 +195,13 @@ class BattenSpec:
             raise InputError(f'lying is {self.lying!r}: give "up" or "down", the side of the bulge, or None')
 
     def make(self) -> "Batten":
-        """Return the batten whose linear taper places the largest depth as requested.
+        """Return the batten with the linear taper for which the largest depth has the requested position.
 
         Raises
         ------
         InputError
             The thin end of the taper would be smaller than the stock allows. The message states the nearest
-            possible place.
+            possible position.
         NotConvergedError
             No taper gives that camber.
         """
@@ -216,10 +217,12 @@ class BattenSpec:
         return Batten(self, _straight_ends(_pressed(self, taper, chord, FINE_NODES).curve))
 
     def _too_thin(self, side: float, chord: float, thin: str) -> InputError:
-        """Return the error that the largest taper of the stock does not move the largest depth to its place."""
+        """Return the error that even the largest taper of the stock does not move the largest depth to its
+        position.
+        """
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
         within = 100 * self._place_of(most, chord)
-        # round towards the middle, so that the place in the message is possible
+        # round towards the middle, so that the position in the message is possible
         nearest = (
             note("at least {percent:.3g}", percent=np.ceil(10 * within) / 10)
             if side > 0
@@ -243,7 +246,7 @@ class BattenSpec:
         return 1 - 2.4 * self.camber**2
 
     def _place_of(self, taper: float, chord: float) -> float:
-        """Return the place of the camber for this taper. The chord is adjusted to the requested depth.
+        """Return the position of the largest depth for a taper. The chord is adjusted to the requested depth.
 
         The adjustment uses that the depth is proportional to the square root of length minus chord.
         """
@@ -262,7 +265,7 @@ class BattenSpec:
             bow = camber_of(_pressed(self, float(x[0]), float(x[1]), SEARCH_NODES))
             return np.array(bow) - (self.camber, self.place)
 
-        # initial guess: linear effect of the taper on the place of the camber
+        # initial guess: the position of the largest depth depends linearly on the taper
         first = [6.0 * (0.5 - self.place), self._even_chord]
         solution = least_squares(
             missed, first, bounds=([-4.0, 0.3], [4.0, 1.0 - 1e-6]), x_scale=[1.0, 0.1], ftol=None, gtol=None,
@@ -306,11 +309,11 @@ class Batten:
 
     @property
     def camber(self) -> tuple[float, float]:
-        """Depth of the camber and its place, as fractions of the chord."""
+        """Largest depth and its position, as fractions of the chord."""
         return camber_of(self.strip.rod)
 
     def camber_with_weight(self, *, bulging: Literal["up", "down"]) -> tuple[float, float]:
-        """Return depth and place of the camber under the batten's weight, as fractions of the chord.
+        """Return the largest depth under the weight of the batten and its position, as fractions of the chord.
 
         The chord is level, and has the length that it has without weight.
         """
@@ -391,7 +394,7 @@ def _level(bulging: Literal["up", "down"], side: float = 1.0) -> Gravity:
 
 
 def camber_of(rod: Rod) -> tuple[float, float]:
-    """Return the largest distance from the chord and its place, as fractions of the chord.
+    """Return the largest distance from the chord and its position, as fractions of the chord.
 
     Both are computed from a parabola through three nodes.
     """

@@ -71,9 +71,7 @@ class Collision:
     Attributes
     ----------
     places : (float, float)
-        Arc length on each strip, mm.
-    depth : float
-        Depth of the overlap, mm.
+        Arc lengths of the position on both strips, mm. depth : float Depth of the overlap, mm.
     position : (3,) array
         Position in space, mm.
     """

@@ -426,8 +426,8 @@ def _joint(k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float) -> tu
     """Return the extreme of a height that ends a piece at the height `bound`, or None if no other piece
     starts there.
 
-    The result has the strip ("a" or "b"), the number of its stretch that begins there, and the stretch of the
-    other strip.
+    The result has the strip ("a" or "b"), the number of its stretch that begins at the extreme, and the
+    number of the other strip's stretch.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:
@@ -641,7 +641,7 @@ def _edges(
     """Return the parameters at which the intersection curve crosses edges, one in each of n intervals.
 
     `sides` (n,) selects the edge (column of `IntersectionPoints.margins`), `between` has the ends of the
-    intervals, and `values` the margins there.
+    intervals, and `values` the margins at these ends.
     """
     rows = np.arange(sides.size)
     return _bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)

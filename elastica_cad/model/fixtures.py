@@ -176,7 +176,7 @@ class EndFixture(EqualByValue):
     Raises
     ------
     InputError
-        The strip has no tab at this end, a size is impossible, or the floor is above the tab or not
+        The strip has no tab at this end, or a size is impossible. Or the floor is above the tab, or not
         perpendicular to the plane of the curve.
 
     Examples

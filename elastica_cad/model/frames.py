@@ -185,8 +185,8 @@ def slotted_frame(
     Raises
     ------
     InputError
-        No plane rail can hold the tabs, slots meet or are far wider than their tabs, no rib can join the rails, or
-        a part cannot be cut. The message names the parts.
+        No plane rail can hold the tabs, slots meet, or slots are far wider than their tabs. Or no rib can
+        join the rails, or a part cannot be cut. The message names the parts.
 
     Examples
     --------

@@ -30,8 +30,8 @@ def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     """Return the number of each slot with a tab, the tab, and the walls of the slot; the first wall has the first
     corners.
 
-    Walls are places (2, n, 2) into the tab and to its left, where vertical lines of the walls meet the plane of the
-    curve.
+    The two walls are arrays (2, n, 2) of points in the plane of the curve: distance along the tab, and
+    distance to its left. At these points, vertical lines of the walls meet the plane.
     """
     through = [(k, slot.tab) for k, slot in enumerate(plate.slots) if slot.tab is not None]
     if not through:

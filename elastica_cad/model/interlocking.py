@@ -41,8 +41,8 @@ def _bent_slot_width(
     """Return the widths (n,), mm, of a slot in strip `ruled` that lets the faces of strip `other` through.
 
     Half the width is on either side of the centre line. For flat sheets it is `slot_width` without clearance.
-    Bent sheets curve away from the line on which their middle surfaces meet, by (w / 2)^2 kappa / 2. This shifts
-    the other strip by that amount times cot(phi).
+    Bent sheets curve away from the line on which their middle surfaces meet, by (w / 2)^2 kappa / 2. So the
+    other strip is shifted by (w / 2)^2 kappa / 2 cot(phi), where w is the width of the slot.
 
     Parameters
     ----------
@@ -243,7 +243,7 @@ Only joints of changed strips are computed again.
 _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDictionary()
 """Cache of slotted strips.
 
-An unchanged strip is returned as the same object, so that its computed results are kept.
+An unchanged strip is returned as the same object, so that its results are not computed again.
 """
 
 
@@ -319,7 +319,9 @@ class _Cutter:
         return joints_of_pair
 
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
-        """Return the joint of an equal pair of strips: `frames` are those of the first strip of both pairs."""
+        """Return the joint of an equal pair of strips: `frames` contains the frame of the first strip of each
+        pair.
+        """
         first, second = (
             replace(slot, mate=self.strips[mate].label)
             for slot, mate in zip(joint.slots, members[::-1], strict=True)

@@ -21,7 +21,9 @@ SLACK_MM = 1e-9
 """Tolerance, mm, so that a piece fits in a row of its exact size."""
 
 _TIE_DECIMALS = 6
-"""Decimals, mm, to which sizes are compared, so that pieces of equal size stay in their order."""
+"""Decimals, mm, to which sizes are compared, so that rounding errors do not change the order of pieces of
+equal size.
+"""
 
 LEAST_GAP_MM = 0.01
 """Least distance, mm, between tool paths, because touching loops cannot be offset by the kerf."""

@@ -270,8 +270,9 @@ def base_plate(
     Raises
     ------
     InputError
-        No tab reaches through the plate, a tab is too flat, slots meet or are far wider than their tabs, bridges
-        are too thin, or an inclined strip wider than its tab runs into the plate. The message names the parts.
+        No tab reaches through the plate, a tab is too flat, or an inclined strip wider than its tab runs into
+        the plate. Or slots meet, slots are far wider than their tabs, or bridges are too thin. The message
+        names the parts.
     """
     plate_options = options_by_name(PlateOptions, options, "a base plate")
     name, ends, sheet = plate_options.name, plate_options.ends, Sheet.of(sheet)
@@ -521,8 +522,8 @@ def slot_reach(radius: float, angle: float, thickness: float, tab: float) -> flo
     """Return the least distance, mm, of a slot in a ring from the axis of the ring.
 
     The slot is for a tab, `tab` mm thick, that starts at `radius` and is at an angle (rad) to the outward
-    radial direction. For a tab flat on the ring, the result is the radius. `thickness` is that of the ring,
-    mm.
+    radial direction. For a tab flat on the ring, the result is the radius. `thickness` is the thickness of
+    the ring, mm.
     """
     if abs(np.sin(angle)) < np.sin(FLATTEST_RAD):
         return radius

@@ -59,9 +59,9 @@ def touching_widths(
 ) -> tuple[Profile, ...]:
     """Return widths with which neighbouring strips meet at the planes that bisect the angles between them.
 
-    Half the width is the distance from the curve, along the ruling, to the nearer bisector plane, after the
-    plane was moved towards the curve by the gap. The Flower Pot and the Shell of the paper (section 9) have
-    such widths.
+    Half the width is the distance from the curve, along the ruling, to the nearer bisector plane. Before
+    that, each plane is moved towards the curve by the gap. The Flower Pot and the Shell of the paper (section
+    9) have such widths.
 
     Parameters
     ----------

@@ -115,7 +115,7 @@ def _rows(steps: Sequence[AssemblyStep]) -> Iterator[tuple[str, ...]]:
 def _held_rows(model: Model) -> Iterator[tuple[str, ...]]:
     """Yield a row of the table for each rail, pin, tie and load.
 
-    Angles are those of the strip, or of the force of a load, relative to the line between the ends.
+    Angles are between the strip, or the force of a load, and the line between the ends.
     """
     for i, member in enumerate(model.placed):
         for held in held_elements(member.strip):

@@ -246,7 +246,7 @@ def bodies(
     elevation: float = 25.0,
     azimuth: float = -60.0,
 ) -> Figure:
-    """Draw closed triangle meshes in space, such as those of `tessellate` in CAD kernels.
+    """Draw closed triangle meshes in space. CAD kernels return such meshes from `tessellate`.
 
     Parameters
     ----------

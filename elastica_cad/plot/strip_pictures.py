@@ -139,7 +139,7 @@ def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)
     from matplotlib.path import Path as Outline
 
     for layer in strip.layers:
-        # matplotlib does not fill loops whose direction is opposite to that of the outline
+        # matplotlib does not fill loops whose direction is opposite to the direction of the outline
         loops = [layer.outline, *(hole if hole.area < 0 else hole.reversed() for hole in layer.holes)]
         outlines = [Outline(loop.closed_points(SMOOTH_MM) + shift, closed=True) for loop in loops]
         seen_through = layer is not strip.layers[0]

@@ -1,6 +1,6 @@
 """Worker processes and the queue of requests.
 
-Of waiting requests of the same kind from a page, only the newest is answered.
+If several requests of the same kind from a page are waiting, only the newest is answered.
 """
 
 import asyncio

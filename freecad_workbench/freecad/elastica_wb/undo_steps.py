@@ -21,7 +21,8 @@ def open_step(document: Any, name: str) -> None:
 
 def open_step_and(close_sketch: Callable[[], None], document: Any, name: str) -> None:
     """Begin an undo step, and close the open sketch in it."""
-    open_step(document, name)  # first, otherwise FreeCAD names the step after closing the sketch
+    # begin the step first; otherwise FreeCAD would name it after closing the sketch
+    open_step(document, name)
     close_sketch()
     if not active_step(document):  # FreeCAD 1.2 ends the step with the sketch
         open_step(document, name)

@@ -187,7 +187,9 @@ def chosen_sketch() -> Any:
 
 
 def chosen_sources() -> list[Any]:
-    """Return the selected strips, models, plates and copies of them; without a selection, those of the document.
+    """Return the selected strips, models, plates and their copies.
+
+    If nothing is selected, return all in the document.
 
     A flat part with the slots of a model is replaced by the model. Links, arrays and clones are returned as
     they are. Containers are replaced by their contents.

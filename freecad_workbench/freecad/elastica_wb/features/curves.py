@@ -185,7 +185,7 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
 def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
     """Return a rod with its ends displaced (mm) and rotated (degrees).
 
-    The keys of `change` are those of `MOVES`.
+    The keys of `change` are keys of `MOVES`.
     """
     start = rest.position[0] + (change["StartX"], change["StartY"])
     end = rest.position[-1] + (change["EndX"], change["EndY"])

@@ -115,7 +115,9 @@ def shown_model(obj: Any) -> Model:
 
 
 def model_of(obj: Any, *, shown: bool = False) -> Model:
-    """Return the `Model` record of a model feature. With `shown`, the strips are those of their current shapes.
+    """Return the `Model` record of a model feature.
+
+    With `shown`, each strip is taken as it is currently displayed.
 
     Raises
     ------

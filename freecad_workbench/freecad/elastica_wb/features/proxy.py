@@ -367,7 +367,7 @@ def keep_places(container: Any) -> None:
 
 
 def telling(obj: Any, name: str) -> list[Any]:
-    """Return those of the object and the features made from it whose messages contain a name."""
+    """Return the objects whose messages contain a name, among an object and the features made from it."""
     ours = (feature for feature in (obj, *obj.InListRecursive) if is_ours(feature))
     return [feature for feature in ours if any(name in words for words in _sentences(feature))]
 

@@ -76,7 +76,7 @@ class StripFeature(Feature):
             obj.Anyway = obj.StrainUse >= 100  # earlier versions did not refuse such a strip
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Take new places of ties and loads as places on the present curve."""
+        """Reset PlacesLength after a change of ties or loads, because new positions refer to the current curve."""
         super().onChanged(obj, name)
         if (
             name in ("Between", "Loads")

@@ -332,7 +332,10 @@ def _line(table: Mapping[str, Any]) -> str:
 
 
 def keep_fractions(obj: Any, drawn: DrawnCurve) -> None:
-    """Write the places of ties and loads on the present curve, on which they keep their fractions of its length."""
+    """Convert the positions of ties and loads to the current curve.
+
+    As fractions of its length, they are unchanged.
+    """
     length, before = drawn.curve.length, obj.PlacesLength.Value
     if before == length:
         return

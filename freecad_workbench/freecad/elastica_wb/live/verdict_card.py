@@ -62,7 +62,8 @@ class VerdictCard(QtCore.QObject):
             part.setFocusPolicy(QtCore.Qt.NoFocus)
         self.answer: Answer | None = None
         self._tall = self._corner = 0
-        self._shrunk = self._stays_open = False  # folded by the size of the view; unfolded there by the user
+        # whether a small view folded the card; whether the user unfolded it
+        self._shrunk = self._stays_open = False
         self._places: Sequence[Any] = ()
         self._over.installEventFilter(self)
         self._soon = later(self._place, LOOKED_MS, self)

@@ -169,8 +169,8 @@ def find_nearest_now(spec: RodSpec) -> NearestRod:
 
 # factors by which limits are stricter, tried in turn, because a curve with few poles differs from its rod
 ROOMS = (1.1, 1.25, 1.5)
-# largest distance that is accepted for a curve with few poles: a multiple of that of the nearest curve, or a
-# fraction of the length
+# a curve with few poles may be farther from the drawn curve: by this multiple of the distance of the nearest
+# curve, or by this fraction of the length
 FARTHER, NEAR_SHARE = 3, 0.01
 SPANS = (8, 12, 16, 20)
 
