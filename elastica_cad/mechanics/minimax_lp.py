@@ -335,13 +335,16 @@ def least_variation(
     size[size == 0] = 1.0
     planes, limits = planes / size[:, None], limits / size
     x = np.linalg.lstsq(basis, start, rcond=None)[0]
-    # shift the conditions so that they hold at the start, and all planes so that no more than m meet in a point
+    # shift the conditions so that they hold at the start, and the planes of terms and stiffness so that no more
+    # than m meet in a point
     limits[terms:] += np.maximum(-(planes[terms:] @ x + limits[terms:]), 0.0)
-    limits += METHOD.tilt * np.random.default_rng(0).uniform(1.0, 2.0, limits.size)
+    shifted = limits.size - len(side_rows)
+    limits[:shifted] += METHOD.tilt * np.random.default_rng(0).uniform(1.0, 2.0, shifted)
     # the m planes of the start belong to no term and no condition
     active, normals = np.full(x.size, -1), np.eye(x.size)
     for _ in range(METHOD.most_steps):
         values = planes @ x + limits
+        values[terms:] = np.maximum(values[terms:], 0.0)
         values[active[active >= 0]] = 0.0
         edges = np.linalg.inv(normals)
         slopes = np.sign(values[:terms]) @ planes[:terms] @ edges
@@ -355,7 +358,9 @@ def least_variation(
         step = edges[:, out] * (1 - 2 * back)
         rates = planes @ step
         rates[active[active >= 0]] = 0.0
+        rates[np.abs(rates) < METHOD.pivot * np.linalg.norm(step)] = 0.0
         meets = (values * rates < 0).nonzero()[0]
+        meets = np.append(meets[meets < terms], terms + (rates[terms:] < 0).nonzero()[0])
         meets = meets[(np.abs(values[meets] / rates[meets])).argsort()]
         gains = np.where(meets < terms, 2 * np.abs(rates[meets]), np.inf)
         turns = (changes[back, out] + gains.cumsum() >= 0).nonzero()[0]

@@ -8,6 +8,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.bending import shape_of, state_of, system_of
+from elastica_cad.mechanics.bracing import slack_elements
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail
 from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.newton_continuation import newton_step
@@ -41,7 +42,8 @@ def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
     """
     rod = rod.following()
     actions = mounted(rod, None)
-    taut = [not action.is_one_sided or bool(np.any(action.force)) for action in actions]
+    slack = [action.element for action in slack_elements(actions, rod.discrete.force)]
+    taut = [action.element not in slack for action in actions]
     acting = tuple(action for action, is_taut in zip(actions, taut, strict=True) if is_taut)
     if not acting:
         return (0.0,) * len(actions)

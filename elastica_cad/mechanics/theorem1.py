@@ -821,10 +821,10 @@ def _pinned_end_reasons(
         natural = float(excess.rest_at(np.array(t)))
         yield note(
             "The {end} (at {s}) is free to turn, so its curvature of {curvature:.3g} 1/mm must equal the "
-            "natural curvature of {natural:.3g} 1/mm. Clamp this end, or let the curvature change to the "
-            "natural curvature there." if natural else
+            "natural curvature of {natural:.3g} 1/mm. Let the curvature change to the natural curvature "
+            "there. Only a clamped end may have another curvature." if natural else
             "The {end} (at {s}) is free to turn, so the curvature there must be 0, but it is {curvature:.3g} "
-            "1/mm. Clamp this end, or let the curvature decrease to 0 there.",
+            "1/mm. Let the curvature decrease to 0 there. Only a clamped end may be bent.",
             end=note(name), s=Length(s), curvature=kappa, natural=natural,
         )  # fmt: skip
 

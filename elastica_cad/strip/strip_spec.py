@@ -191,11 +191,11 @@ def _check_together(spec: RodSpec) -> None:
         )
     if spec.weight is not None and spec.gravity is None:
         raise InputError(
-            "{loads} need gravity in the plane of the curve: set {gravity} to a direction in that plane, or "
-            "leave out {loads}",
+            "A point mass needs gravity in the plane of the curve. Set {gravity} to a direction in that plane."
+            if spec.weight.masses
+            else "A weight needs gravity in the plane of the curve. Set {gravity} to a direction in that plane.",
             gravity=FieldName("gravity"),
-            loads=FieldName("loads"),
-            where={"field": ("gravity", "loads")},
+            where={"field": "gravity"},
         )
     if spec.may_change and spec.samples is not None:
         raise InputError(

@@ -188,13 +188,22 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
     """Yield a row on the forces of rails, pins and ties, if there are any. `bending_stiffness` is in N mm2."""
     if not rod.between:
         return
-    texts = [_element_text(action, rod, bending_stiffness * action.size) for action in rod.between]
+    largest = float(np.hypot(*rod.force.T).max())
+    texts = [
+        _element_text(
+            action, rod, bending_stiffness * action.size if action.size > NO_FORCE_SHARE * largest else 0.0
+        )
+        for action in rod.between
+    ]
     details = note(
         "Left and right are seen along the strip from its start; a bar that pushes to the left is on the right. "
         "Angles are from the x axis of the drawing."
     )
     yield Row(note("Between"), sentences(texts, "; "), (details,))
 
+
+NO_FORCE_SHARE = 1e-6
+"""Force of an element, as a fraction of the largest force in the rod, below which it is a rounding error."""
 
 MOUNTING_ERROR_MM = 0.5
 """Error of the position of a rail or pin, or of the length of a cord, mm, for which displacements are reported."""

@@ -65,3 +65,11 @@ def test_a_rail_without_force_moves_nothing():
     moves = displacements_per_mm(slack)
     assert [bool(move) for move in moves] == [bool(np.any(action.force)) for action in slack.between]
     assert 0.0 in moves
+
+
+def test_a_slack_cord_does_not_move_the_strip():
+    """The program leaves this cord a force of the size of rounding errors."""
+    assert (
+        displacements_per_mm(ec.optimal_rod(WAVE, between=(ec.Pin(200), ec.Tie(180, 220)), samples=201))[1]
+        == 0
+    )
