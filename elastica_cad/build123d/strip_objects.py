@@ -98,7 +98,7 @@ class _Jointed(_Pickled):
 
 
 class _Made(_Jointed, StripBody):
-    """Shape of a strip. Copies share the strip, and properties return its other bodies."""
+    """Base of shapes that are made from a strip. Copies share the strip. Properties return its other bodies."""
 
     def _start(self) -> Frame | None:
         if self._parts:

@@ -119,8 +119,7 @@ def elastic_strip(
             )
         context.pending_edges = bd.ShapeList()
         path = list(bd.Wire.combine(path)) if len(path) > 1 else path
-        # a bent strip is not placed again, because the builder has placed the pending edges at its active
-        # locations
+        # a bent strip is not placed again, because the builder has placed its pending edges
         drawn = bd.LocationList([bd.Location()]) if form == "bent" else nullcontext()
         with drawn:
             strips: list[Any] = [

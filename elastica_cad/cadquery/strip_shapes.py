@@ -124,7 +124,7 @@ class _Moved(_Pickled):
 
 
 class _Made(StripBody, _Moved):
-    """Shape with a strip. Its properties return the other bodies."""
+    """Base of shapes that are made from a strip. Properties return the other bodies of the strip."""
 
     def _start(self) -> Frame | None:
         return _read_frame(self.location() * self._joints["start"]) if "start" in self._joints else None
@@ -312,8 +312,7 @@ class _Jointed(_Made):
         the strip's start or end.
         """
         here = self.location()
-        # a mapping that is not a dict, because viewers would interpret a dict named `joints` as joints of
-        # build123d
+        # not a dict, because viewers would interpret a dict named `joints` as joints of build123d
         return MappingProxyType({name: here * place for name, place in self._joints.items()})
 
 

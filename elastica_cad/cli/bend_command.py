@@ -179,8 +179,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         shapes = bend_path(rod, _steps(rod, chosen, held, change), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
-        # a straight strip is not listed at travel 0, because its force may have any value up to the buckling
-        # load
+        # at travel 0, the force on a straight strip may have any value up to the buckling load
         listed = curve is not None and chosen["steps"] > 1 and not change
         moved = bend_strip(strip, _steps(strip.rod_to_bend, chosen, held, change, listed=listed), side=side)
         shapes, verdicts = moved.rods, moved.verdicts

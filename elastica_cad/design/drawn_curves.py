@@ -206,8 +206,7 @@ class EllipseArc:
                 "{place} and above exclude each other. Leave out one of them.", place=f"{where}: {idle[0]}"
             )
         rise = self.above - center[1]
-        # height over the centre at the parameter v: a sin(rotation) cos v + b cos(rotation) sin v = reach
-        # cos(v - top)
+        # y over the centre: a sin(rotation) cos(v) + b cos(rotation) sin(v) = reach cos(v - top)
         tall = axes[0] * np.sin(rotation), axes[1] * np.cos(rotation)
         reach, top = float(np.hypot(*tall)), float(np.arctan2(tall[1], tall[0]))
         if not -reach < rise < reach:

@@ -23,7 +23,7 @@ Triple: TypeAlias = tuple[float, float, float]
 
 @dataclass(frozen=True)
 class SharedKeys:
-    """Keys of strips that may also be at the top of a file, for all strips."""
+    """Keys of a strip that may also be written at the top of a design file, where they apply to all strips."""
 
     BESIDE: ClassVar[Record] = StripSpec
     WITHOUT: ClassVar[tuple[str, ...]] = ("curve", "slots", "label")

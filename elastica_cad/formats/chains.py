@@ -32,8 +32,7 @@ DIGIT_MM, DIGIT_SHARE = 0.5, 0.01
 _ALONGSIDE = np.cos(np.radians(160.0))
 HOLE_ASIDE = 0.1  # largest distance of a hole's centre from its straight end, as a fraction of the diameter
 SAME_POINT = 1e-13  # rounding distance of points, as a fraction of the largest coordinate
-# smallest turn, degrees, that counts as a corner: of a curve through points, and of straight sides for which
-# no smooth curve was found
+# least turn, degrees, at a corner: of a curve through points; of straight sides without a smooth curve
 LARGEST_TURN, LEAST_TURN = 50.0, 5.0
 _STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the largest turn at which two ends share a tangent
 _LONG = 20.0  # a polyline side longer than this many tolerances is intended to be straight
@@ -41,8 +40,7 @@ _DIGIT = 1.1 * np.sqrt(
     2.0
 )  # largest error of an end point, in units of the coordinate rounding, with an allowance for rounded angles
 _DENSE = 50  # number of inner knots above which a spline was interpolated through points
-# points are noisy if the second difference of the curvature at knots exceeds this fraction of the largest
-# curvature
+# least second difference of the curvature of noisy points, as a fraction of the largest curvature
 _ROUGH = 0.2
 _REFINED = 10  # rounds of the search for the nearest point; each round divides the interval by four
 _CROWD = 50  # if more ends than this meet at a point, on all layers, they are not joined
@@ -375,8 +373,8 @@ def _common_parts(
 ) -> list[tuple[int, _Place, FloatArray]]:
     """Return the end parts of a run, longer than `least` mm, that coincide with the end of a longer run.
 
-    Each part is given by the end of the run (0 or 1), the position of the end of the longer run, and that end
-    (d,).
+    Each entry has the end of the run (0 or 1), the position in the run at which the longer run ends, and the
+    end point (d,) of the longer run.
     """
     parts = []
     on_run = [(place, end) for end in _ends([longer]) if (place := _place_of(end, run, tolerance))]

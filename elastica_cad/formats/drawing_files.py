@@ -74,8 +74,7 @@ def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
         return f"L{place(segment.end.tolist())}"
     if isinstance(segment, Arc):
         radius, turns = _format_length(segment.radius), "0" if segment.sweep > 0 else "1"
-        # split arcs of more than 180 degrees, because an SVG arc is defined by its ends: a full circle has
-        # none, and an almost full arc is badly conditioned
+        # split long arcs, because SVG defines an arc by its ends, which is inaccurate for almost full circles
         long = abs(segment.sweep) > np.pi * (1 + 1e-9)
         ends = segment.at(np.array([0.5, 1.0] if long else [1.0])).tolist()
         return "".join(f"A{radius} {radius} 0 0 {turns} {place(end)}" for end in ends)

@@ -222,7 +222,7 @@ class BattenSpec:
         """
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
         within = 100 * self._place_of(most, chord)
-        # round towards the middle, so that the position in the message is possible
+        # the position in the message is rounded towards the middle, so that it is possible
         nearest = (
             note("at least {percent:.3g}", percent=np.ceil(10 * within) / 10)
             if side > 0
@@ -304,7 +304,7 @@ class Batten:
 
     @cached_property
     def strip(self) -> Strip:
-        """Strip made from `strip_spec`."""
+        """Strip that is made from the request `strip_spec`."""
         return self.strip_spec.make()
 
     @property

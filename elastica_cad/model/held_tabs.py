@@ -19,8 +19,7 @@ from elastica_cad.strip.tab_seats import WALL_PLACES, TabSeat
 
 def _seat_between(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSeat:
     """Return the seat of a tab between the two walls of a slot, each (n, 2), in the plane of the strip's curve."""
-    # use the points of a wall up to the tip of the tab; if the whole wall is beyond the tip, use the nearest
-    # point
+    # use the points of a wall up to the tip of the tab, or the nearest point if all are beyond the tip
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
     left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))
     return TabSeat(left, right, tab.thickness, note("slot of {name}", name=plate.name))

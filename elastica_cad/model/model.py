@@ -140,8 +140,7 @@ def _plates_apart(placed: Sequence[Placed], sheet: Sheet, options: RingOptions) 
     plates = facing_plates(placed, sheet, options)
     for plate in plates:
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
-        # spreads of the slot centres along their two principal directions; with a single slot there is only
-        # one
+        # spreads of the slot centres along their principal directions; a single slot has one
         spreads = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)
         if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
             raise InputError("{name}: the slots are in one row, so the plate would tip", name=plate.name)

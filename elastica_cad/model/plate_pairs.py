@@ -199,8 +199,7 @@ def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, 
 def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
     """Return the slots of a plate, moved within the plate by the shift and rotation for each tab."""
     slots, walls = list(plate.slots), slot_walls(plate)
-    # the left side of the curve is in direction -z of the tab; slots move along the projection of this
-    # direction on the plate
+    # slots move in the direction to the left of the curve, -z of the tab, projected on the plate
     ways = np.array([(tab.frame.x_axis, -tab.frame.z_axis) for _, tab, _ in walls]).reshape(-1, 2, 3)
     for (k, tab, wall), (into, left) in zip(walls, (ways @ plate.frame.axes.T)[..., :2], strict=True):
         if (lean := leans.get(tab.key)) is not None:
@@ -216,8 +215,7 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
     moves = []
     for wall in walls:
         place, slope = lean.touched(wall)
-        # the tab is bent at the plate, so a wall that moves within the plate moves both across and along the
-        # tab
+        # a bent tab is inclined at the plate, so its wall moves both across and along the tab
         across = left - slope * into
         moves.append((lean.shift + lean.turn * place) / float(across @ left) * left)
     first, second = moves

@@ -336,8 +336,7 @@ class _Request:
         near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
         gap = TAB_GAP_MM
         if self.rings is not None:
-            # the width of the bridge between two slots is measured along the sides of the slots, at half the
-            # angle between them
+            # a bridge is measured along the sides of its slots, at half the angle between the slots
             gap = (
                 2 * PLAY
                 + BRIDGE_FACTOR * self.shop.bridge_for(self.rings) / float(np.cos(np.pi / self.strips)) ** 2

@@ -33,8 +33,7 @@ SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from
 ROWS = 34  # number of rows of a table on a page
 EDGE_MM = 0.5  # largest distance, mm, between outlines and the polylines that are drawn
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
-# strips are drawn as a pixel image of this resolution, because viewers take minutes to open thousands of
-# vector patches
+# resolution of the pixel image of the strips; thousands of vector patches take minutes to open
 PAINT_DPI = 300
 MOST_NUMBERS = 120  # largest number of labels; more would cover the picture
 
@@ -177,8 +176,7 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     patches, colors = (np.concatenate(part) for part in zip(*shown, strict=True))
     outlines = list(_outlines([*model.plates, *holders], far))
     depths = [*(patches.mean(axis=1) @ toward), *(float(place @ toward) for _, place, _ in outlines)]
-    # paint from far to near; consecutive patches with equal numbers of corners are drawn together, which is
-    # much faster
+    # paint from far to near; consecutive patches with equal numbers of corners are drawn together
     order = np.argsort(depths, kind="stable")
     whole = order >= len(patches)
     for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):

@@ -73,8 +73,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     )
     cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
     middles = (cuts[:-1] + cuts[1:]) / 2
-    # a slab is the area between neighbouring values of x; each line crosses all slabs from its first to its
-    # last slab
+    # a slab is the area between neighbouring values of x; a line crosses consecutive slabs
     first = np.searchsorted(middles, left[:, 0], side="right")
     count = np.searchsorted(middles, right[:, 0], side="left") - first
     line = np.repeat(np.arange(len(left)), count)
@@ -82,8 +81,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     order = np.lexsort((left[line, 1] + slope[line] * (middles[slab] - left[line, 0]), slab))
     # loops are closed, so the lines in every slab form pairs, below and above the area
     below, above, slab = line[order[0::2]], line[order[1::2]], slab[order[0::2]]
-    # the parts of neighbouring slabs between the same two lines form a trapezoid, which ends at the next
-    # station
+    # a trapezoid consists of neighbouring slabs between the same two lines, and ends at a station
     ends_here = np.zeros(len(cuts), dtype=bool)
     ends_here[np.searchsorted(cuts, stations, side="right") - 1] = True
     along = np.lexsort((slab, above, below))

@@ -271,7 +271,7 @@ def _stations_of(size: Profile) -> list[float]:
     """
     length = size.length
     s = np.linspace(0.0, length, 801)
-    # rounded, so that rounding errors do not decide between positions of equal width
+    # widths are rounded, so that rounding errors do not decide between positions of equal width
     w = np.round(size(s), 9)
     wanted = [s[int(np.argmax(w))], s[int(np.argmin(w))], 0.0, length, length / 2, length / 4, 3 * length / 4]
     kept: list[float] = []

@@ -511,8 +511,7 @@ def _bend(request: Mapping[str, Any]) -> Record:
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
     pulled = bend_strip(strip, [led(part, flat, 1.0) for part in parts])
     frames = [_frame(strip, pulled, k, 1 - parts[k]) for k in range(len(parts))][::-1]
-    # if an error shows that the strip cannot be pressed further, only the shapes from flat to the design are
-    # shown
+    # if the strip cannot be pressed further, only the shapes from flat to the design are shown
     with suppress(ElasticaError):
         more = np.arange(1, PRESSED_STEPS + 1) / PRESSED_STEPS
         pressed = bend_strip(strip, [led(part, end - PRESSED_SHARE * chord, 0.0) for part in more])

@@ -51,7 +51,7 @@ class Command:
     checkable: bool = False
 
     def GetResources(self) -> dict[str, str | bool]:
-        """Return icon, texts and shortcut."""
+        """Return the icon, texts and shortcut of the command."""
         resources = {"Pixmap": icon(self.name), "MenuText": self.text, "ToolTip": self.tip}
         resources |= {"WhatsThis": self.name, "StatusTip": self.tip}
         if self.in_sketch:

@@ -140,8 +140,7 @@ def picked(root: Any, path: str) -> tuple[Any, str]:
     elsewhere.
     """
     along = root.getSubObjectList(path)
-    # remove names that FreeCAD 1.1 derives from the history of an element (;#14:1;...), because they change
-    # with every edit
+    # remove names such as ;#14:1; from the history of an element, because they change with every edit
     names = [name for name in path.split(".") if not name.startswith(";")]
     for i, obj in enumerate(along):
         if obj.TypeId.startswith(LINK):
@@ -235,8 +234,7 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
 
     Construction geometry is not removed.
     """
-    # in a single call, because FreeCAD also deletes the poles of a spline, which changes the numbers of later
-    # geometry
+    # delete all in a single call, because deleting a spline changes the numbers of later geometry
     sketch.delGeometries([i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)])
     # types of the remaining poles and knots of the old spline
     points = ("Part::GeomCircle", "Part::GeomPoint")

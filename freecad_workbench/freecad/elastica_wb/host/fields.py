@@ -238,8 +238,7 @@ class _Keeper(QtCore.QObject):
         if kind == QtCore.QEvent.KeyPress and event.text() == "." and _takes_numbers(widget):
             point = str(widget.locale().decimalPoint())
             if point != ".":
-                # FreeCAD's box would ignore the point as a separator of thousands: 0.5 mm would become 5 mm,
-                # displayed as 0.5
+                # FreeCAD's box would ignore the point as a separator of thousands, and read 5 mm
                 typed = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Comma, event.modifiers(), point)
                 QtWidgets.QApplication.sendEvent(widget, typed)
                 return True

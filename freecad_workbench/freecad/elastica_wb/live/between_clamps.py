@@ -132,7 +132,7 @@ class BetweenClamps:
         document = self.sketch.Document
         open_step(document, translate("Elastica_Between", "Curve of given length"))
         self.number = recorded(replace_curve, self.sketch, self.number, self.found.curve)
-        record_call(self.sketch, "solve")  # recorded, because solving moves points
+        record_call(self.sketch, "solve")  # macros must also solve the sketch, because this moves its points
         close_step(document)
 
     def _places(self) -> FloatArray:
@@ -260,7 +260,7 @@ class LengthCard(QtCore.QObject):
         self._pause = later(lambda: lengthened(value_of(self.length)), PAUSE_MS, self.frame)
         on_change(self.length, lambda *_: self._pause.start())
         self.side.clicked.connect(lambda *_: turned_over())
-        # delayed, because a button must not be deleted while it is pressed
+        # end the tool later, because a button must not be deleted while it is pressed
         self.done.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, done))
         self.frame.setFixedWidth(WIDE_PX)
         self.frame.move(free_part(over).topLeft() + QtCore.QPoint(GAP_PX, GAP_PX))

@@ -104,7 +104,7 @@ class VerdictCard(QtCore.QObject):
         """Keep the card off these points in space."""
         with suppress(RuntimeError):
             self._places = places
-            self._place()  # called first, because it raises an error if the view was closed
+            self._place()  # place the card first, because this raises an error if the view was closed
             self._camera.attach(self._view.getCameraNode())
 
     def remove(self) -> None:

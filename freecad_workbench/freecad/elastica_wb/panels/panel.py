@@ -49,8 +49,7 @@ class Panel:
         self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
         self.document = document
         self._timer = later(self._safely_changed, PAUSE_MS, self.form)
-        # earlier changes outside of an undo step, such as changes in the console, must not become part of
-        # this step
+        # earlier changes without a step, such as changes in the console, must not become part of this step
         if self.step and not (document.HasPendingTransaction and active_step(document)):
             open_step(document, self.step)
 
@@ -174,8 +173,7 @@ class Panel:
         if Gui.ActiveDocument is not None:
             Gui.ActiveDocument.resetEdit()
         Gui.Control.closeDialog()
-        # FreeCAD deletes the widgets. A wrapper that is still referenced, for example by a cycle of signals,
-        # would be reused for the next widget at the same address.
+        # release the wrapper, because PySide would reuse it for the next widget at the same address
         self.form = None
         gc.collect()
 
@@ -190,7 +188,7 @@ class _Documents:
             panel.let_go()
             panel.document, panel.preview = None, None
             panel._homes = []
-            # closing is delayed, because FreeCAD is destroying the document, and an undo would crash
+            # close the panel later, because an undo would crash while FreeCAD destroys the document
             QtCore.QTimer.singleShot(0, panel.abandon)
 
 

@@ -169,8 +169,7 @@ def find_nearest_now(spec: RodSpec) -> NearestRod:
 
 # factors by which limits are stricter, tried in turn, because a curve with few poles differs from its rod
 ROOMS = (1.1, 1.25, 1.5)
-# a curve with few poles may be farther from the drawn curve: by this multiple of the distance of the nearest
-# curve, or by this fraction of the length
+# largest distance of a curve with few poles: multiple of the least distance, or fraction of the length
 FARTHER, NEAR_SHARE = 3, 0.01
 SPANS = (8, 12, 16, 20)
 
@@ -284,7 +283,8 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
 def engraved_shape(strip: Strip, layer: int = 0) -> Part.Shape:
     """Return the shape of `flat_shape`, with the engraved text as edges on its upper face.
 
-    Bodies of tapered thickness and stacks of plies have no plane face with the text.
+    Bodies of tapered strips and of stacks of plies are returned without text, because they have no plane face
+    for it.
     """
     shape = flat_shape(strip, layer)
     if strip.layout.worked_size is not None or strip.layout.stack is not None:
