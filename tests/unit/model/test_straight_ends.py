@@ -44,7 +44,9 @@ def test_straight_ends_become_tabs_of_that_length_with_holes_where_circles_are_d
     assert strip.rod.length == pytest.approx(bent.rod.length, abs=1e-6)
     assert np.allclose(strip.width.extremes, bent.width.extremes, atol=1e-6)
     assert len(strip.holes) == 4
-    (told,) = (warning for warning in strip.warnings if "straight first 60 mm and last 60 mm" in warning)
+    (told,) = (
+        warning for warning in strip.warnings if "straight over its first 60 mm and its last 60 mm" in warning
+    )
     assert told.endswith("Circles drawn on the tabs became holes: 4.")
 
 
@@ -110,7 +112,7 @@ def test_the_command_check_draws_and_judges_what_is_bent(arch, tmp_path, capsys)
     words = ["--natural-curvature", "0.0005", "--picture", str(tmp_path / "arch.png")]
     with pytest.raises(SystemExit, match="0"):
         main(["check", str(arch), *words])
-    assert "straight first 60 mm" in capsys.readouterr().out
+    assert "straight over its first 60 mm" in capsys.readouterr().out
     assert (tmp_path / "arch.png").stat().st_size > 10_000
 
 

@@ -53,8 +53,8 @@ def test_a_hole_bends_as_in_plate_elements(share, poisson, plate):
 @pytest.mark.parametrize(
     ("elements", "message"),
     [
-        ((ec.Pin(200, hole=70),), "take 70 mm of the width"),
-        ((ec.Tie(40, 310, notch=20),), "take 40 mm of the width"),
+        ((ec.Pin(200, hole=70),), "are 70 mm wide in total"),
+        ((ec.Tie(40, 310, notch=20),), "are 40 mm wide in total"),
         ((ec.Rail(200), ec.Tie(40, 90, hole=4), ec.Pin(93, hole=4)), "at 90 mm and 93 mm overlap"),
         ((ec.Pin(200, hole=12),), "between a hole and the edge"),
     ],

@@ -141,7 +141,7 @@ def test_ligaments_are_judged_by_their_own_limit():
     holed = Strip(Rod.straight(120.0, [1, 2, 1]), Sheet.named("card-200gsm"), style=style)
     assert find_strip_faults(holed) == ()
     (fault,) = find_strip_faults(holed, FabricationLimits(least_ligament=0.8))
-    assert "0.8 mm are needed" in fault.what
+    assert "at least 0.8 mm wide" in fault.what
 
 
 def test_a_sheet_has_limits_of_its_own():
@@ -231,7 +231,8 @@ def tabbed(width, sheet=PLYWOOD, **options):
 
 def test_a_tab_that_its_end_would_break_is_refused_with_the_width_that_bears_it():
     with pytest.raises(
-        StrainError, match=r"strip is 24.7 mm wide and its tab 3 mm\. .* Make the tab at least (\S+) mm wide"
+        StrainError,
+        match=r"strip is 24.7 mm wide and its tab is 3 mm wide\. .* Make the tab at least (\S+) mm wide",
     ) as no:
         tabbed(3)
     assert not tabbed(float(re.search(r"tab at least (\S+) mm", str(no.value))[1])).warnings
@@ -248,7 +249,7 @@ def test_a_tab_bears_in_the_mean_what_the_moment_of_its_end_asks():
     assert made.strain_verdict.at == 0.0
     assert not tabbed(6, replace(metal, max_strain=1.001 * asked)).warnings
     (told,) = tabbed(6, replace(metal, max_strain=1.3 * asked, kind="plywood")).warnings  # its corners crack
-    assert "its tab 6 mm" in told
+    assert "its tab is 6 mm wide" in told
 
 
 def test_every_rib_between_many_slots_is_found_with_the_width_that_is_narrowest():

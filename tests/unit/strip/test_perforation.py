@@ -241,7 +241,7 @@ def test_bad_options(options):
 
 def test_steep_ligaments_and_large_radii_are_told(rod):
     steep = ec.Strip(rod, CARD, style=Perforated(width=30.0, columns=1, rows=30))
-    assert any(text.startswith("ligaments") for text in steep.warnings)
+    assert any(text.startswith("the ligaments") for text in steep.warnings)
     blunt = ec.Strip(rod, CARD, max_width=10.0, style=Perforated(width=30.0, corner_radius=0.4))
     (text,) = blunt.warnings
     told = float(text.split("leaves ")[1].split(" %")[0]) / 100
@@ -298,7 +298,7 @@ def test_ligaments_that_lean_too_far_are_told_with_their_angle(rod, rows):
         steps = np.abs(np.diff(hole.points(1e-3), axis=0))
         lean = np.degrees(np.arctan2(steps[:, 1], steps[:, 0]))
         leans.append(lean[lean < 80].max())  # without the ends of a hole, which run across
-    told = [text for text in strip.warnings if text.startswith("ligaments")]
+    told = [text for text in strip.warnings if text.startswith("the ligaments")]
     assert bool(told) == (max(leans) > 30)
     if told:
         assert float(re.search(r"by (\d+) degrees", told[0])[1]) == pytest.approx(max(leans), abs=2)
