@@ -195,7 +195,7 @@ def _batten(row, folder):
 @asks("docs/tutorials/bow.md", "file", "for")
 def _bow(row, folder):
     (folder.parent / "kite.csv").write_bytes((ROOT / "examples" / "bow" / "kite.csv").read_bytes())
-    typed(folder.parent, "bow", "kite.csv", "--rod", "3", "--sheet", "gfrp-1", "--force", "-o", "of-bow")
+    typed(folder.parent, "bow", "kite.csv", "--rod", "4", "--sheet", "glass-rod-4", "--force", "-o", "of-bow")
     (name,) = quoted(row[0])
     assert (folder.parent / "of-bow" / name).stat().st_size > 200
     if name.endswith(".csv"):
