@@ -225,7 +225,10 @@ def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
 
 
 def _fits(value: Any, kind: Kind, option: Option) -> bool:
-    """Return True if a value has the kind and is within bounds. Kinds that exist only in files are not checked."""
+    """Return True if a value has the kind and is within bounds.
+
+    Kinds of values that occur only in files are not checked.
+    """
     match kind.name:
         case "number" | "count":
             return (is_number if kind.name == "number" else is_whole)(value) and option.holds(value)

@@ -91,7 +91,7 @@ def _drop_output(*streams: int) -> None:
 def _command() -> "click.Group":
     """Return the group of commands, or exit if click is missing."""
     try:
-        import click  # noqa: F401 - only its presence is tested
+        import click  # noqa: F401 - imported only to test that it is installed
     except ImportError:
         from elastica_cad.errors import how_to_install
 

@@ -155,7 +155,7 @@ def set_option(record: Record) -> Callable[[F], F]:
 
 
 def _values(kind: Kind) -> list[str]:
-    """Return the possible values that are words."""
+    """Return the words that are possible values of a kind, for completion."""
     words = list(kind.choices)
     for part in written(kind).alternatives:
         words += ["true", "false"] if part.name == "flag" else [] if part == kind else _values(part)

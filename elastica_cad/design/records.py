@@ -467,7 +467,7 @@ def _walked(record: Record) -> Iterator[tuple[str, Field]]:
 
 
 def tables_in(kind: Kind) -> list[Record]:
-    """Return the records of the tables in a value."""
+    """Return the record classes of all tables that a value of this kind may contain."""
     inner_tables = [inner for part in kind.of for inner in tables_in(written(part))]
     return [*inner_tables, *([kind.record] if kind.record is not None else [])]
 

@@ -558,7 +558,7 @@ _SHOWN = 6  # largest number of curves and kinds in a message
 
 
 def _known(curves: Sequence[DrawnCurve]) -> str:
-    """Return a list of the first curves by number, id and layer."""
+    """Return a text that lists the first curves of a file, each by number, id and layer."""
     first = ", ".join(curve.called.removeprefix("curve ") for curve in curves[:_SHOWN])
     return f"they are {first}" + (" ..." if len(curves) > _SHOWN else "")
 

@@ -208,7 +208,7 @@ class BattenSpec:
         try:
             taper, chord = self._taper()
         except NotConvergedError:
-            if self.lying is not None:  # with weight, the message is already complete
+            if self.lying is not None:  # the message already describes the effect of the batten's weight
                 raise
             raise self._too_thin(0.5 - self.place, self._even_chord, "") from None
         thin = self.stock.largest * np.exp(-abs(taper))

@@ -42,7 +42,7 @@ CLEAR = 1e-6
 """Fraction of a distance by which another must be smaller to decide the direction of a strip."""
 
 LEANED_MM = 0.03
-"""The rounds end when slots move by less than this, mm. Each round reduces the movement to a tenth."""
+"""Largest movement of slots, mm, in the last round of moving them. Each round reduces the movement to a tenth."""
 
 
 def plate_pair(

@@ -178,7 +178,7 @@ class BasePlate:
 
     @property
     def _inner(self) -> tuple[Path, ...]:
-        """All loops that are cut out."""
+        """All loops that are cut inside the outline: the slots and the opening."""
         return (*(slot.path for slot in self.slots), *(() if self.opening is None else (self.opening,)))
 
     def checked(self, options: PlateOptions) -> Self:

@@ -34,7 +34,7 @@ class ElasticaWorkbench(Gui.Workbench):
 
     def Initialize(self) -> None:
         """Add commands, toolbars and menus when the workbench is first activated."""
-        import SketcherGui  # noqa: F401 - for the command that makes a sketch
+        import SketcherGui  # noqa: F401 - makes FreeCAD register the command for sketches
         from freecad.elastica_wb import commands
 
         commands.register()

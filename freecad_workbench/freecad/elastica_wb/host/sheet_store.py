@@ -46,7 +46,7 @@ def own_sheets() -> dict[str, Sheet]:
 def _read(path: Path, *_state: int) -> dict[str, Sheet]:
     """Read the file.
 
-    The result is cached, because every recompute needs the sheets; the state of the file is part of the key.
+    The result is cached until the file changes, because every recompute needs the sheets.
     """
     try:
         return dict(load_sheets(path))

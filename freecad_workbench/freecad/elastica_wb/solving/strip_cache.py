@@ -92,7 +92,7 @@ MANY_HOLES = 100
 HEADROOM = 1.003  # factor by which the curvature limit is reduced for a rod whose curve is drawn as a spline
 # largest number of searches; factor by which each search corrects the excess over the limit
 STRICTER, BEYOND = 4, 1.3
-AS_DRAWN_MM = 0.05  # a curve that is nearer than this, mm, to its nearest curve meets all limits
+AS_DRAWN_MM = 0.05  # a curve meets all limits if the nearest curve within the limits is nearer than this, mm
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
 
