@@ -42,7 +42,7 @@ class Constraint(ABC):
 
     @abstractmethod
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return all values (k,)."""
+        """Return the values (k,) of the constraint, one for each of its conditions."""
 
     @abstractmethod
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
@@ -73,13 +73,13 @@ def _all_rows(rows: FloatArray) -> tuple[IntArray, FloatArray]:
 
 @dataclass(frozen=True, kw_only=True)
 class EndPosition(Constraint):
-    """The last node of the rod is at `target`."""
+    """Condition that the last node of the rod is at `target`."""
 
     name: str = "end position"
     target: tuple[float, float] = (0.0, 0.0)
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the offset from the target (2,)."""
+        """Return the position of the last node relative to the target (2,)."""
         return np.asarray(rod.position[-1] - np.asarray(self.target))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
@@ -89,23 +89,23 @@ class EndPosition(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class EndAngle(Constraint):
-    """The angle at the end of the rod is `target`, rad."""
+    """Condition that the angle at the end of the rod is `target`, rad."""
 
     name: str = "end tangent"
     target: float = 0.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the difference from the target (1,), rad."""
+        """Return the difference between the end angle and the target (1,), rad."""
         return rod.all_angles[-1:] - self.target
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the row of the only value."""
+        """Return the derivatives of the only value, as one row."""
         return _all_rows(sensitivities.angles[-1:])
 
 
 @dataclass(frozen=True, kw_only=True)
 class EndMoment(Constraint):
-    """The moment at an end that is free to turn is 0."""
+    """Condition that the moment is 0 at an end that is free to turn."""
 
     name: str = "free end angle"
     scale: float = 1.0
@@ -115,7 +115,7 @@ class EndMoment(Constraint):
         return rod.moments[-1:] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the row of the only value."""
+        """Return the derivatives of the only value, as one row."""
         return _all_rows(sensitivities.moments[-1:] / self.scale)
 
 
@@ -157,7 +157,7 @@ class Through(Constraint):
         return np.array([normal @ off])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the row of the only value."""
+        """Return the derivatives of the only value, as one row."""
         share, nodes, normal = self._foot(sensitivities.rod)
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
@@ -310,7 +310,7 @@ _TANGENT_STEP = 1e-3
 
 @dataclass(frozen=True, kw_only=True)
 class MarginLimit(Constraint):
-    """The stability margin, for a least stiffness of 1, is at least `limit`."""
+    """Condition that the stability margin, for a least stiffness of 1, is at least `limit`."""
 
     limit: float
     name: str = "margin"
@@ -333,7 +333,7 @@ class MarginLimit(Constraint):
         return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the row of the only value."""
+        """Return the derivatives of the only value, as one row."""
         rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
@@ -346,7 +346,7 @@ class MarginLimit(Constraint):
         return _all_rows(row[None] / self.scale)
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Return the derivatives with respect to K (n+1,) and M (n+1,), from those with respect to dM/dkappa.
+        """Convert derivatives with respect to dM/dkappa to derivatives with respect to K (n+1,) and M (n+1,).
 
         The derivatives with respect to M are None if M has no effect.
         """
@@ -375,7 +375,7 @@ class FollowedMarginLimit(MarginLimit):
     size: float
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
-        """Return the rod with dM/dkappa instead of K."""
+        """Return the rod with the stiffness dM/dkappa at the nodes in place of K."""
 
         def felt() -> DiscreteRod:
             K = self.section.tangent(rod.stiffness, _bend(rod, self.size), self.rest / self.size)
@@ -385,7 +385,8 @@ class FollowedMarginLimit(MarginLimit):
         return rod_felt
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Return the derivatives with respect to K and M by finite differences."""
+        """Convert derivatives with respect to dM/dkappa to derivatives with respect to K and M, by finite
+        differences."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
@@ -414,7 +415,7 @@ class LargestSection(Constraint):
         return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _ROOM)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the rows of nodes whose section is nearly as large as allowed."""
+        """Return the derivatives, in rows, for nodes whose section is nearly as large as allowed."""
         rod = sensitivities.rod
         values, K, bend = self.values(rod), rod.stiffness, _bend(rod, self.size)
         near = thin_rows(np.flatnonzero(values < _NEAR), -values)
@@ -444,7 +445,7 @@ def _bend(rod: MappedRod, size: float) -> FloatArray:
 
 @dataclass(frozen=True, kw_only=True)
 class BendLimit(Constraint):
-    """The change of curvature |M / K| at every node is within its limit."""
+    """Condition that the change of curvature |M / K| at every node is at most its limit."""
 
     one_sided: bool = True
     price: float = 1.0
@@ -458,7 +459,7 @@ class BendLimit(Constraint):
         return np.asarray(1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the rows of nodes that are close to the limit."""
+        """Return the derivatives, in rows, for nodes that are close to the limit."""
         rod = sensitivities.rod
         values = self.values(rod)
         near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
@@ -471,7 +472,7 @@ class BendLimit(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class CurvatureLimit(BendLimit):
-    """|M / K| is at most `limit` at every node."""
+    """Condition that the change of curvature |M / K| is at most `limit` at every node."""
 
     limit: float
     name: str = "curvature"
@@ -483,7 +484,7 @@ class CurvatureLimit(BendLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class StrainLimit(BendLimit):
-    """The strain at every node is within its limit, for all kinds of sections."""
+    """Condition that the strain at every node is within its limit, for all kinds of sections."""
 
     section: SectionScale
     strain: float | None
@@ -515,7 +516,7 @@ class KeepOut(Constraint):
         return self._clearance(rod)[0]
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the rows of nodes that a step may bring into the region."""
+        """Return the derivatives, in rows, for nodes that a step may bring into the region."""
         rod = sensitivities.rod
         value, gradient = self._clearance(rod)
         near = thin_rows(np.flatnonzero(value < 0.1), -value)
@@ -542,7 +543,7 @@ class LeastStiffness(Constraint):
         return np.array([1 - rod.stiffness.min()])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the row of the node with the least stiffness."""
+        """Return the derivatives, in one row, for the node with the least stiffness."""
         grid, rod = sensitivities.grid, sensitivities.rod
         row = np.zeros((1, sensitivities.angles.shape[1]))
         row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]

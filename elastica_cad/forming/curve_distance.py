@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from scipy.interpolate import CubicHermiteSpline
 
 
-SPANS = 1000  # number of spans; the interpolation error is 1e-9 lengths
+SPANS = 1000  # number of spans of the interpolated target; the interpolation error is 1e-9 of its length
 _WINDOW_LENGTHS = 0.08  # half width of the window in which the nearest point is searched, in lengths
 _SYMMETRIC_LENGTHS = 1e-4  # largest distance of a symmetric curve from its image, in lengths
 
@@ -98,7 +98,7 @@ class TargetCurve:
 
     @cached_property
     def diagonal(self) -> float:
-        """Diagonal of the bounding box, in units of the length."""
+        """Diagonal of the bounding box of the target, divided by its length."""
         x, y = self.position.T
         return hypot(x.max() - x.min(), y.max() - y.min())
 
@@ -223,7 +223,7 @@ class LargestDistance:
     factors: FloatArray
 
     def value(self, rod: MappedRod) -> float:
-        """Return the largest distance."""
+        """Return the largest distance of a node from the target."""
         off, _ = offsets(self.target, rod)
         return float((self.factors * np.hypot(off[:, 0], off[:, 1])).max())
 

@@ -13,12 +13,12 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
 DEGREE = 4  # least degree for which the curvature has a continuous derivative
-STRAIGHT_RAD = 1e-9  # change of direction over the length, rad, that is only a rounding error
+STRAIGHT_RAD = 1e-9  # largest change of direction along a rod, rad, that is only a rounding error
 # largest distance between curve and rod, mm; less than the repeatability of a laser cutter
 TOLERANCE_MM = 1e-3
 # largest relative error of the extremes of the stiffness; it is small, so that limits are still met
 FAITHFUL = 3e-4
-LOOSE = 0.02  # largest relative error of the stiffness elsewhere
+LOOSE = 0.02  # largest relative error of the stiffness away from its extremes
 # fraction of the largest curvature below which the computed stiffness is dominated by rounding errors
 UNBENT_SHARE = 2e-3
 # length that converts errors of curvature to displacements in the least-squares fit, in rod lengths
@@ -238,7 +238,8 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
     band = np.zeros((DEGREE + 1, m))
     for k in range(DEGREE + 1):
         band[k, : m - k] = np.diagonal(joined[:m, :m], -k)
-    band[0] += 1e-14 * band[0].max()  # regularisation, larger than rounding errors but without visible effect
+    # regularization of the equations: larger than rounding errors, but without visible effect
+    band[0] += 1e-14 * band[0].max()
     factor = cholesky_banded(band, lower=True)
     size = np.linalg.norm(C, axis=1)[:, None]
     C, D = C / size, D / size

@@ -36,7 +36,7 @@ LITTLE_BEND_SHARE = 0.05
 """Curvature at an end, as a fraction of the largest curvature, up to which the end counts as almost straight."""
 
 SEEN = 1e-3
-"""Smallest displacement, mm, that is reported."""
+"""Smallest displacement by smoothing, mm, that is reported."""
 
 STEP_MM, STEP_SHARE = 0.2, 0.02
 """Limits, in mm and as a fraction of the width, below which a step of the width is not smoothed.
@@ -92,7 +92,7 @@ class Smoothing:
         if self.fairing is None:
             return self.drawn
         drawn, outlier = self.drawn.provenance, outlier_message(self.drawn)
-        if drawn is not None:  # outliers among the points are still reported
+        if drawn is not None:  # outliers among the measured points are reported for the smoothed curve too
             drawn = replace(drawn, measured=drawn.measured if outlier else None)
         return self.fairing.curve.drawn_as(drawn)
 
@@ -129,7 +129,7 @@ class Smoothing:
     def _steps(self) -> bool:
         """Return True if the outline of the strip for the drawn curve would have a step."""
         curve, rod = self.drawn, self._rod_as_drawn
-        if rod is None:  # perhaps there is a strip for the smoothed curve
+        if rod is None:  # the smoothed curve may be realizable even if the drawn curve is not
             breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
             return bool(breaks) and bool((curvature_jumps(curve, breaks)[0] > STEP_SHARE).any())
         widest, narrowest = self.widths

@@ -32,7 +32,7 @@ DIFFERENCE = 1e-4
 """Step of the finite differences in the search, as a fraction of the length."""
 
 SETTLED = 1e-7
-"""Relative change of the distance, and of the positions, at which the search ends."""
+"""Relative changes, of the distance and of the positions of ply ends, below which the search ends."""
 
 MOST_TRIALS = 60  # largest number of steps of a search, each with a finite difference for every ply end
 
@@ -113,7 +113,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         )
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:
-        # if all plies have full length, the shape does not depend on their number
+        # if all plies have the full length, the shape of the rod does not depend on their number
         bare = _Search(
             relaxed,
             law,

@@ -26,23 +26,23 @@ points are sufficient."""
 SEARCH_NODES = 96
 """Approximate number of nodes on the whole meridian. There are at least `FEWEST` between two points."""
 
-FEWEST = 8  # nodes between two points
+FEWEST = 8  # least number of nodes between two given points
 STARTS = 30
 """Number of initial guesses of a and b.
 
 The first guess is by regression. The others are random numbers of the same magnitude, with a fixed seed."""
 
-STEPS = 40  # steps of Newton's method
+STEPS = 40  # largest number of steps of Newton's method
 LEAST_SHARE = 1e-3
-"""Least fraction of a step. The search ends if a smaller fraction would be needed."""
+"""Least fraction of a Newton step that is tried. If a smaller fraction would be needed, the search ends."""
 
-SOLVED = 1e-11  # largest residual of solved equations, for points of size 1
+SOLVED = 1e-11  # largest residual below which equations count as solved, for points scaled to the size 1
 LONGEST = 1.5
 """Ratio of the length of a meridian to that of a smooth curve through the points, above which it has extra
 turns."""
 
 GOOD = 1e-7
-"""Largest residual of solved equations, as a fraction of the size of the curve."""
+"""Largest residual below which equations count as solved, as a fraction of the size of the curve."""
 
 ROUGH = 1e-2
 """Largest residual between the nodes that more nodes can reduce. Above it, the solution is not a meridian."""
@@ -125,7 +125,8 @@ class FoundMeridian:
 def _search_meridian(points: FloatArray) -> FoundMeridian:
     """Return the meridian through three to five points, or the nearest meridian.
 
-    The sum of squared distances is minimised for more points, or if there is no meridian through the points.
+    For more than five points, or if there is no meridian through the points, the sum of squared distances is
+    minimised.
 
     Parameters
     ----------
@@ -209,7 +210,7 @@ class _Equations:
         return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
 
     def off(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
-        """Return the residuals of the equations (m,)."""
+        """Return the residuals (m,) of the equations."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         half = lengths[:, None] / 2
         x = points[:-1, :1] + half * (np.cos(angles) @ self.integral.T)

@@ -167,7 +167,7 @@ class NearestRod:
         from elastica_cad.forming.editable_curve import editable_curve
 
         section = self.rod.section
-        # because the curvature of a stack jumps where plies end
+        # the curvature of a stack of plies jumps where plies end
         if section is not None and section.stack is not None:
             return self.rod.curve
         return editable_curve(self.rod)
@@ -222,15 +222,16 @@ class NearestRod:
         return sentences((self.verdict, *self.advice), " ")
 
 
-_MOST_ADVICE = 4  # largest number of active limits with a suggestion
-_SLIGHT_DIAGONALS = 1e-3  # distance below which there are no suggestions, in diagonals of the target
+_MOST_ADVICE = 4  # largest number of active limits for which suggestions are made
+# distance from the target below which no suggestions are made, in diagonals of the target
+_SLIGHT_DIAGONALS = 1e-3
 _NEGLIGIBLE = 0.01  # least effect of a suggested change, as a fraction of the distance
 _MISSED = 1e-4  # least violation that is reported
 _IN_LENGTHS = ("end position", "points", "keep-out")
 
 
 def _advise(near: NearestRod) -> Iterator[str]:
-    """Yield suggestions, the most useful first."""
+    """Yield suggestions to change limits, the most useful first."""
     if near.found is None:
         return
     if near.ties:

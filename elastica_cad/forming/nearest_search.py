@@ -220,7 +220,7 @@ def _narrowed(search: Search, task: NearestTask) -> Search:
 
 
 def _go_on(search: Search, task: NearestTask) -> Search:
-    """Return the search continued for another task, with the sum of the steps."""
+    """Return the result of a search that is continued for another task, with the total number of steps."""
     more = _search(task, search.ended)
     return more._replace(steps=search.steps + more.steps)
 
@@ -365,7 +365,7 @@ def _start(
     return lift(replace(problem, distance=task.mean_distance), start, lifted_steps)
 
 
-_STRICTER = 6  # largest number of attempts, each with stricter limits
+_STRICTER = 6  # largest number of attempts, each with stricter limits than the last
 _BEYOND = 1.2  # limits are tightened by this multiple of their violation
 _WHOLE = 1e-9  # largest rounding error of a computed number of plies
 

@@ -163,7 +163,7 @@ class NearestTask:
 
     @property
     def even_stiffness(self) -> float:
-        """Constant stiffness of an initial guess, in the middle of the allowed range."""
+        """Constant stiffness K of an initial guess, in the middle of the allowed range."""
         return float(np.sqrt(min(self.limits.largest_ratio, 16.0)))
 
     def off(self, mapped: MappedRod) -> float:
@@ -252,7 +252,7 @@ class NearestTask:
 
     @cached_property
     def mean_distance(self) -> MeanDistance:
-        """Distance between points at the same fraction of the length."""
+        """Measure of the distance between points of rod and target at the same fraction of the length."""
         targets, _ = self.target.at(even_steps(self.nodes))
         return MeanDistance(targets, self._shares)
 

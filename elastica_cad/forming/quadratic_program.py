@@ -74,7 +74,7 @@ class QuadraticProgram:
 class QuadraticSolution:
     """Minimum x, with the Lagrange multipliers of constraints and bounds.
 
-    A positive multiplier of a constraint increases A x.
+    A positive multiplier of a constraint means that A x would be smaller without the constraint.
 
     `converged` is True if the tolerance was reached. `iterations` is the number of factorisations.
     """
@@ -132,7 +132,7 @@ _SIDES = np.array([[1.0], [-1.0]])
 
 
 def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
-    """Return the same as `_compiled`, computed in Python."""
+    """Return the result of `_compiled`, computed in Python."""
     n, m = p.gradient.size, p.right.size
     scale = 1 / max(1e-30, float(np.abs(p.gradient).max()), float(np.abs(np.diag(p.hessian)).max()))
     g, y_high = p.gradient * scale, p.price * scale

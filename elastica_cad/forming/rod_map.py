@@ -335,7 +335,7 @@ class Sensitivities:
 
     @property
     def carried(self) -> "CarriedWeight":
-        """Integrated weight of the rod."""
+        """Weight of the rod up to each node, with its derivatives."""
         return self.grid.carried(self.rod)
 
 

@@ -63,11 +63,11 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return np.array([c.price for c in self.constraints], dtype=float)
 
     def objective(self, point: MappedRod) -> float:
-        """Return the distance from the target."""
+        """Return the distance of a rod from the target."""
         return self.distance.value(point)
 
     def values(self, point: MappedRod) -> list[FloatArray]:
-        """Return the values of each constraint."""
+        """Return the values of each constraint for a rod."""
         return [c.values(point) for c in self.constraints]
 
     def rows(self, point: MappedRod, values: Sequence[FloatArray]) -> tuple[FloatArray, ConstraintRows]:

@@ -64,7 +64,7 @@ class RodSpec(RodRequest):
 
     @cached_property
     def smoothing(self) -> Smoothing:
-        """Drawn curve and smoothed curve."""
+        """Drawn curve, with its smoothed curve."""
         return Smoothing(self.curve, self.smooth, self.supports, self.natural_curvature, self.outline_widths)
 
     @property

@@ -27,7 +27,7 @@ from elastica_cad.refusals import Length, Listed, note
 _SHORTEST_SHARE = 1e-4  # parameter range of an empty part, as a fraction of that of the curve
 # number of positions that are tried for each support, between its first and its last possible position
 _CHOICES = 5
-_ROUNDS = 2  # number of grids, each refined around the best positions
+_ROUNDS = 2  # number of successive grids, each finer and around the best positions of the last
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,13 +173,13 @@ class _Cut:
 
     @property
     def short(self) -> float:
-        """Parameter range below which a part of the curve counts as empty."""
+        """Length of the parameter range below which a part of the curve counts as empty."""
         low, high = self.curve.domain
         return _SHORTEST_SHARE * (high - low)
 
     @property
     def least(self) -> float:
-        """Least parameter range of a piece between two supports."""
+        """Least length of the parameter range of a piece between two supports."""
         return 100 * self.short
 
     def takes(self, start: float, end: float) -> bool:

@@ -382,7 +382,7 @@ class Iterate(Generic[Point]):
         return smooth + (float((model.peaks + model.peak_rows @ step).max()) if model.peaks.size else 0.0)
 
     def _broken(self, step: FloatArray) -> FloatArray:
-        """Return the violation of each row after a step (p,)."""
+        """Return the violation of each row after a step (p,), as predicted by the linearisation."""
         rows = self.local.rows
         value = rows.value + rows.jacobian @ step
         return np.where(rows.one_sided, np.maximum(-value, 0.0), np.abs(value))

@@ -205,7 +205,7 @@ class Travel:
         """Distance of the translation, mm, or angle of the rotation, degrees."""
         if self.angle is None:
             return float(np.hypot(*self._way))
-        # rounded, so that the final angle is within the range of a CAD joint
+        # rounded, so that a CAD joint with this range accepts the final angle
         return round(float(abs(np.degrees(self._turn))), 9)
 
     @property
@@ -246,7 +246,7 @@ class Travel:
         return (self._rod, *bend_path(self.strip.rod_to_bend, [self._ends(share) for share in shares]))
 
     def rod(self, position: float) -> Rod:
-        """Return the shape at a position on the path, mm or degrees."""
+        """Return the rod in its shape at a position on the path, mm or degrees."""
         share = position / self.length if is_number(position) else np.nan
         if not -1e-9 <= share <= 1 + 1e-9:
             requested = f"{position:g}" if is_number(position) else repr(position)

@@ -111,7 +111,7 @@ def _limit(parent: int, seconds: int) -> None:
         import ctypes
 
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-        if os.getppid() != parent:  # the parent ended before `prctl`
+        if os.getppid() != parent:  # the parent process ended before `prctl`
             os._exit(1)
 
 

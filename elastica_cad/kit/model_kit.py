@@ -259,7 +259,7 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
     small, drawings = [], []
     for piece in pieces:
         if np.all(np.sort(piece.size) + 2 * margin <= size):
-            # the grain has no effect on paper
+            # the grain of the sheet has no effect on paper
             small.append(replace(piece, count=1, sheet=replace(piece.sheet, grain="none")))
         else:
             drawings.append(replace(piece.drawing, name=called[piece.name]))

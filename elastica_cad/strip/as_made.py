@@ -251,7 +251,7 @@ class Curl:
     def on(self, rod: Rod) -> Rod:
         """Return a rod whose stiffness depends on its curvature and equals that of `rod` in the designed shape."""
         below = rod.law
-        if isinstance(below, CurlingLaw):  # the rod already has a law for curling, which the new one replaces
+        if isinstance(below, CurlingLaw):  # the new law for curling replaces the law of the rod
             below = below.below
         return replace(rod, law=CurlingLaw(self.factor, self.designed, rod.natural_curvature, below))
 
@@ -498,7 +498,7 @@ class StripAsMade:
 
     @cached_property
     def rod(self) -> Rod:
-        """Rod with all causes together, with a stiffness that depends on its curvature.
+        """Rod with all effects on its stiffness together; the stiffness depends on the curvature.
 
         It is not in equilibrium until its rest shape is computed.
         """

@@ -69,7 +69,7 @@ class SpaceSurface:
 
 @dataclass(frozen=True, eq=False)
 class PlaneSurface:
-    """A plane; its parameters (u, v) are the coordinates x and y of the frame."""
+    """Plane, whose parameters (u, v) are the coordinates x and y of its frame."""
 
     frame: Frame
 
@@ -187,9 +187,9 @@ MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more 
 # positions in a span, as fractions, at which the error is measured
 PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
 LEAST_SPANS = 3  # least number of spans in an edge; kernels fail to fillet edges of one or two spans
-MOST_PARTS = 4  # largest number of parts into which one step divides a span
+MOST_PARTS = 4  # largest number of parts into which one refinement divides a span
 SPARE = 1.1  # safety factor on the number of parts that follows from the error
-LEVEL_MM = 1e-9  # largest change of y along a side wall that counts as plane, mm
+LEVEL_MM = 1e-9  # largest change of y, mm, along a side wall for which the wall counts as plane
 FIRST_TURN = 0.2  # largest change of direction in an initial span, rad
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
@@ -557,7 +557,7 @@ class BoundaryMaker:
         straight = isinstance(segment, Line)
         if isinstance(shape, BentMap) and not _is_across(segment):
             least, most = _across(segment)
-            # planes, because CAD kernels can fuse coplanar walls of strips side by side
+            # the walls are planes, because CAD kernels can fuse coplanar walls of strips side by side
             if most - least < LEVEL_MM:
                 side = -1.0 if segment.end[0] > segment.start[0] else 1.0
                 frame = shape.frame.shifted(z=(least + most) / 2)
@@ -662,7 +662,7 @@ def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArra
 def _curves(
     shape: Map, pieces: Sequence[SegmentPart], heights: Sequence[float]
 ) -> Iterator[Sequence[SpaceCurve | PlacedSegment]]:
-    """Yield the space curves of each piece, with a curve for every height."""
+    """Yield the curves in space of each piece of the outline, one curve for every height."""
     if not isinstance(shape, BentMap):
         frames = _levels(shape, heights)
         yield from ([PlacedSegment(piece.segment, frame) for frame in frames] for piece in pieces)

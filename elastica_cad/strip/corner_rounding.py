@@ -55,7 +55,7 @@ def round_corners(path: Path, radius: float) -> Path:
 
 
 def too_small_for(radius: float, path: Path) -> InputError:
-    """Return the error for a path that the radius does not fit."""
+    """Return the error for a path with a corner that is too small for the radius."""
     return InputError(
         "a corner radius of {radius:g} does not fit at {place}: make it smaller",
         radius=Length(radius),

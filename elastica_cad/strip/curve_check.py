@@ -29,7 +29,7 @@ WIDTHS_MM = (8.0, 120.0)
 """Limits of the width, mm, that is assumed if no width is given."""
 
 THIN_SHARE = 12
-"""Length of a curve divided by the width that is assumed if no width is given."""
+"""Ratio of the length of a curve to the width that is assumed if no width is given."""
 
 
 def common_request(

@@ -23,7 +23,7 @@ from elastica_cad.strip.slots import Side, Slot
 from elastica_cad.strip.styles import Bends, Layout
 
 ROUNDS = 4
-"""Number of iterations for the increase of the width, which depends on the increased width."""
+"""Number of fixed-point iterations for the increase of the width, which depends on the increased width."""
 
 NOTCH_FILL = 0.5 + np.pi / 8
 """Area of a notch with a semicircular end, divided by the square of its width. The depth equals the width."""
@@ -163,7 +163,7 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
     cuts = element_cuts(rod)
     for cut in cuts:
         _require_room(cut, float(layout.width(cut.at)))
-    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # there is no moment beyond the bent part
+    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # the moment is 0 beyond the bent part
     peaks = np.zeros(len(cuts))
     for _ in range(ROUNDS if cuts else 0):
         bumps = []

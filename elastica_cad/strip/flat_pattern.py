@@ -344,7 +344,7 @@ class _Cutter:
         return bisect_left(stations, middle)
 
     def _corners_on(self, x: float) -> list[int]:
-        """Return the corners on the line at x, sorted by y."""
+        """Return the corners on the line at the coordinate x, sorted by y."""
         corners = [i for i, p in enumerate(self.points) if abs(p[0] - x) < ON_SEAM]
         return sorted(corners, key=lambda i: float(self.points[i][1]))
 

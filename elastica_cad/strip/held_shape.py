@@ -71,8 +71,9 @@ Source: TypeAlias = Literal["computed", "model", "sheet"]
 """Sources of deviation: the computed shape, the uncertainty of the model, or sheet, cut and clamps."""
 
 MOST = np.sqrt(0.5)
-"""Fraction of the whole deviation above which a source counts as the main source. The squares of the sources
-add."""
+"""Fraction of the expected deviation above which a source counts as the main source.
+
+The square of the expected deviation is the sum of the squares of the sources."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,7 +129,7 @@ class HeldShape:
 
     @property
     def main_source(self) -> Source | None:
-        """Source of most of the expected deviation, or None."""
+        """Main source of the expected deviation, or None: see `MOST`."""
         sources: dict[Source, float] = {
             "computed": self.deviation, "model": self.open, "sheet": self.sheet_adds,
         }  # fmt: skip

@@ -329,6 +329,6 @@ def holding_template(strip: Strip) -> Drawing:
 
 
 def _number(name: str, end: HeldEnd) -> Text:
-    """Return the number of an end as a text beyond the tip of its tab."""
+    """Return the number of an end, drawn beyond the end point of its tab."""
     x, y = end.tip + LETTERS_MM * end.outward
     return Text((float(x) - LETTERS_MM / 4, float(y) - LETTERS_MM / 2), name, LETTERS_MM, 0.0, MARK)

@@ -115,7 +115,7 @@ class Laminated:
             return None
         width = float(self.width)
         least, most = max(self.least_backing, min_width or 0.0), min(width, max_width or width)
-        if least >= most:  # `laid_out` refuses this case with a message
+        if least >= most:  # `laid_out` raises the error for this case
             return None
         section = LaminatedSection(sheet, self.backing)
         return BoundedBacking(section, np.asarray(width), (least, most))
@@ -216,5 +216,5 @@ def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: fl
         return section.backing_width(base(s), scale * rod.profile(s))
 
     breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
-    # the backing is at most as wide as the base; the kink where this limit begins is negligible
+    # the backing is at most as wide as the base; the kink of its width where it becomes as wide is negligible
     return Profile.fit(width, rod.length, breaks=breaks, tolerance=FIT_MM)

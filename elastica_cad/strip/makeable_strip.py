@@ -99,7 +99,7 @@ def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
 ROUNDS = 8
 LEAST_GAIN = 0.97  # iterations end if one iteration does not reduce the deviation below this fraction
 LARGEST_GUESS = 0.5  # largest logarithm of the factor on the width in the initial guess
-ENOUGH_SHARE = 1e-5  # deviation below which iterations end, as a fraction of the length
+ENOUGH_SHARE = 1e-5  # deviation below which iterations end, as a fraction of the length of the strip
 
 
 def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:

@@ -32,7 +32,7 @@ UNEVEN_SHARE = 0.02
 different shape."""
 
 EXPLAINED = 0.6
-"""Least fraction of the differences that a cause must explain to be reported."""
+"""Least fraction of the measured differences that a cause must explain to be reported."""
 
 MEANINGS: Mapping[str, str] = {
     "clamp at the start": "The clamp at the start lets the strip turn by {amount:.2g} degrees. Tighten it.",
@@ -52,7 +52,7 @@ MEANINGS: Mapping[str, str] = {
 """Message about each cause of a difference."""
 
 ONCE = ("end for end", "wrong side")
-"""Causes that are either present or absent and have no amount."""
+"""Causes of a difference that are either present or absent, and have no amount."""
 
 THICKEST_PERCENT = 6.0
 """Largest plausible amplitude of the variation of a sheet's thickness, in percent."""

@@ -40,7 +40,7 @@ FIT_MM = 2e-5
 error of 1e-4 mm."""
 
 FIT_ROUNDING = 1e-12
-"""Relative rounding error of the widths that are fitted."""
+"""Relative rounding error of the fitted widths."""
 
 INSET = 1e-9
 """Distance from a jump at which the fitted spline begins or ends, as a fraction of the length of the spline."""
@@ -87,7 +87,7 @@ class DiamondPattern:
 
     @property
     def ligaments(self) -> int:
-        """Number of ligaments side by side. Two joined ligaments count as two."""
+        """Number of ligaments side by side across the strip. Two joined ligaments count as two."""
         return 2 * self.columns + 2
 
     @property
@@ -387,7 +387,7 @@ class Perforated:
 
     @property
     def ligaments(self) -> int:
-        """Number of ligaments side by side."""
+        """Number of ligaments side by side across the strip."""
         return 2 * self.columns + 2
 
     def laid_out(
@@ -426,7 +426,7 @@ class Perforated:
         if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
             return 0.0
         s = stations_of(layout.width.length, layout.width, layout.material)
-        # half diamonds have the smallest angle
+        # half diamonds have the smallest angle of all holes
         return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
     def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:

@@ -120,7 +120,7 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
 
 
 def _near(a: FloatArray | None, b: FloatArray | None, room: float) -> bool:
-    """Return True if both arrays are None or differ by less than `room`."""
+    """Return True if both arrays are None, or if they differ by less than `room`."""
     if a is None or b is None:
         return a is b
     return bool(np.abs(a - b).max() < room)
@@ -163,7 +163,7 @@ class FlatShape:
             return True  # fast test for copies, which have the same loop objects
         if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False
-        ways = WAYS if self.bent is None else WAYS[:1]  # turning a pre-bent strip reverses its curvature
+        ways = WAYS if self.bent is None else WAYS[:1]  # turning a pre-bent strip over reverses its curvature
         return any(self._covers(other, signs) for signs in ways)
 
     @cached_property

@@ -631,19 +631,19 @@ class Strip:
 
     @cached_property
     def strain_verdict(self) -> StrainVerdict:
-        """Worst verdict on the strain of layers, tabs and cuts for cords."""
+        """Worst verdict on the strain of layers, of tabs, and of cuts for pins and ties."""
         judged = [layer.judged(self._bends.place(layer.station)) for layer in self.strains]
         judged += [shoulder.verdict for shoulder in self._shoulders]
         return max(judged, key=lambda verdict: (verdict.state, verdict.used))
 
     @property
     def strain_warnings(self) -> tuple[str, ...]:
-        """Warnings about each layer, tab or cut for a cord that is strained beyond its limit."""
+        """Warnings about each layer, tab and cut with a strain above the limit. The cuts are for pins and ties."""
         return (*_warn_of_strains(self.strains, self._bends), *map(str, self._shoulders))
 
     @cached_property
     def _shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
-        """Tabs and cuts for cords that are strained beyond their limits."""
+        """Tabs and cuts with a strain above the limit. The cuts are for pins and ties."""
         shoulders = _find_shoulders(self.layout, self.ends, self.strains)
         return (*shoulders, *strained_cuts(self.rod, self.layout))
 
@@ -753,7 +753,7 @@ class Strip:
         from elastica_cad.strip.as_made import rod_to_bend
 
         rod = rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
-        # loads in N need a bending stiffness in N mm2
+        # with loads in N, the rod needs a bending stiffness in N mm2
         own = rod.bending_stiffness is None
         return replace(rod, bending_stiffness=self.bending_stiffness) if own else rod
 
@@ -765,7 +765,7 @@ class Strip:
         return StripAsMade.of(self.rod, self.layout, self.ends, self.slots, self.plates, self.whole)
 
     def whole(self) -> tuple[Layer, ...]:
-        """Return the layers without slots and without holes for cords."""
+        """Return the layers without slots and without holes for pins and ties."""
         cut = self.slots or element_cuts(self.rod)
         return cut_layers(self.layout, self.ends, (), name="strip") if cut else self.layers
 

@@ -296,7 +296,7 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
 
 @contextmanager
 def changes_suggested_in_python(curve: PlaneCurve, may_change: bool) -> Iterator[None]:
-    """Add a note to refusals of the curve: the argument with which the curve may change.
+    """Add a note to errors about the curve, with the argument that allows a nearby curve.
 
     The nearest curve is not computed, because this can take too long for the calling program.
     """
@@ -625,7 +625,7 @@ class StripSpec(EqualByValue):
 
     @property
     def in_plane(self) -> "StripSpec":
-        """Equivalent request in the plane of the curve, without a frame in space."""
+        """Equivalent request in the coordinates of the curve's plane, without a frame in space."""
         if self.frame is None:
             return self
         gravity, share = self._pulled
@@ -731,7 +731,8 @@ class StripSpec(EqualByValue):
         A closed curve starts at the seam, or by default at the point of least curvature if it may not change.
         """
         curve = self.run_ins.bent
-        if not curve.is_closed or (curve.has_corners and not self.smooth):  # the rod request refuses corners
+        # the request for the rod raises the error for corners
+        if not curve.is_closed or (curve.has_corners and not self.smooth):
             return curve
         if self.seam_position is not None:
             return begin_at(curve, self.seam_position)

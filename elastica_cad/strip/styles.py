@@ -283,7 +283,7 @@ def require_laid_out(rod: object, sheet: object, *widths: object) -> None:
 def _within(
     width: Profile, rod: Rod, min_width: float | None, max_width: float | None, *, slack: float
 ) -> None:
-    """Raise InputError for a width outside its limits."""
+    """Raise InputError for a width that is outside its limits."""
     narrow, wide = width.extremes
     if min_width is not None and narrow * (1 + slack) < min_width:
         shown, limit = distinct_digits(narrow, min_width, ".4g")

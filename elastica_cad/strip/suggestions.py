@@ -30,7 +30,7 @@ MOST = 4
 """Largest number of suggestions."""
 
 FIRST = ("smooth", "split_corners", "nearest")
-"""Fields whose changes are tested before those of other fields."""
+"""Names of the fields whose changes are tested before changes of other fields."""
 
 MOST_TRIED = 3
 """Largest number of changes of one field that are tested. Each test takes as long as the request."""
@@ -71,7 +71,7 @@ class Suggestion:
 
     @property
     def title(self) -> Refusal:
-        """The change as an instruction."""
+        """Instruction to make the change."""
         return instruction(self.change, self.requests[0].curve.provenance)
 
     @property
@@ -91,7 +91,7 @@ class Suggestion:
 
     @property
     def table(self) -> Any:
-        """Value of the change as in a design file."""
+        """New value of the changed field, in the form of a design file."""
         value = self.change.value
         if not isinstance(value, Rail | Pin | Tie):
             return value
@@ -237,7 +237,7 @@ def _requests(spec: StripSpec, change: Change) -> Sequence[StripSpec]:
             return [spec.changed(curve=spec.curve.transformed(np.diag([scale, scale, 1.0])))]
         case "split_corners", _:
             pieces = split_at_corners(spec.curve)
-            drawn = spec.curve.degree > 1  # a polyline is not meant as a row of straight strips
+            drawn = spec.curve.degree > 1  # the corners of a polyline are not joints between straight strips
             apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
     changed = spec.with_change(change)

@@ -88,7 +88,7 @@ class TabSeat:
 
     @cached_property
     def edges(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Coordinates (k,) of all points into the holder and to the left, and faces: 1 for left, -1 for right."""
+        """Coordinates (k,) of all points outward and to the left, and their sides: 1 for left, -1 for right."""
         into, left = np.concatenate([self.left, self.right]).T.copy()
         return into, left, np.repeat([1.0, -1.0], [len(self.left), len(self.right)])
 
@@ -154,7 +154,7 @@ class TabSeat:
         (a, b), (c, d) = self.left.T, self.right.T
         most = (b - (a * sin + self.thickness / 2) / cos).min(axis=1)
         least = (d + (self.thickness / 2 - c * sin) / cos).max(axis=1)
-        # the tab may fit again at larger angles, but it stops at the first contact
+        # the tab might fit again at larger angles, but it cannot turn beyond the first contact
         room = most - least
         jams = np.flatnonzero(room[1:] < -1e-12)
         if not jams.size:
@@ -305,8 +305,8 @@ SHORTER, LONGER = 0.5, 2.0  # factors on the step limit: after a reversal of dir
 DIFFERENCE_SHARE = 1e-5  # step of the finite differences of reactions, as a fraction of the length
 SETTLED_SHARE = 1e-9  # length of the step, as a fraction of the length of the strip, at which the search ends
 LEAST_SHARE = 1e-6  # least eigenvalue of a stiffness matrix as a fraction of the largest eigenvalue
-DEARER = 10.0  # factor on the penalty if a tab still overlaps its holder
-DEAREST = 1e6  # penalty at which the search ends, because the tab does not fit
+DEARER = 10.0  # factor by which the penalty is increased if a tab still overlaps its holder
+DEAREST = 1e6  # penalty at which the search ends, because the tab does not fit into its holder
 OVERLAP_SHARE = 1e-7  # largest overlap that counts as a rounding error, as a fraction of the length
 SEATING_STEPS = 3
 SEATING = 1e4  # factor on the stiffness of the ends during the first steps, in which only the tabs bend
@@ -443,7 +443,7 @@ class _Held:
         return np.asarray((ends + ends.T) / 2)
 
     def without_room(self, q: FloatArray) -> str:
-        """Return the message about the tab with the largest overlap."""
+        """Return the message about the tab that overlaps its holder most."""
         each = [
             (seated_end, float(seated_end.walls(part, self.design.length)[1].min()))
             for seated_end, part in self.parts(q)
@@ -525,7 +525,7 @@ FREE = 1e-4
 each step."""
 
 MOST_LEANS = 36
-"""Largest number of iterations; usually about six are needed."""
+"""Largest number of iterations for the displacement of a holder; usually about six are needed."""
 
 LEANED_SHARE = 1e-7
 """Length of the step, as a fraction of the length of the strip, at which the iteration ends."""

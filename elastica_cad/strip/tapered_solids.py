@@ -215,7 +215,7 @@ class _Skins:
         z = frame.z_axis
 
         def net(rows: FloatArray, sign: float) -> FloatArray:
-            """Return the control points (around the axis, along it, 3) of a half surface."""
+            """Return the control points (n, m, 3) of a half surface: n around the axis and m along it."""
             axis, across = frame.point(rows[:, :2]), share * frame.direction(rows[:, 2:4])
             up = share * rows[:, 4, None] * z
             return np.asarray(axis + sign * (cosines[:, None, None] * across + sines[:, None, None] * up))

@@ -39,7 +39,7 @@ TITLES = {
     "deg": " turn deg   force N  strain %    margin",
     "%": " change %   force N  strain %    margin",
 }
-"""Header of the printed table for each unit of the movement."""
+"""Header of the printed table, by the unit of the movement."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -120,7 +120,7 @@ class Travel:
 
     @property
     def is_turn(self) -> bool:
-        """True if the ends only turn."""
+        """True if the ends of the strip turn without displacement."""
         return self._movement.is_turn
 
     @property

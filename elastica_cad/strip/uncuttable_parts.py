@@ -26,11 +26,11 @@ LEAST_STRIP_MM = 3.0  # narrower strips break when they are lifted out, whatever
 THICKNESSES = 3.0  # least width as a multiple of the thickness; a narrower strip bends sideways and twists
 LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because of the heat of both cuts
 LEAST_LIGAMENT_MM = 0.5  # least width of material between two laser cuts; less may burn away
-LARGEST_PANEL_MM = (3050.0, 1525.0)  # largest sheet of plywood or board that is sold
+LARGEST_PANEL_MM = (3050.0, 1525.0)  # size, mm, of the largest sheet of plywood or board that is sold
 # width of a vertical slot, as a multiple of the tab's thickness, above which it cannot hold the tab
 WIDEST_SLOT_THICKNESSES = 6.0
-FILLED_SLOT_MM = 1.6  # widest slot that holds a thin tab, with glue on both sides
-SLENDEREST = 600.0  # length divided by least width, above which a flat strip cannot be handled
+FILLED_SLOT_MM = 1.6  # largest width, mm, of a slot that can hold a thin tab with glue on both sides
+SLENDEREST = 600.0  # ratio of length to least width above which a flat strip cannot be handled
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ class FabricationLimits:
         return self.least_bridge or sheet.least_bridge or max(LEAST_BRIDGE_MM, sheet.thickness)
 
     def stock_for(self, sheet: Sheet) -> tuple[float, float]:
-        """Return the longer and shorter side of the largest sheet, mm."""
+        """Return the longer and the shorter side of the largest available piece of a sheet, mm."""
         sheet = Sheet.of(sheet)
         long, short = sorted(self.stock or sheet.stock or LARGEST_PANEL_MM, reverse=True)
         return long, short
@@ -143,7 +143,8 @@ FACING = (
     # least cosine between a width and both inward normals; material in corners above 50 degrees is not thin
     0.9
 )
-STEEPEST = 1.0  # largest slope of the width, at which both long edges are inclined by 26 degrees
+# largest derivative of the width along the strip; then both long edges are inclined by 26 degrees
+STEEPEST = 1.0
 # search distances, as fractions of the least width, in the order of the search
 _REACHES = np.array([1 / 16, 1 / 4, 1])
 FLAT_SHARE = 0.02  # chord error of the cuts as a fraction of the least width
@@ -348,7 +349,7 @@ LAP_THICKNESSES = 20
 """Suggested length of the plates that join pieces, as a multiple of the thickness. From about 12 on, the glue
 joint is as strong as the sheet."""
 
-MOST_LISTED = 3  # number of thin places of a part that are listed; the others are only counted
+MOST_LISTED = 3  # number of narrow positions of a part that a message lists; the others are only counted
 
 
 @dataclass(frozen=True)
@@ -550,7 +551,7 @@ def _thin_strip(
     The least width is `least`, mm, and beside holes `web`, mm.
     """
     pattern = strip.layout.pattern is not None
-    holes = () if pattern else layer.holes  # `ligament` is the limit for perforated strips
+    holes = () if pattern else layer.holes  # the limit `ligament` applies to perforated strips
     places = find_thin_places([layer.outline], holes, least)
     necks = [place for place in places if place.loops == (0, 0) and place.width < least * (1 - SEEN_APART)]
     free: list[ThinPlace] = []
@@ -586,7 +587,7 @@ def _cures_of_necks(strip: Strip, times: float, least: float, noisy: bool) -> tu
             "Make it wider ({field}), or use the nearest curve with a smaller stiffness ratio", field=field
         )
     elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
-        wider = ()  # if the strip is wider, the tips of its bulges are still too thin
+        wider = ()  # the tips of wide parts are too thin even if the strip is wider
         cure = note("Use the nearest curve with a smaller stiffness ratio")
     else:
         cure = note(
@@ -613,7 +614,7 @@ def _place_on(strip: Strip, place: ThinPlace) -> str:
 
 
 def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) -> Fault:
-    """Return the fault that there is too little material beside a hole."""
+    """Return the fault of too little material beside a hole."""
     wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
     shift = Length(rounded_up(least - place.width, 2))
     if 0 in place.loops:
