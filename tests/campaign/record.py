@@ -16,10 +16,11 @@ PAGE = ROOT / "docs" / "trust.md"
 
 HEAD = """# What the long test runs found
 
-`make test` is run for every change. Campaigns take longer: one is run when a change touches what it guards, and
-before a release. [CONTRIBUTING.md](../CONTRIBUTING.md) says what each of them proves. Each run rewrites its row
-of this page, with failures as they occurred. [Strips bent by finite elements](finite_elements.md) and [bodies
-in three CAD kernels](kernels.md) have pages of their own.
+The tests of `make test` are run for every change. Long test runs are called *campaigns*. A campaign is run when a
+change affects the code that it tests, and before a release. [CONTRIBUTING.md](../CONTRIBUTING.md) states what each
+campaign proves. Each run replaces its row in the table below, also if tests failed. The results of two campaigns
+are on other pages: [strips bent by finite elements](finite_elements.md) and [bodies in three CAD
+kernels](kernels.md).
 
 | campaign | date | commit | result |
 | --- | --- | --- | --- |

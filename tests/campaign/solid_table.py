@@ -35,19 +35,20 @@ MEANT = {
 
 HEAD = """# Bodies in three CAD kernels
 
-`make campaign-solids` writes this page. It counts how often operations that users of build123d, CadQuery and
-FreeCAD apply to the bodies of strips succeed: thirty curves, each in five styles. "29/30" means that 29 of 30
-succeeded; a smaller second number means that the others have not been tried yet. The resulting body must be
-valid, and have the right volume where that is known. An operation that takes more than 10 s of processor time
-(shells 20 s, meshes and checks 60 s) counts as failed.
+`make campaign-solids` writes this page. The tables count how often an operation of build123d, CadQuery or FreeCAD
+succeeds on the bodies of strips. The strips have thirty curves, each in five styles. "29/30" means that 29 of 30
+operations succeeded. If the second number is smaller than 30, the other bodies have not been tried yet. The
+resulting body must be valid, and its volume must be right where the volume is known. An operation that takes more
+than 10 s of processor time (shells 20 s, meshes and checks 60 s) counts as failed.
 
-An operation that fails is repeated on plain bodies with the same faces, whose long sides are splines through 9,
-17, 25, 40 and 90 points (ours have 90). Where it fails on one of them too, the cause is the kernel, not our
-body. Failures on our bodies only are listed at the end.
+An operation that fails is repeated on plain bodies with the same faces. Their long sides are splines through 9,
+17, 25, 40 and 90 points; the bodies of this program have splines through 90 points. If the operation also fails
+on a plain body, the cause is the kernel, not this program. These failures are in the column *plain body fails
+too*. All other failures are in the column *ours only*, and are listed at the end.
 
-The styles: plain; held (wide tabs with holes); slotted (two slots); perforated (8 diamond holes); laminated
-(the backing). For CadQuery, meshes, STEP files and checks are not repeated: its bodies are those of build123d
-0.12, in the same OpenCASCADE.
+The styles are: plain; held (wide tabs with holes); slotted (two slots); perforated (8 diamond holes); laminated
+(the backing). For CadQuery, meshes and checks are not repeated, because its bodies are those of build123d 0.12 in
+the same version of OpenCASCADE.
 """
 
 
@@ -107,8 +108,8 @@ def written(bodies: Sequence[dict[str, Any]]) -> str:
     head = ("operation", "style", "curve", "program", "answer")
     order = list(MEANT.values())
     ours.sort(key=lambda row: (order.index(row[0]), *row[1:]))
-    told = _table(head, ours, words=len(head)) if ours else ["Nothing."]
-    lines += ["## What fails on ours only", "", *told]
+    told = _table(head, ours, words=len(head)) if ours else ["None."]
+    lines += ["## Failures on bodies of this program only", "", *told]
     return "\n".join(lines) + "\n"
 
 
