@@ -22,7 +22,7 @@ class Frame:
     origin : (3,) array_like
         Origin of the plane, mm.
     x_axis, y_axis : (3,) array_like
-        Perpendicular directions; they are normalized.
+        Perpendicular directions; they are normalised.
 
     Raises
     ------

@@ -90,7 +90,7 @@ def bend(
     A step takes O(n) operations. If the requested shape is far from the present shape, ends, angles and loads are
     changed in adaptive steps, starting from the present shape (or `guess`). The result is therefore on the same
     branch of equilibria. It may be unstable; see `stability`. If that branch ends on the way, the rod snaps. The
-    result is then a stable shape that minimizes the energy locally, and its `warnings` contain a message.
+    result is then a stable shape that minimises the energy locally, and its `warnings` contain a message.
 
     The stiffness of a strip that bends as a plate (`section`) is updated at every step. The `law` of the result
     contains the updated stiffness. The relative stiffness K of the design does not change, because the units of
@@ -126,7 +126,7 @@ def bend(
     samples : int, optional
         Number of nodes; by default that of the rod.
     settle : bool
-        If True, an unstable result is replaced by the stable shape that is found by minimizing the energy from it.
+        If True, an unstable result is replaced by the stable shape that is found by minimising the energy from it.
     between : sequence of Rail, Pin and Tie, or "keep"
         New elements between the ends; they replace the present elements. Arc lengths are measured along the present
         shape. A pin or rail at a point away from the present shape moves the strip to this point. A pin with the

@@ -203,7 +203,7 @@ def _led_by_loads(
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
     bent = rod
     for share in _load_shares(float(np.hypot(*load)) * rod.length**2):
-        # after a push along the strip, it is still straight, and minimizing the energy could bend it to
+        # after a push along the strip, it is still straight, and minimising the energy could bend it to
         # either side
         settle = is_one_of(mode, [1]) and bool(np.ptp(bent.angle) > 0)
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)

@@ -174,7 +174,7 @@ def require_elements(between: object) -> tuple[Element, ...]:
 def weight_with_loads(
     weight: Weight | None, gravity: Gravity | None, loads: object
 ) -> tuple[Weight | None, tuple[PointForce, ...]]:
-    """Return the weight including the point masses among the loads, and the point forces among the loads."""
+    """Return the weight with the point masses of `loads` added, and the point forces of `loads`."""
     point_loads = several("loads", loads, PointMass | PointForce, "PointMass or PointForce")
     masses = tuple(load for load in point_loads if isinstance(load, PointMass))
     forces = tuple(load for load in point_loads if isinstance(load, PointForce))
@@ -191,7 +191,7 @@ def weight_with_loads(
 
 
 NEAR_SHARE = 0.05
-"""Largest distance of a point from the curve, as a fraction of the length, that is moved to the curve."""
+"""A point is moved to the curve if it is at most this fraction of the length away from the curve."""
 
 AT_END_SHARE = 1e-6
 """Distance from an end, as a fraction of the length, below which a position counts as at the end."""

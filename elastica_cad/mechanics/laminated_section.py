@@ -412,7 +412,7 @@ def laminate_factor(
 
     Notes
     -----
-    The deflection w(y) across the strip, outward positive, minimizes the energy per length. The strip is a plate
+    The deflection w(y) across the strip, outward positive, minimises the energy per length. The strip is a plate
     in plane stress that can contract freely. Its strain is eps_0 + (kappa - kappa_0) z + kappa w along the strip
     and -z w'' across it, at height z. The finite elements are Hermite cubics on half of the cross-section. For a
     single sheet the result equals `anticlastic_factor`. Curvature that varies within a few widths, and clamps
@@ -476,7 +476,7 @@ def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
         along, coupled = along + moments, coupled + nu * moments
     (A, B, D), (An, Bn, Dn) = along, coupled
     rows = [[A, B, -Bn], [B, D, -Dn], [-Bn, -Dn, D]]
-    across = np.array([An, Bn, -B])  # the strain across the strip minimizes the energy
+    across = np.array([An, Bn, -B])  # the strain across the strip minimises the energy
     return np.asarray(rows - np.outer(across, across) / A)
 
 

@@ -15,14 +15,14 @@ TOLERANCE = 1e-10  # accuracy of `bend`, relative to the moments and to the leng
 # largest rotation of an edge in a step; linearised cos and sin then have an error of one eighth
 LARGEST_TURN_RAD = 0.5
 SMALL_TURN_RAD = 0.02  # largest rotation of an edge in steps that may pass a crossing of two branches
-# displacement along an unstable mode in each step of a minimization, far above rounding errors
+# displacement along an unstable mode in each step of a minimisation, far above rounding errors
 SADDLE_PUSH_RAD = 0.05
-ASTRAY_RAD = float(np.pi)  # largest rotation of an edge in a step of a minimization before the line search
-# largest rotation of an edge in a step of a minimization from which Newton's method converges
+ASTRAY_RAD = float(np.pi)  # largest rotation of an edge in a step of a minimisation before the line search
+# largest rotation of an edge in a step of a minimisation from which Newton's method converges
 NEAR_REST_RAD = 1e-2
 # size of a Newton step after which the next step, about its square, is below rounding errors
 CONVERGED_RAD = 1e-9
-MOST_DESCENTS = 300  # largest number of steps of a minimization
+MOST_DESCENTS = 300  # largest number of steps of a minimisation
 # accuracy, as a fraction of the path, with which the change of an element to slack or taut is located
 STOP_SHARE = 1e-3
 LEAST_STEP = 1e-7  # least step, as a fraction of the path; it determines how precisely a fold is located
@@ -199,7 +199,7 @@ def _polish(state: RodState) -> RodState:
 
 
 def relax(state: RodState) -> RodState | None:
-    """Return a stable equilibrium that minimizes the energy with fixed ends, or None if the minimization fails."""
+    """Return a stable equilibrium that minimises the energy with fixed ends, or None if the minimisation fails."""
     start = _place_ends(state)
     if start is None:
         return None
@@ -209,7 +209,7 @@ def relax(state: RodState) -> RodState | None:
 
 
 def _come_to_rest(state: RodState, astray: float) -> RodState | None:
-    """Return the result of the minimization, or None.
+    """Return the result of the minimisation, or None.
 
     `astray` is the largest rotation of an edge in a step before the line search.
     """
@@ -237,7 +237,7 @@ def _come_to_rest(state: RodState, astray: float) -> RodState | None:
                 and not corrected[0].discrete.unstable_modes
             ):
                 return _polish(corrected[0])
-        # also step along the unstable mode, so that the minimization does not end at a saddle point
+        # also step along the unstable mode, so that the minimisation does not end at a saddle point
         if inertia:
             side = -1.0 if push @ residual.imbalance > 0 else 1.0
             step = Step(step.angles + side * SADDLE_PUSH_RAD * push, step.reactions)

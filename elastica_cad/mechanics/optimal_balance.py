@@ -396,9 +396,9 @@ def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> Bound
 
 @dataclass(frozen=True, eq=False)
 class TangentWeight:
-    """Linearisation of the weight per length of a section, fixed + slope E I, N/mm.
+    """Linear function of E I that approximates the weight per length of a section, N/mm.
 
-    It is a tangent at given E I (n,).
+    The function is fixed + slope E I. It is a tangent at given values E I (n,).
     """
 
     fixed: FloatArray
@@ -499,7 +499,7 @@ def _beside(
     """
     rows, _ = family.dense
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
-    # changes of the free numbers, scaled to the mean change of E I
+    # rows are directions of the free numbers, multiplied by the root mean square change of E I along them
     moves = sizes[:, None] * ways / np.sqrt(len(rows))
     for room in reach * np.array([1.0, 4.0, 16.0, 64.0]):
         side = np.concatenate([moves, -moves]), np.concatenate([room - moves @ here, room + moves @ here])

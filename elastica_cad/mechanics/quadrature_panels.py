@@ -262,7 +262,7 @@ class _Nodes:
 def _evaluated(
     excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, orders: IntArray, law: MaterialLaw | None
 ) -> tuple[_Nodes, FloatArray]:
-    """Return the panels with values at their nodes, and their last Legendre coefficients relative to the functions.
+    """Return the panels with values at their nodes, and the relative size of their last Legendre coefficients.
 
     `zeros` and `orders` (k,) are the parameters of all zeros and their orders.
     """
