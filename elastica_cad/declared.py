@@ -265,7 +265,7 @@ def _wanted(kind: Kind, option: Option) -> str:
 
 
 def _defaults(record: Record) -> list[tuple[str, Any]]:
-    """Names in order, with their defaults."""
+    """Return the names of the fields in order, with their default values."""
     if is_dataclass(record):
         return [
             (field.name, field.default if field.default_factory is MISSING else field.default_factory())

@@ -92,7 +92,7 @@ class ElasticaError(Exception):
         changes: Sequence[Change] = (),
         **values: Any,
     ) -> None:
-        if isinstance(text, Refusal):  # the text is a record already
+        if isinstance(text, Refusal):  # a Refusal is used as it is
             where, changes = {**text.where, **(where or {})}, (*changes, *text.changes)
             values = {**text.values, **values}
             text = text.text

@@ -162,7 +162,7 @@ def read_model(path: str | Path) -> "Model":
     InputError
         The file is not a valid design; the message names the position in the file.
     NotRealizable, NotConvergedError
-        A strip is impossible. A single error has the messages of all strips.
+        A strip is impossible. The error contains the messages of all impossible strips.
 
     Examples
     --------

@@ -241,7 +241,7 @@ class _Kept:
     numbers: tuple[Any, ...]
 
     def make(self) -> Any:
-        """Return the axis or vector."""
+        """Make the axis or vector from its numbers."""
         return self.kind(*self.numbers)
 
 

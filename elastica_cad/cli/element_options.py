@@ -26,7 +26,10 @@ RECORDS: dict[str, tuple[type, str]] = {
 ELEMENTS, LOADS = ("rail", "pin", "tie"), ("point_force", "point_mass")
 
 CUTS = ("hole", "notch")
-"""Fields of pins and ties that cut the strip, each with an option for all pins and ties of a command."""
+"""Fields of pins and ties for cuts in the strip.
+
+A command has an option for each, which applies to all pins and ties.
+"""
 
 
 class Place(Length):

@@ -65,7 +65,7 @@ class CommandKeys(StripKeys):
 
 @dataclass(frozen=True)
 class BentKeys(StripKeys):
-    """Options of `elastica bend` for its strip."""
+    """Options of `elastica bend` that describe the strip."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = (
         "count", "let", "sections", "curve", "origin", "x_axis", "y_axis", "label", "engrave",

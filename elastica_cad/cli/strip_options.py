@@ -58,7 +58,7 @@ def typed_name(path: str) -> str:
 
 
 CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split_corners"}
-"""Keys of the fields that have another name in suggested changes."""
+"""Keys of a design file for fields that suggested changes call by another name."""
 
 
 def _option_words(change: Change) -> tuple[str, ...]:

@@ -195,8 +195,8 @@ def scaled_places(table: Mapping[str, Any], factor: float) -> dict[str, list[dic
     """Return the lists `between` and `loads` of a table, with the positions (mm) of ties and loads multiplied
     by a factor.
 
-    If a curve changes its length by this factor, ties and loads keep their fractions of the length. Positions
-    given as points, and positions of rails and pins, are unchanged.
+    If a curve changes its length by this factor, the positions of ties and loads, as fractions of the length,
+    do not change. Positions given as points, and positions of rails and pins, are unchanged.
 
     Examples
     --------

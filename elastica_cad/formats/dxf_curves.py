@@ -38,7 +38,7 @@ DEEPEST_BLOCK = 20  # largest number of nested blocks; deeper nesting means an e
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
 """Exceptions that ezdxf raises for truncated or corrupt entities."""
 
-MODEL_SPACE = np.eye(4)  # identity placement, of entities outside of blocks
+MODEL_SPACE = np.eye(4)  # placement of entities outside of blocks, which is the identity
 
 _CURVES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX", "LWPOLYLINE", "POLYLINE"}
 

@@ -175,7 +175,7 @@ NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
 # a program that writes a fixed number of significant digits, not decimals, writes at least this many
 _PROGRAMS = 6
-# number of large coordinates, not multiples of 10, from which the number of decimals can be inferred
+# least number of large coordinates, not multiples of 10, from which the decimals are inferred
 _EVIDENCE = 2
 
 

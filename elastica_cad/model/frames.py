@@ -435,7 +435,7 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
         tab = slot.tab
         if tab is None:
             continue
-        # x is along the tab, and y away from its upper side; the back of the plate is <n, p> = low
+        # in `profile`, x is along the tab and y away from its upper side; the plate's back is <n, p> = low
         profile = Frame(tab.frame.origin, tab.frame.x_axis, tab.frame.z_axis)
         n = np.array([plate.frame.z_axis @ profile.x_axis, plate.frame.z_axis @ profile.y_axis])
         low = float((plate.frame.origin - profile.origin) @ plate.frame.z_axis) - thickness

@@ -69,7 +69,8 @@ def _bent_slot_width(
         for matrix in (np.linalg.inv(slopes), rows, mates, across)
     )
     z = np.repeat(list(product((-0.5, 0.5), repeat=2)), len(along), axis=0) * thickness
-    x = np.zeros((len(rows), 3))  # distance across the slot, and distances along and across the other strip
+    # unknowns: distance across the slot, and distances along and across the other strip
+    x = np.zeros((len(rows), 3))
     error = np.full(len(rows), np.inf)
     # limit of the coordinates, because they would grow without limit if the faces do not meet
     farthest = ruled.length + other.length
@@ -290,9 +291,9 @@ class _Cutter:
     relief: Relief
     above: FloatArray | None
     crossed: dict[Hashable, tuple[list[Joint], Frame]] = field(default_factory=dict)
-    """Joints of pairs of strips, and the frame of the first strip.
+    """Cache of the joints of pairs of strips, with the frame of the first strip.
 
-    Pairs of equal strips with the same relative placement share an entry.
+    Equal pairs with the same relative placement have a common entry.
     """
 
     def joints(

@@ -388,7 +388,7 @@ class Model:
 
 
 LARGEST = 0.15
-"""Largest change of the logarithm of a width."""
+"""Largest change of the logarithm of a width in a round of corrections."""
 
 WIDENED, GENTLER = 1.1, 0.7
 """Largest factor by which a strip is widened in a round to keep its joints.

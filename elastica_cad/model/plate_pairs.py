@@ -39,7 +39,7 @@ LEAN_ROUNDS = 6
 """Largest number of rounds in which slots are moved; three are usually enough."""
 
 CLEAR = 1e-6
-"""Fraction of a distance by which another must be smaller to decide the direction of a strip."""
+"""Least relative difference between two distances of ends from which the direction of a strip is determined."""
 
 LEANED_MM = 0.03
 """Largest movement of slots, mm, in the last round of moving them. Each round reduces the movement to a tenth."""
@@ -238,8 +238,8 @@ def end_plates(
 ) -> tuple[BasePlate, ...]:
     """Return a plate for the tabs at each end of the strips, in the best plane for these tabs.
 
-    The ends are those of the first strip. A strip that was drawn opposite to its neighbours has its end at their
-    starts.
+    The first strip defines start and end. For a strip drawn in the opposite direction, start and end are
+    exchanged.
 
     Parameters
     ----------
@@ -294,7 +294,10 @@ def end_plates(
 
 
 def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
-    """Return the tabs of all strips at the start and at the end of the first strip."""
+    """Return the tabs at the start and at the end.
+
+    The first strip defines which end of the others is the start.
+    """
     tabs = tabs_to_hold(placed)
     pairs = [*zip(tabs[::2], tabs[1::2], strict=True)]
     opposite = _opposite(np.array([[tab.frame.origin for tab in pair] for pair in pairs]))
@@ -305,7 +308,8 @@ def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
 def _opposite(ends: FloatArray) -> BoolArray:
     """Return True for each strip that is directed opposite to the first, from starts and ends (n, 2, 3).
 
-    A strip has the direction in which its ends are nearer to those of the nearest strip with a known direction.
+    Directions are determined strip by strip. Each strip is compared with the nearest strip of known
+    direction; it has the direction in which the ends of both strips are nearer to each other.
     """
     apart = np.linalg.norm(ends[:, None, :, None] - ends[None, :, None, :], axis=-1)
     alike, turned = apart[:, :, 0, 0] + apart[:, :, 1, 1], apart[:, :, 0, 1] + apart[:, :, 1, 0]

@@ -419,8 +419,9 @@ def _across(rectangles: FloatArray) -> FloatArray:
 
 
 def _apart(p: FloatArray, q: FloatArray) -> FloatArray:
-    """Return the larger of the gaps along two directions between coordinates (..., 4, 2) of the corners of
-    rectangles.
+    """Return the larger of the gaps between pairs of rectangles along two directions.
+
+    `p` and `q` (..., 4, 2) are the coordinates of their corners along these directions.
     """
     gaps = np.maximum(q.min(axis=-2) - p.max(axis=-2), p.min(axis=-2) - q.max(axis=-2))
     return np.asarray(gaps.max(axis=-1), dtype=float)

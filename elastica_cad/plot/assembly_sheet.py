@@ -128,7 +128,7 @@ def _held_rows(model: Model) -> Iterator[tuple[str, ...]]:
 
 
 def _mark(held: HeldElement) -> str:
-    """Return the name of an element, and the force of a load."""
+    """Return the name of an element or load, with the force of a load."""
     return f"{held.name}, {held.force:.2g} N" if held.is_load else held.name
 
 

@@ -150,7 +150,7 @@ def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **st
     """
     from matplotlib.collections import PolyCollection
 
-    painted: Any = polygons  # matplotlib also accepts an array (n, k, 2)
+    painted: Any = polygons  # an array (n, k, 2) is a sequence of polygons for matplotlib
     axes.add_collection(PolyCollection(painted, **style), autolim=False)
     corners = polygons.reshape(-1, 2) if isinstance(polygons, np.ndarray) else np.concatenate(polygons)
     axes.update_datalim(box_about(corners))

@@ -66,7 +66,7 @@ class DrawingProcess:
         archives = [file for file in files if file.name.endswith(".zip")]
         drawn = [(Path(self._folder.name, Path(file.name).name), file.write) for file in pictures]
         request = pickle.dumps((MADE_BY.get(), drawn))
-        # send in a thread, because the process reads the request only after it has imported matplotlib
+        # a thread sends the request, because the process reads it only after it has imported matplotlib
         Thread(target=self._send, args=(request,), daemon=True).start()
         others = [file for file in files if file not in pictures and file not in archives]
         received = [replace(file, write=partial(self._receive, file)) for file in pictures]

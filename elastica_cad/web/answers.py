@@ -65,7 +65,7 @@ LEAST_STEP = 1e-3
 """Smallest tolerance, mm, to which the last possible position of a dragged point is searched."""
 
 HALVINGS = 2
-"""Largest number of trials per answer that reduce the distance of a dragged point to its last possible position."""
+"""Largest number of bisection steps per answer in the search for the last possible position of a dragged point."""
 
 PLACE_DIGITS = 6
 """Decimals of a position along the curve, mm. With fewer decimals, the rounded end could be beyond the curve."""

@@ -172,7 +172,7 @@ class Studio:
             self._workers.request(page, {"do": "open"}, b'{"do": "open"}', greet)
             while True:
                 await self._take(page, await talk.receive_text(), send)
-        # the page was closed, or another program sent bytes
+        # the connection ends if the page was closed, or if another program sent bytes
         except (WebSocketDisconnect, KeyError):
             with suppress(RuntimeError):
                 await talk.close()

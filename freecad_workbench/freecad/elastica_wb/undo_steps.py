@@ -32,12 +32,12 @@ def close_step(document: Any, *, abort: bool = False) -> None:
     """End the undo step of a document, or with `abort` undo all its changes."""
     record_call(document, "abortTransaction" if abort else "commitTransaction")
     if not _of_documents():
-        # otherwise, FreeCAD would add later unrelated changes to the step if the document was not changed
+        # otherwise, FreeCAD would add later changes to the step if the document was not changed
         Gui.doCommand(f"App.closeActiveTransaction({abort})")
 
 
 def active_step(document: Any) -> int:
-    """Return the number of the undo step into which changes of a document go, or 0."""
+    """Return the number of the undo step that records changes of a document, or 0."""
     if _of_documents():
         return int(document.getBookedTransactionID())
     return (App.getActiveTransaction() or ("", 0))[1]

@@ -327,7 +327,7 @@ def acting_lines(items: Iterable[Acting]) -> dict[str, list[str]]:
 
 
 def _line(table: Mapping[str, Any]) -> str:
-    """Return a table as one line of a property."""
+    """Return a table as a line of text for a property."""
     return ", ".join(toml_text(table).splitlines())
 
 

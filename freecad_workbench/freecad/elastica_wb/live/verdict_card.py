@@ -24,7 +24,7 @@ CUBE_PX = 140  # space, pixels, for the navigation cube and the axes at the righ
 WIDEST_PX, FOLDED_PX = 480, 240
 # largest width of the card, as a fraction of the width of the view, so that the curve is visible beside it
 SHARE = 0.45
-SMALL = 0.2  # fraction of the view's area above which a card is folded if it would hide points
+SMALL = 0.2  # a card that hides points is folded if it covers a larger fraction of the view than this
 LOOKED_MS = 100  # time, ms, after the last move of the camera, until the card is placed again
 FOLDED = "CardFolded"
 

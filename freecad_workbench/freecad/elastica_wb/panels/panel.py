@@ -45,7 +45,8 @@ class Panel:
         self._homes = [subject.Document for subject in self.subjects] + [document]
         self.form = self.make_form()
         calm(self.form)
-        self.form.message.setTextFormat(QtCore.Qt.PlainText)  # plain text, because a label may look like HTML
+        # the text is plain, because a label may look like HTML
+        self.form.message.setTextFormat(QtCore.Qt.PlainText)
         self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
         self.document = document
         self._timer = later(self._safely_changed, PAUSE_MS, self.form)
