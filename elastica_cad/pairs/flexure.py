@@ -25,7 +25,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.segments import Arc, Line, Spline
 from elastica_cad.geometry.splines import adaptive_spline, spline_through
 from elastica_cad.mechanics.bending import bend_path
-from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.sideways import SidewaysStability
@@ -612,6 +612,15 @@ class Flexure:
     def travel_back(self) -> FlexureTravel | None:
         """Path of a bistable part from the second state to the first, or None."""
         return self._pushed(*self.rods[::-1]) if self.bistable else None
+
+    def force_csv(self) -> str:
+        """Return the force curve as comma-separated text: travel, force, energy and largest strain.
+
+        The travel of a part that is not bistable is the fraction of the displacement of its end.
+        """
+        travel, unit = self.travel, "travel_mm" if self.pair.bistable else "travel"
+        columns = {unit: travel.travel, "force_N": travel.force, "energy_Nmm": travel.energy}
+        return csv_text(columns | {"largest_strain": travel.strain})
 
     @property
     def travel_strain(self) -> float:

@@ -81,6 +81,14 @@ def test_a_part_is_cut_with_its_holder(part, tmp_path):
     assert len([name for name in files if name.endswith(".svg")]) == 2
     (step,) = (name for name in files if name.endswith(".step"))
     assert len(Part.read(str(tmp_path / step)).Solids) == 4
+    (curve,) = (name for name in files if name.endswith("-travel.csv"))
+    table = np.genfromtxt(tmp_path / curve, delimiter=",", names=True)
+    assert table.dtype.names == ("travel_mm", "force_N", "energy_Nmm", "largest_strain")
+    until = table["travel_mm"] <= part.SnapTravel.Value
+    assert table["force_N"][until].max() == pytest.approx(part.LargestForce, rel=1e-6)
+    force, energy = table["force_N"], table["energy_Nmm"]
+    work = np.sum((force[1:] + force[:-1]) / 2 * np.diff(table["travel_mm"]))
+    assert work == pytest.approx(energy[-1] - energy[0], abs=0.02 * energy.max())
 
 
 @pytest.mark.campaign
@@ -101,7 +109,7 @@ def test_a_clip_by_mouse(tmp_path):
     state, before, after = found["moved"]
     assert (state, after) == (["Up-to-date"], pytest.approx(before))
     assert len(found["pieces"]) == 2
-    assert len(found["files"]) == 6
+    assert len(found["files"]) == 7
     assert found["refused"][1] == "There is no part."
     assert "mm long" in found["refused"][2]
     assert found["cancelled"] == ["Flexure"]

@@ -124,6 +124,12 @@ def write_cutting_files(
             piece.name: cutting.file_name(stem, kind) for stem, piece in zip(stems, pieces, strict=True)
         }
         files.append(File("cut-list.csv", lambda path: write_text(path, _listed(cuts, cut_from))))
+        flexures = list(filter(is_flexure, counted(sources)))
+        words = distinct(file_word(obj.Label) for obj in flexures)
+        files += [
+            File(f"{word}-travel.csv", partial(write_text, text=flexure_of(obj).force_csv()))
+            for word, obj in zip(words, flexures, strict=True)
+        ]
     numbers = count()
     done = lambda *_: go_on(step, next(numbers), "no file was written")  # noqa: E731
     return list(write_files(files, folder, force=force, done=done))
