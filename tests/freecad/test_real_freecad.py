@@ -502,7 +502,10 @@ def test_strips_of_the_curves_in_one_sketch(tmp_path):
     assert found["edges"][2] == [80, 80]
     assert [found[f"{name}, flat parts"] for name in ("all", "picked in the view")] == [3, 1]
     assert "Edge1, Ribs Edge2, Ribs Edge3: Read" in found["checked"]
-    assert found["card"][0] == "3 curves"
+    heading, words, comb = found["card"]
+    assert heading == "3 of 3 curves can be bent"
+    assert [line[:2] for line in words.splitlines()] == ["1:", "2:", "3:"]
+    assert comb > 3 * 161, "each curve has its comb"
 
 
 @pytest.mark.campaign

@@ -95,7 +95,12 @@ def work():
     observers.switch(sketch, on=True)
     until(lambda: live.session() is not None)
     live_at_rest()
-    answers["card"] = [live.session().card.heading.text(), live.session().card.words.text()]
+    session = live.session()
+    answers["card"] = [
+        session.card.heading.text(),
+        session.card.words.text(),
+        session.overlay.shown()["comb"],
+    ]
     fit("Top", 260)
     click_view(middle(sketch, 2))
     until(Gui.Selection.getSelection)

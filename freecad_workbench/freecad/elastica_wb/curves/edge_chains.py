@@ -46,9 +46,9 @@ def curves_in(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[str, ...]]:
     return [()] if len(whole) < 2 and chains == whole else chains
 
 
-def curve_count(geometry: Iterable[Any]) -> int:
-    """Return the number of curves that geometry of FreeCAD's Part module forms."""
-    return len(_chained([("", item.toShape()) for item in geometry], MEANT_MM))
+def curves_of_geometry(geometry: Iterable[Any]) -> list[tuple[str, ...]]:
+    """Return the names of the edges of each curve that geometry of FreeCAD's Part module forms."""
+    return _chained([(f"Edge{i + 1}", item.toShape()) for i, item in enumerate(geometry)], MEANT_MM)
 
 
 def edges_drawn(sketch: Any, names: Iterable[str]) -> list[str]:

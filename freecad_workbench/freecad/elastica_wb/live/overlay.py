@@ -84,20 +84,24 @@ class Overlay:
         self.root.addChild(self._labels)
         self._scene.addChild(self.root)
 
-    def show(self, picture: Picture) -> None:
-        """Show curvature, inflections and inflection line of a curve."""
+    def show(self, *pictures: Picture, titles: Sequence[tuple[tuple[float, float], str]] = ()) -> None:
+        """Show curvature, inflections and inflection lines of curves. `titles` are texts at points."""
+        stations = [station for picture in pictures for station in picture.stations]
         self._set(
-            comb=picture.comb,
-            strained=picture.strained,
-            line=() if picture.line is None else (picture.line,),
-            **{"on line": (picture.on_line,), "off line": (picture.off_line,)},
-            crossings=(picture.crossings,),
-            thrust=picture.thrust,
-            cords=picture.cords,
-            stations=(np.array([place for place, _ in picture.stations]).reshape(-1, 2),),
+            comb=[line for picture in pictures for line in picture.comb],
+            strained=[line for picture in pictures for line in picture.strained],
+            line=[picture.line for picture in pictures if picture.line is not None],
+            **{
+                "on line": [picture.on_line for picture in pictures],
+                "off line": [picture.off_line for picture in pictures],
+            },
+            crossings=[picture.crossings for picture in pictures],
+            thrust=[line for picture in pictures for line in picture.thrust],
+            cords=[line for picture in pictures for line in picture.cords],
+            stations=(np.array([place for place, _ in stations]).reshape(-1, 2),),
         )
-        lengths = [(place, note("{far}", far=far)) for place, far in picture.labels]
-        self._write([*lengths, *((place, noun) for place, noun in picture.stations if noun)])
+        lengths = [(place, note("{far}", far=far)) for picture in pictures for place, far in picture.labels]
+        self._write([*titles, *lengths, *((place, noun) for place, noun in stations if noun)])
 
     def clear(self) -> None:
         """Hide everything."""

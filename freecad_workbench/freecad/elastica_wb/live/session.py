@@ -10,7 +10,8 @@ from typing import Any
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
-from freecad.elastica_wb.curves.edge_chains import curve_count
+from freecad.elastica_wb.curves.edge_chains import curves_of_geometry
+from freecad.elastica_wb.curves.part_shapes import plane_curve
 from freecad.elastica_wb.curves.sketch_curves import (
     curve_into,
     drawn_curve,
@@ -49,6 +50,7 @@ from elastica_cad.defaults import CUTTABLE_RATIO
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip_spec import StripSpec
@@ -59,6 +61,9 @@ SEEN = 24  # number of points of a curve that the card tries not to hide
 PEEK_MS = 60  # interval, ms, between checks whether the nearest curve was found
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
+
+SEVERITY = (Verdict.NOTHING, Verdict.CAN, Verdict.BREAKS, Verdict.CANNOT)
+"""Verdicts in the order of their severity."""
 
 _session: "Session | None" = None
 
@@ -78,6 +83,7 @@ class Session:
         self._placed, self._cost = NO_POLES, ""
         self._scale: float | None = None
         self._asks: StripSpec | None = None
+        self._asks_along: dict[tuple[str, ...], StripSpec] = {}
         self._allows: RodSpec | None = None
         self._curve: Any = None
         self._geometry: list[Any] | None = None
@@ -95,6 +101,7 @@ class Session:
         """Update the overlay from the sketch as it is stored in the document."""
         self._soon.stop()
         self._scale = self._asks = None
+        self._asks_along = {}
         self._attach()
         # relate the drawn points to the current geometry
         self._dragged = Dragged(self.sketch, self._points()) if self._node is not None else None
@@ -187,13 +194,8 @@ class Session:
             answer = refusal_answer(explained(error))
             if is_blank(self.sketch):
                 answer = Answer(Verdict.NOTHING, translate("Elastica", "no curve yet"), answer.sentence)
-            elif (count := curve_count(drawn_in(self.sketch, geometry))) > 1:
-                words = note(
-                    "The sketch has {count} curves, but this picture shows only one curve. Press Strip from "
-                    "sketch to make a strip for each curve.",
-                    count=count,
-                )
-                answer = Answer(Verdict.NOTHING, note("{count} curves", count=count), words)
+            elif len(chains := curves_of_geometry(drawn_in(self.sketch, geometry))) > 1:
+                answer = self._show_several(chains, geometry)
             self._show_answer(answer)
             return
         self.overlay.show(picture)
@@ -202,6 +204,42 @@ class Session:
         self._show_answer(picture.answer)
         self.times.append(time.thread_time() - began)
         self._rest.start()
+
+    def _show_several(self, chains: list[tuple[str, ...]], geometry: list[Any] | None) -> Answer:
+        """Show the curves of a sketch with several curves, and return a common result."""
+        drawn, gap = drawn_in(self.sketch, geometry), gap_of(*sketches.followers(self.sketch))
+        pictures, titles, answers = [], [], []
+        for number, names in enumerate(chains, 1):
+            try:
+                curve, _ = plane_curve([drawn[int(name[len("Edge") :]) - 1] for name in names], gap=gap)
+                if self._scale is None:
+                    self._scale = comb_scale(curve)
+                pictures.append(curve_picture(curve, self._spec_along(names, curve), self._scale))
+            except FAILURES as error:
+                answers.append(refusal_answer(explained(error)))
+                continue
+            answers.append(pictures[-1].answer)
+            x, y = curve.sample(3).position[1].tolist()
+            titles.append(((x, y), note("{number}: {words}", number=number, words=answers[-1].words)))
+        self.overlay.show(*pictures, titles=titles)
+        worst = max((answer.verdict for answer in answers), key=SEVERITY.index)
+        lines = [
+            note("{number}: {words}", number=number, words=answer.sentence)
+            for number, answer in enumerate(answers, 1)
+        ]
+        count = sum(answer.verdict is Verdict.CAN for answer in answers)
+        words = note("{count} of {total} curves can be bent", count=count, total=len(answers))
+        return Answer(worst, words, sentences(lines, "\n"))
+
+    def _spec_along(self, names: tuple[str, ...], curve: PlaneCurve) -> StripSpec:
+        """Request for the strip along edges of this sketch. It is constant during a drag."""
+        if names not in self._asks_along:
+            spec = default_spec(curve)
+            for strip in sketches.followers(self.sketch):
+                if {*names} & {*strip.Curve[1]}:
+                    spec = spec_of(strip, drawn_curve(strip.Curve, strip))
+            self._asks_along[names] = spec
+        return self._asks_along[names]
 
     def _finish(self) -> None:
         """Compute the widths while the mouse rests."""
