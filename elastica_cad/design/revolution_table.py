@@ -4,6 +4,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
+import numpy as np
+
+from elastica_cad._types import FloatArray
 from elastica_cad.declared import Option
 from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
@@ -33,6 +36,14 @@ class RevolutionTable:
     ] = ()
     curve: Annotated[
         PlaneCurve | None, Option("Profile that the meridian approximates, instead of points.")
+    ] = None
+    axis: Annotated[
+        PlaneCurve | None,
+        Option("Straight line that is the axis of the profile, such as a curve of the same file by its id."),
+    ] = None
+    axis_x: Annotated[
+        float | None,
+        Option("Position x of the upright axis in the drawing of the profile; 0 by default.", "mm"),
     ] = None
     a: Annotated[
         float | None, Option("Moment at the origin divided by stiffness and distance, instead of points.")
@@ -73,12 +84,36 @@ class RevolutionTable:
                 own_keys=", ".join(OWN_KEYS),
             )
         if self.curve is not None or self.points:
-            return meridian_through(self.curve or list(self.points), ring=self.ring)
+            return meridian_through(self._profile or list(self.points), ring=self.ring)
         values: Any = [getattr(self, key) for key in OWN_KEYS]
         missing = [key for key in OWN_KEYS if getattr(self, key) is None]
         if missing:
             raise InputError("{key} is missing. Add a number or a formula in quotes.", key=missing[0])
         return meridian(*values, ring=self.ring)
+
+    @property
+    def _profile(self) -> PlaneCurve | None:
+        """The profile with x as the distance from the axis and y along the axis, or None."""
+        if self.axis is None and self.axis_x is None:
+            return self.curve
+        if self.curve is None or (self.axis is not None and self.axis_x is not None):
+            raise InputError("axis and axis_x need a profile. Set curve, and one of axis and axis_x.")
+        start, end = (
+            np.array([[self.axis_x, 0.0], [self.axis_x, 1.0]]) if self.axis is None else self._axis_ends
+        )
+        along = (end - start) / np.hypot(*(end - start)) * (1.0 if end[1] >= start[1] else -1.0)
+        across = np.array([along[1], -along[0]])
+        if across @ (self.curve.control_points.mean(axis=0) - start) < 0:
+            across = -across
+        return self.curve.transformed([[*across, -across @ start], [*along, 0.0], [0.0, 0.0, 1.0]])
+
+    @property
+    def _axis_ends(self) -> FloatArray:
+        """Start and end (2, 2) of the drawn axis, mm."""
+        assert self.axis is not None
+        if not self.axis.is_straight or self.axis.is_closed:
+            raise InputError("axis is not a straight line. Draw the axis as one straight line.")
+        return self.axis.control_points[[0, -1]]
 
     def model(self, name: str) -> Model:
         """Make all strips, and the rings.
@@ -104,9 +139,16 @@ class RevolutionTable:
     def reports(self) -> tuple[str, ...]:
         """Message on the distance of the meridian from its points; empty if the meridian passes through them."""
         off = self.meridian.deviation
+        assumed = self.curve is not None and self.axis is None and self.axis_x is None
+        axis = note(
+            "The axis is x = 0 of the drawing, so the surface is {width} wide. "
+            "If the axis is elsewhere, set axis or axis_x.",
+            width=Length(2 * float(self.meridian.curve.bounds[1, 0])),
+        )
         if off <= NEAR_MM:
-            return ()
+            return (axis,) if assumed else ()
         return (
+            *((axis,) if assumed else ()),
             note(
                 "The meridian deviates from its points by up to {far}. Strips cannot cover the surface of a "
                 "nearer meridian without gaps.",

@@ -249,7 +249,10 @@ margin = 3
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\n'
     'points = [[70, 0], [85, 16], [125, 55], [90, 115], [75, 140]]\n',
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\n'
-    'curve = { spline = [[70, 0], [90, 40], [95, 80], [80, 120]], degree = 3 }\n',
+    'curve = { spline = [[70, 0], [90, 40], [95, 80], [80, 120]], degree = 3 }\naxis_x = 10\n',
+    'schema = 1\n[revolution]\nsheet = "card-200gsm"\n'
+    'curve = { spline = [[70, 0], [90, 40], [95, 80], [80, 120]], degree = 3 }\n'
+    'axis = { spline = [[10, 0], [10, 45], [10, 90]], degree = 2 }\n',
     """schema = 1
 [pair]
 first = { spline = [[0, 0], [27, 0], [53, 24], [105, 24], [123, 0], [150, 0]], degree = 4 }

@@ -70,10 +70,41 @@ def test_a_profile_says_how_far_it_was_left(read, tmp_path):
     drawn = ec.PlaneCurve.fit(np.column_stack([50 + 15 * np.sin(2 * x), 60 * x / np.pi]))
     ec.write_curves([drawn], tmp_path / "profile.json")
     design = read("[revolution]\ncurve = 'profile.json'\nstrips = 12\n")
-    (told,) = design.reports
+    _, told = design.reports
     assert told.startswith("The meridian deviates ")
     assert design.model().reports == design.reports
     assert 0.1 < design.revolution.meridian.deviation < 3
+
+
+@pytest.mark.parametrize(
+    "axis",
+    [
+        "axis_x = 120",
+        "axis = { file = 'pot.svg', id = 'axis' }",
+        "axis = { file = 'pot.svg', id = 'tilted' }",
+    ],
+)
+def test_the_axis_is_where_it_is_drawn(read, tmp_path, axis):
+    """The profile is on the left of its axis; the tilted axis meets it at the same height as the upright one."""
+    (tmp_path / "pot.svg").write_text(
+        '<svg xmlns="http://www.w3.org/2000/svg" width="200mm" height="200mm" viewBox="0 0 200 200">'
+        '<path id="axis" d="M 120 20 V 180"/><path id="tilted" d="M 140 180 L 100 20"/>'
+        '<path id="profile" d="M 60 30 C 20 60 10 120 55 170"/></svg>'
+    )
+    design = read(f"[revolution]\ncurve = {{ file = 'pot.svg', id = 'profile' }}\n{axis}\nstrips = 12\n")
+    curve = design.revolution.meridian.curve
+    ends = np.array([[60, 30], [55, 170]]) - [120, 100]  # from the middle of the axis
+    along = np.array([40, 160]) / np.hypot(40, 160) if "tilted" in axis else np.array([0, 1])
+    radii = np.abs(ends @ [along[1], -along[0]])
+    assert sorted(curve.at([0, curve.length]).position[:, 0]) == pytest.approx(sorted(radii), abs=0.5)
+    assert not any("axis" in said for said in design.reports)
+
+
+def test_the_axis_that_is_assumed_is_told(read, tmp_path):
+    ec.write_curves([ec.PlaneCurve.fit([(50, 0), (62, 20), (64, 40), (55, 60)])], tmp_path / "profile.json")
+    (told, *_) = read("[revolution]\ncurve = 'profile.json'\nstrips = 12\n").reports
+    assert "x = 0 of the drawing" in told
+    assert "129 mm wide" in told
 
 
 @pytest.mark.parametrize(
@@ -85,6 +116,7 @@ def test_a_profile_says_how_far_it_was_left(read, tmp_path):
         ("points = 3", "points must be a list of points"),
         ("points = [[1, 2], [3, 4]]", "revolution: a meridian needs three points"),
         ("points = [[70, 0], [-125, 55], [90, 115]]", "revolution: point 2 at"),
+        (f"{POINTS}\naxis_x = 5", "axis and axis_x need a profile"),
         (f"{POINTS}\nring = 500", "revolution: ring=500"),
         (f"{POINTS}\nrings = 'gold'", "revolution: rings: unknown sheet 'gold'"),
         (f"{POINTS}\nstrip = 3", "did you mean strips"),
