@@ -37,7 +37,7 @@ from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE
 from elastica_cad.design.check_report import report_check
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.fairing_request import Smoothing
-from elastica_cad.forming.rod_solution import solve_rod
+from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.forming.straight_ends import StraightEnds
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -326,10 +326,11 @@ def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
 def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
     """Return the check of a curve with rails, pins or ties. A linear program decides it and gives the reasons."""
     try:
-        solve_rod(spec)
+        rod = solve_rod(spec)
     except NotRealizable as problem:
         return cast(EquilibriumCheck, problem.check)
-    return spec.check
+    undecided = str(spec.check.undecided)  # printed with the verdict
+    return replace(spec.check, warnings=tuple(w for w in accepted_rod(rod).warnings if w != undecided))
 
 
 def _on_elements(rod: Rod) -> dict[str, Any]:

@@ -1,5 +1,7 @@
 """Rails, pins, ties and loads of a strip: properties, overlay, support after a refusal, and the panel by mouse."""
 
+import re
+
 import numpy as np
 import pytest
 from freecad.elastica_wb import make_strip
@@ -150,6 +152,16 @@ def test_rails_ties_and_loads_by_mouse(tmp_path):
     assert found["hole"][2].endswith("hole = 3.0")
     assert found["removed"][1] == found["closed"] == found["force"][1]
     assert found["undone"][:2] == [["at = 197.0"], []]
+    shares = [
+        [
+            float(word) / length
+            for line in (between[1], loads[0])
+            for word in re.findall(r"\b[\d.]+(?=,|$)", line)[:2]
+        ]
+        for length, between, loads in found["kept fractions"]
+    ]
+    assert found["kept fractions"][0][0] != found["kept fractions"][1][0]
+    assert shares[0][:3] == pytest.approx(shares[1][:3], abs=1e-6)
     assert found["live"]["stations"] == 4
     assert found["live"]["thrust"] >= 4
     assert "line" not in found["live"]

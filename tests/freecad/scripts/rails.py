@@ -153,8 +153,14 @@ def work():
     answers["live"] = {name: count for name, count in shown.items() if count}
     answers["live verdict"] = live.session().card.answer.verdict.value
     picture("live.png")
+    before = [drawn.Shape.Length, list(strip.Between), list(strip.Loads)]
+    drag((360, 0, 0), 8, (2, 0))
+    until(lambda: drawn.Geometry[0].getPole(7).x > 361)
+    live_at_rest()
     Gui.ActiveDocument.resetEdit()
     until(lambda: Gui.ActiveDocument.getInEdit() is None)
+    document.recompute()
+    answers["kept fractions"] = [before, [drawn.Shape.Length, list(strip.Between), list(strip.Loads)]]
 
 
 run(work)

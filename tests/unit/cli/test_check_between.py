@@ -47,3 +47,10 @@ def test_the_reasons_have_places(desk):
 def test_two_free_ends_need_an_element(desk):
     assert "free" in run("check wave.dxf --start free --end free", cwd=desk, code=2).output
     run("check wave.dxf --start free --end free --tie 0 394", cwd=desk, code=1)
+
+
+def test_no_kink_is_reported_at_a_rail(desk, project_root):
+    slat = project_root / "examples" / "slat" / "slat.svg"
+    (desk / "slat.svg").write_bytes(slat.read_bytes())
+    assert "kink" in run("check slat.svg", cwd=desk).stdout
+    assert "kink" not in run("check slat.svg --rail 400", cwd=desk).stdout
