@@ -313,7 +313,7 @@ def _some(names: Sequence[str]) -> str:
 
 
 def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
-    """Write the picture of a check, or of a rod with supports between its ends and its thrust line."""
+    """Write the picture of a check, or of a rod with rails, pins or ties and its thrust line."""
     from elastica_cad.plot.canvas import save_figure
     from elastica_cad.plot.check_picture import check as draw_check
     from elastica_cad.plot.strip_pictures import rod as draw_rod

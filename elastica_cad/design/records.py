@@ -45,14 +45,14 @@ def _thickness(
     limits: Annotated[Range, Option("Least and largest thickness.", "mm", least=0)],
     width: Annotated[float, Option("Width of the batten.", "mm", least=0)],
 ) -> ThicknessLaw:
-    """A batten of one width, planed thinner."""
+    """A batten of constant width whose thickness is tapered by planing."""
     return ThicknessLaw(sheet, *limits, width=width)
 
 
 def _rod(
     sheet: Sheet, limits: Annotated[Range, Option("Least and largest diameter.", "mm", least=0)]
 ) -> RoundLaw:
-    """A round rod, turned thinner."""
+    """A round rod whose diameter is tapered by turning."""
     return RoundLaw(sheet, *limits)
 
 
@@ -61,7 +61,7 @@ def _tube(
     limits: Annotated[Range, Option("Least and largest outer diameter.", "mm", least=0)],
     bore: Annotated[float, Option("Inner diameter divided by outer diameter.", least=0, most=1)],
 ) -> RoundLaw:
-    """A tube, turned thinner."""
+    """A tube whose outer diameter is tapered by turning."""
     return RoundLaw(sheet, *limits, bore=bore)
 
 
@@ -71,7 +71,7 @@ def _leaves(
     width: Annotated[float, Option("Width of the plies.", "mm", least=0)],
     fewest: Annotated[int, Option("Number of plies that run over the whole length.", least=1)] = 1,
 ) -> LeavesLaw:
-    """Leaves of the sheet, glued; some end before others. Needs limits or keep."""
+    """Glued plies of the sheet, of different lengths. They require limits or keep."""
     return LeavesLaw(sheet, leaves, width, fewest)
 
 

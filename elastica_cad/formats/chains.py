@@ -31,7 +31,8 @@ DIGIT_MM, DIGIT_SHARE = 0.5, 0.01
 # if the direction turns by more than 160 degrees at two ends, the curves run side by side
 _ALONGSIDE = np.cos(np.radians(160.0))
 HOLE_ASIDE = 0.1  # largest distance of a hole's centre from its straight end, as a fraction of the diameter
-SAME_POINT = 1e-13  # rounding distance of points, as a fraction of the largest coordinate
+# largest distance of points that differ only by rounding, as a fraction of the largest coordinate
+SAME_POINT = 1e-13
 # least turn, degrees, at a corner: of a curve through points; of straight sides without a smooth curve
 LARGEST_TURN, LEAST_TURN = 50.0, 5.0
 _STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the largest turn at which two ends share a tangent

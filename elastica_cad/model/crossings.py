@@ -452,7 +452,9 @@ def _joined(
     left = set(range(len(pieces)))
 
     def grown(i: int, key: tuple[str, int, int] | None) -> list[tuple[FloatArray, FloatArray]]:
-        """Return the pieces of the chain that ends at `key`, in order towards piece i."""
+        """Return the pieces of the chain that ends at the extreme `key` of piece i, in their order along the
+        chain.
+        """
         chain: list[tuple[FloatArray, FloatArray]] = []
         while key is not None:
             after = [j for j in homes.get(key, []) if j != i and j in left]

@@ -136,7 +136,7 @@ def stand(
 
 
 def _plates_apart(placed: Sequence[Placed], sheet: Sheet, options: RingOptions) -> tuple[BasePlate, ...]:
-    """Return two facing plates for strips that are arranged around and determine the distance of the plates."""
+    """Return two facing plates. The strips are arranged around them, and determine their distance."""
     plates = facing_plates(placed, sheet, options)
     for plate in plates:
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])

@@ -194,7 +194,7 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 def _strip(request: Mapping[str, Any]) -> Record:
     """Return the data of a strip that the page shows.
 
-    On request, a dragged point stops at its last possible position.
+    If the request contains `hold`, a dragged point stops at its last possible position.
     """
     spec, kept = _with_kept_fractions(request)
     holds = "hold" in request

@@ -102,7 +102,7 @@ def _widget() -> type["AnyWidget"]:
 
         @property
         def value(self) -> tuple[PlaneCurve, StripSpec]:
-            """The drawn curve and the request."""
+            """The drawn curve and the request for its strip."""
             spec = requested_spec(self.design)
             return spec.curve, spec
 

@@ -19,7 +19,8 @@ MADE = "elastica_made"
 def recorded(make: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
     """Call a function by a Python line that macros record, and return its result."""
     modules = [make.__module__, *(["elastica_cad"] if any(map(_is_curve, arguments)) else [])]
-    for module in modules:  # Gui.addModule records only modules that were not loaded before
+    # `doCommand` is used, because Gui.addModule does not record modules that are already loaded
+    for module in modules:
         Gui.doCommand(f"import {module}")
     arguments_text = [
         *map(_written, arguments),

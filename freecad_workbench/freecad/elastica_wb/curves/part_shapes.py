@@ -177,7 +177,7 @@ def _as_spline(curve: Any, first: float, last: float) -> Any:
         if whole and min(curve.getMultiplicities()[:: curve.NbKnots - 1]) > curve.Degree:
             return curve
         spline = curve.copy()
-        # makes the spline end at poles; a periodic spline may be opened at any parameter
+        # `segment` makes the spline end at poles, and opens a periodic spline
         spline.segment(first, last)
         return spline
     if not (abs(first) < 1e100 and abs(last) < 1e100):

@@ -395,7 +395,8 @@ def _counts(obj: Any, path: str, *, nearest: bool) -> bool:
         return key in names_of(BY_KIND[Style][obj.Style.lower()])
     if table in ("limits", "keep"):
         return nearest
-    if path in ("max_width", "min_width"):  # a width law contains its limits
+    # the widths have no effect with a width law, which contains its limits
+    if path in ("max_width", "min_width"):
         return not obj.Law.strip() and (path == "min_width" or obj.Style == "Plain")
     return path != "samples" or not nearest
 

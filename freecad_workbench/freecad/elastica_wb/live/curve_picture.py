@@ -95,7 +95,8 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     except ElasticaError as error:
         cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
         return Picture(cannot, False, *_combs(curve.sample(TEETH), spec, scale))
-    drawn_curve = smoothing.curve if smoothing.moved else curve  # the curve with its straight ends
+    # the whole drawn curve, with its straight ends
+    drawn_curve = smoothing.curve if smoothing.moved else curve
     samples = drawn_curve.sample(TEETH)
     comb, strained = _combs(samples, spec, scale)
     places = dict(check.off_line) or dict.fromkeys(check.inflections, 0.0)

@@ -49,7 +49,7 @@ class VerdictCard(QtCore.QObject):
         for label in (self.heading, self.words, self.legend):
             label.setWordWrap(label is not self.heading)
             layout.addWidget(label)
-        # outside of the frame, because the frame ignores the mouse
+        # the buttons are outside of the frame, because the frame ignores the mouse
         self.button, self.fold = QtWidgets.QPushButton(self._over), QtWidgets.QPushButton(self._over)
         self.button.setObjectName("useNearest")
         self.fold.setObjectName("foldVerdict")
@@ -101,7 +101,7 @@ class VerdictCard(QtCore.QObject):
                 self._place()
 
     def keep_off(self, places: Sequence[Any]) -> None:
-        """Keep the card off these points in space."""
+        """Set the points in space that the card should not hide."""
         with suppress(RuntimeError):
             self._places = places
             self._place()  # place the card first, because this raises an error if the view was closed
