@@ -385,8 +385,7 @@ class FollowedMarginLimit(MarginLimit):
         return rod_felt
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives with respect to dM/dkappa to derivatives with respect to K and M, by finite
-        differences."""
+        """Convert derivatives with respect to dM/dkappa to those with respect to K and M by finite differences."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])

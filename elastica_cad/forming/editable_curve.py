@@ -209,8 +209,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = left_of(along[2:])
-    # only a rest curvature requires unit speed, because an inflection does not depend on the speed of the
-    # parametrization
+    # only a rest curvature requires unit speed; positions of inflections do not depend on the speed
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
         [

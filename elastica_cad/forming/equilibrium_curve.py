@@ -112,7 +112,7 @@ class EquilibriumCurve:
 
     @cached_property
     def stiffness(self) -> FloatArray:
-        """Stiffness K at `places`, with the minimum 1."""
+        """Stiffness K at the points `places` of the curve, scaled to a minimum of 1."""
         return self.balance.stiffness.at(*self.places) / self.scale
 
     @property

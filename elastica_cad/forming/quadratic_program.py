@@ -143,8 +143,7 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
     tolerance = accuracy * float(np.clip(np.abs(g).max(), 1e-6, 1.0))
     inner = 0.1 * (p.upper - p.lower)
     z = np.concatenate([np.clip(0.0, p.lower + inner, p.upper - inner), (y_low + y_high) / 2])
-    # complementary pairs u v = mu (2, n + m): u are the distances of z = (x, y) from its bounds; v are the
-    # multipliers of the bounds of x, and the slacks p and q of the constraints
+    # u v = mu (2, n + m): u is the distance of z = (x, y) from its bounds; v is the multiplier or the slack p or q
     u = np.stack([z - lower, upper - z])
     mu = max(0.03, 0.1 * float(np.abs(g) @ inner) / n)
     v = mu / u

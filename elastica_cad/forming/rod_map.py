@@ -121,8 +121,7 @@ class SectionScale:
                     largest=Length(largest),
                 )
             ratio = min(ratio, most / low)
-            # if the stiffness depends on the curvature, the scale is determined later, because the strain also
-            # depends on it
+            # if stiffness and strain depend on the curvature, the scale is determined later
             if not (heavy or law.follows_bend):
                 thin, thick = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
                 if thin < thick:
@@ -457,8 +456,7 @@ class StripGrid:
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares
 
-        # solve for alpha_1, M_1, alpha_2, M_2, ..., alpha_{n+1}; the right-hand sides are the derivatives of the
-        # recursion with respect to z
+        # unknowns alpha_1, M_1, ..., alpha_{n+1}; right-hand sides: derivatives of the recursion with respect to z
         right = np.zeros((2 * n + 1, columns), order="F")
         drive_angle, drive_moment = right[0::2], right[1::2]
         np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[:, u.stiffness])

@@ -323,8 +323,7 @@ class Iterate(Generic[Point]):
             free = room > SETTINGS.bound_tolerance * program.scale
             s = program.scale[free]
             gap = self.active.aim[there] - rows.value[here]
-            # with more rows than free unknowns, the least-squares solution mainly satisfies the rows with large
-            # derivatives
+            # with more rows than free unknowns, least squares mainly satisfies the rows with large derivatives
             change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
         return change
 
@@ -491,8 +490,7 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
         point = here.local.moved(change)
         after = program.objective(point)
         changed = float(np.abs(here.local.state_jacobian @ change).max())
-        # 0.1 times the squared change of the state estimates the increase of the distance when the rod is in
-        # equilibrium
+        # the second term estimates the increase of the distance from this point to equilibrium
         if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
             best, least = point, rank
         if (

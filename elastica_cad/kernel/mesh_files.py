@@ -70,8 +70,7 @@ def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = Non
     bed = bed or Frame()
     nets = face_triangles(body, chord=PRINTED_MM, turn=TURN_RAD)
     corners = np.concatenate([bed.local(points)[triangles] for points, triangles in nets]).astype("<f4")
-    # triangles without area, as at the pole of a sphere, are removed, because they make programs report an open
-    # body
+    # remove triangles without area, as at the pole of a sphere: with them, programs report an open body
     same = [(corners[:, i] == corners[:, i - 1]).all(axis=1) for i in range(3)]
     corners = corners[~np.any(same, axis=0)]
     rows = np.zeros(len(corners), dtype=TRIANGLE)

@@ -98,7 +98,7 @@ def _section(cut: Shape, frame: Frame, half: bool, name: str) -> PlaneSection:
 
 
 def _points(run: Sequence[Edge], frame: Frame) -> FloatArray:
-    """Return the points (n, 2) of a chain of edges in the plane, with the direction of `SectionLine`."""
+    """Return the points (n, 2) of a chain of edges in the plane, in the direction required by `SectionLine`."""
     parts = [frame.local(_places(edge))[:, :2] for edge in run]
     points = np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
     if np.linalg.norm(points[-1] - points[0]) <= JOIN:

@@ -237,7 +237,7 @@ class Travel:
     def _first(self, fails: Callable[[Rod], bool]) -> float | None:
         """Return the first value of `path_length` at which `fails` is True, or None.
 
-        Between steps the ends move straight.
+        Between two steps the positions and angles of the ends change linearly.
         """
         rods = (self._at_rest, *self.rods)
         k = next((k for k, rod in enumerate(rods) if fails(rod)), None)
