@@ -13,7 +13,7 @@ from elastica_cad.forming.rod_map import MappedRod, SectionScale, Sensitivities
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
 
-# largest number of rows of a constraint in a program; from 64 on, factorisations start threads
+# largest number of rows of a constraint in a quadratic program; from 64 on, factorisations start threads
 MOST_ROWS = 56
 
 
@@ -121,7 +121,7 @@ class EndMoment(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class EndForce(Constraint):
-    """The force at the end is 0 along an `axis` (0: x, 1: y) along which the end can move."""
+    """Condition that the force at the end is 0 along an `axis` (0: x, 1: y) along which the end can move."""
 
     name: str = "free end position"
     axis: int = 0
@@ -132,7 +132,7 @@ class EndForce(Constraint):
         return rod.all_forces[-1:, self.axis] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the row of the only value: the force in the last edge and the weight of the last node."""
+        """Return the derivatives of the force in the last edge plus the weight of the last node, as one row."""
         rod = sensitivities.rod
         n = rod.tangents.shape[0]
         weights = np.zeros((n, 2))
@@ -399,7 +399,9 @@ class FollowedMarginLimit(MarginLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class LargestSection(Constraint):
-    """No section of the bent strip exceeds the largest section. The scale of the sections is fixed."""
+    """Condition that no section of the bent strip exceeds the largest section.
+
+    The scale of the sections is fixed."""
 
     section: SectionScale
     rest: float | FloatArray
@@ -531,7 +533,7 @@ class KeepOut(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class LeastStiffness(Constraint):
-    """The least stiffness along the rod is 1, which is the unit of the stiffness bounds."""
+    """Condition that the least stiffness along the rod is 1, which is the unit of the stiffness bounds."""
 
     name: str = "stiffness bounds"
     one_sided: bool = True

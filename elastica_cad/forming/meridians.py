@@ -193,7 +193,7 @@ class _Equations:
         self.count = self.pieces * self.width + 3
 
     def parts(self, unknown: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the angles (pieces, nodes + 1), the lengths (pieces,), and the array of the constants a and b (3,)."""
+        """Return angles (pieces, nodes + 1), lengths (pieces,), and the constants a and b as an array (3,)."""
         pieces = unknown[:-3].reshape(self.pieces, self.width)
         return pieces[:, :-1], pieces[:, -1], unknown[-3:]
 

@@ -183,7 +183,7 @@ class NearestTask:
 
     @property
     def in_smaller_sections(self) -> "NearestTask | None":
-        """The task with smaller sections that withstand the curvature of the target, or None if there are none."""
+        """Task with smaller sections that withstand the curvature of the target, or None if there are none."""
         if self.section is None or self.is_scaled_freely or self.request.gravity is None:
             return None
         bent = _nodal_bend(self.target, self.request.natural_curvature, self.nodes)

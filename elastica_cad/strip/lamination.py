@@ -110,7 +110,7 @@ class Laminated:
     def bounded(
         self, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> BoundedBacking | None:
-        """Return the limits of the stiffness with the strains there, or None if the width of the base varies."""
+        """Return the limits of the stiffness and the strains at them, or None if the width of the base varies."""
         if not is_number(self.width):
             return None
         width = float(self.width)

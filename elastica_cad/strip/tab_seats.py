@@ -299,7 +299,7 @@ def _step_within(
 
 MOST_STEPS = 60
 RENEWED_SHARE = (
-    0.003  # fraction of the length; after a longer step the stiffness of the ends is computed anew
+    0.003  # step, as a fraction of the length, above which the stiffness of the ends is computed anew
 )
 SHORTER, LONGER = 0.5, 2.0  # factors on the step limit: after a reversal of direction, and after other steps
 DIFFERENCE_SHARE = 1e-5  # step of the finite differences of reactions, as a fraction of the length
