@@ -4,6 +4,7 @@ import math
 import re
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 import elastica_cad as ec
@@ -171,6 +172,33 @@ def _elements(row, _):
         proved_by(f"{tests}::test_even_bow")
     else:
         proved_by(f"{tests}::test_the_least_ratio_is_that_of_a_dense_program")
+
+
+(POSSIBLE,) = (
+    table.head for table in tables() if table.page == BETWEEN and table.head[0] == "control points"
+)
+
+
+def _most_of_8(curve, between=()):
+    try:
+        return ec.optimal_rod(curve, between=between).ratio <= 8
+    except ec.ElasticaError:
+        return False
+
+
+@asks(BETWEEN, *POSSIBLE)
+def _possible_curves(row, _):
+    """The curves of the row are drawn again, and judged without elements and with one rail."""
+    rng, judged = np.random.default_rng(69), []
+    for points in range(6, int(row[0]) + 1):
+        heights = [rng.uniform(-60, 60, points) for _ in range(60)]
+    for y in heights:
+        curve = ec.PlaneCurve.spline(np.column_stack([np.linspace(0, 300, len(y)), y]), degree=5)
+        rails = (ec.Rail(curve.length * i / 12) for i in range(1, 12))
+        none = _most_of_8(curve)
+        judged.append((none, none or any(_most_of_8(curve, rail) for rail in rails)))
+    told = [float(row[POSSIBLE.index(name)]) for name in ("none", "one rail")]
+    assert 100 * np.mean(judged, axis=0) == pytest.approx(told, abs=0.51 + 100 / 60)
 
 
 @asks(BETWEEN, "computation", "with rails, pins, ties and point forces")
