@@ -235,7 +235,7 @@ class HolderSpec:
 
 @dataclass(frozen=True, eq=False)
 class KitSpec:
-    """Request for a kit besides its strips.
+    """Request for the parts of a kit that are not strips.
 
     Attributes
     ----------

@@ -136,7 +136,7 @@ class ReadReport:
         return sentences([size, *kinds, *(name for name in self.done if name != "fitted"), exact], ", ")
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the report for programs."""
+        """Return the report as a dict for JSON."""
         return {
             "size": list(self.size),
             "unit": self.unit.name,

@@ -143,7 +143,8 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
 def _like(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
     """Return the name of the first earlier piece with the same shape, or register this piece and return ""."""
     outer = piece.drawing.on(CUT_OUTER)
-    if len(outer) != 1 or piece.worked is not None:  # the drawing alone does not determine the shape
+    # skip pieces whose shape is not determined by the drawing alone
+    if len(outer) != 1 or piece.worked is not None:
         return ""
     shape = FlatShape((Layer(piece.sheet, outer[0], piece.drawing.on(CUT_INNER)),))
     number = shapes.number(shape)

@@ -86,14 +86,19 @@ class DrawingProcess:
         self._folder.cleanup()
 
     def _send(self, request: bytes) -> None:
-        with suppress(OSError, ValueError):  # raised if the process has ended
+        with suppress(OSError, ValueError):  # ignore the error if the process has ended
             self._input.write(request)
             self._input.flush()
 
     def _receive(self, file: "File", path: Path) -> None:
         try:
             content = pickle.load(self._output)
-        except (EOFError, OSError, ValueError, pickle.UnpicklingError):  # raised if the process has ended
+        except (
+            EOFError,
+            OSError,
+            ValueError,
+            pickle.UnpicklingError,
+        ):  # draw in this process if the other has ended
             file.write(path)
         else:
             path.write_bytes(content)

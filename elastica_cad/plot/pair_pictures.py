@@ -75,7 +75,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
 
 
 def _even(axes: Axes, title: str) -> None:
-    """Set equal scales without a frame."""
+    """Set equal scales on both axes, and hide the frame."""
     axes.set_aspect("equal")
     axes.axis("off")
     axes.set_title(title, fontsize=9, loc="left")

@@ -51,7 +51,7 @@ BODY = "PartDesign::Body"
 
 CHANGEABLE = ("smooth", "nearest", "between", "max_width", "thickness", "sheet")
 DRAWN = ("point", "size")
-"""Fields that suggested changes may have: fields with properties, and fields of a sketch."""
+"""Fields that suggested changes may change: fields of properties, and fields of the drawn sketch."""
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
