@@ -74,14 +74,14 @@ def read_svg_drawing(
 
 
 _IN_POINTS = (
-    "its units are read as points, 72 to the inch, as in Adobe Illustrator, which calls them px; if 96 make "
-    "an inch, set {field} to px"
+    "its units are read as points (72 to the inch), because Adobe Illustrator writes points but calls them "
+    "px. If an inch has 96 units, set {field} to px"
 )
 
 
 _OF_AFFINITY = (
-    "its pixels are read as 96 to the inch, but Affinity uses the DPI of its document (Document Setup); if "
-    "that is not 96, set it to 96 and export again, or set {field} to pt for 72"
+    "its pixels are read as 96 to the inch, but Affinity uses the DPI of its document (Document Setup). If "
+    "the document has other DPI, set 96 and export again. For 72 DPI, setting {field} to pt is enough"
 )
 
 _WITHOUT_UNIT = (
@@ -90,8 +90,8 @@ _WITHOUT_UNIT = (
 )
 
 _OF_OTHER_UNIT = (
-    "its size, {size}, is not in a unit of length, so its pixels are read as 96 to the inch and a font as 16 "
-    "pixels high, as in browsers; if its numbers are millimetres, set {field} to mm"
+    "its size, {size}, is not in a unit of length. Its pixels are read as 96 to the inch, and a font as 16 "
+    "pixels high, as in browsers. If its numbers are millimetres, set {field} to mm"
 )
 
 _OF_INKSCAPE = (

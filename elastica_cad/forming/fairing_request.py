@@ -211,7 +211,7 @@ class Smoothing:
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)
             notes.append(note(
-                "Corners of at most {angle:.2g} degrees were rounded within this distance.",
+                "This movement includes the rounding of corners of at most {angle:.2g} degrees.",
                 angle=sharpest, severity="warning",
             ))  # fmt: skip
         return tuple(notes)

@@ -481,8 +481,8 @@ class RestCurvature(EqualByValue):
         rising = s.ndim == 1 and s.size >= 2 and s[0] == 0 and np.all(np.diff(s) >= 0)
         if s.shape != kappa_0.shape or not rising or np.any(s[2:] == s[:-2]) or s[1] == 0 or s[-1] == s[-2]:
             raise InputError(
-                "a rest curvature needs two or more stations with a curvature each. Begin at 0 mm and end at "
-                "the length of the strip. Give a station twice only for a jump between the ends"
+                "the curvature before bending needs two or more stations, each with a curvature. Begin at 0 "
+                "mm and end at the length of the strip. Give a station twice only where the curvature jumps"
             )
         return cls(Profile(np.concatenate([s[:1], s, s[-1:]]), kappa_0, 1))
 

@@ -630,7 +630,7 @@ class Sheet:
         if degrees % 180 not in turned:
             raise InputError(
                 f"sheet {self.name!r}: grain is {degrees:g} degrees, but a strip at an angle to its grain twists "
-                "when bent, out of the plane of the curve: lay the strip along (0) or across (90) the grain"
+                "when it is bent. Lay the strip along (0) or across (90) the grain"
             )
         return turned[degrees % 180]
 

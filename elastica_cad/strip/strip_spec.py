@@ -272,7 +272,7 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
     least = shop.width_for(sheet)
     if min_width > max_width:
         raise InputError(
-            "{field} is {min_width:g}, more than {wider} {max_width:g}: set {wider} to the larger width",
+            "{field} is {min_width:g}, more than {wider} ({max_width:g}): exchange these two widths",
             field=FieldName("min_width"),
             wider=FieldName("max_width"),
             min_width=Length(min_width),
@@ -467,7 +467,8 @@ class StripSpec(EqualByValue):
     natural_curvature: Annotated[
         NaturalCurvature,
         Option(
-            "Curvature of the strip before it is bent, or a pre-bent strip.",
+            "Curvature of the strip before it is bent: one number, a table of stations, or the curve of a "
+            "pre-bent strip.",
             "1/mm",
             group="curve",
             common=True,

@@ -164,12 +164,12 @@ def test_fields_are_explained_in_the_language_of_the_page(language, fields):
 @pytest.mark.parametrize(
     ("language", "said"),
     [
-        ("en", "“min width” is 50 mm, more than “max width” 40 mm: set “max width” to the larger width"),
+        ("en", "“min width” is 50 mm, more than “max width” (40 mm): exchange these two widths"),
         (
             "de",
-            "„kleinste Breite“ ist 50 mm, mehr als „größte Breite“ 40 mm: „größte Breite“ auf die größere",
+            "„kleinste Breite“ ist 50 mm, mehr als „größte Breite“ (40 mm): diese beiden Breiten vertauschen",
         ),
-        ("zh", "“最小宽度” 为 50 mm，大于 “最大宽度” 的 40 mm：请把 “最大宽度” 设为较大的宽度"),
+        ("zh", "“最小宽度” 为 50 mm，大于 “最大宽度”（40 mm）：请交换这两个宽度"),
     ],
 )
 def test_fields_in_messages_are_called_as_their_labels(language, said):

@@ -288,9 +288,12 @@ class TestZeros:
 @pytest.mark.parametrize(
     ("made", "words"),
     [
-        (lambda: RestCurvature.linear([0, 100], [0.0]), "two or more stations with a curvature each"),
+        (lambda: RestCurvature.linear([0, 100], [0.0]), "two or more stations, each with a curvature"),
         (lambda: RestCurvature.linear([10, 100], [0.0, 0.0]), "Begin at 0 mm"),
-        (lambda: RestCurvature.linear([0, 100, 100, 100, 200], [0.0] * 5), "twice only for a jump"),
+        (
+            lambda: RestCurvature.linear([0, 100, 100, 100, 200], [0.0] * 5),
+            "twice only where the curvature jumps",
+        ),
         (lambda: RestCurvature(0.01), "RestCurvature.linear"),
         (lambda: RestCurvature.of([(0, 0)]), "give a PlaneCurve"),
         (

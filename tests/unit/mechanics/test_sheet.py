@@ -112,7 +112,7 @@ def test_grain_in_degrees_is_along_or_across_or_refused():
         "along",
     ]
     with pytest.raises(
-        InputError, match=r"grain is 30 degrees, .* twists .*: lay the strip along \(0\) or across \(90\)"
+        InputError, match=r"grain is 30 degrees, .* twists .*\. Lay the strip along \(0\) or across \(90\)"
     ):
         Sheet("ply", **PLY, grain=30)
 
