@@ -51,7 +51,7 @@ class StripOptions(TypedDict, total=False):
     supports: Annotated["Supports", "Supports of the start and the end of the curve."]
     natural_curvature: Annotated[
         "float | RestCurvature",
-        "Curvature of the strip before it is bent: one number, a table of stations, or the curve of a pre-bent strip (1/mm).",
+        "Curvature before bending: a number, stations, or the curve of a pre-bent strip (1/mm).",
     ]
     samples: Annotated["int | None", "Number of nodes of the rod; chosen automatically by default."]
     ends: Annotated["Tab | Sequence[Tab]", "Tab for both ends, or one for the start and one for the end."]

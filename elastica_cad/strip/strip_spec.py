@@ -467,8 +467,7 @@ class StripSpec(EqualByValue):
     natural_curvature: Annotated[
         NaturalCurvature,
         Option(
-            "Curvature of the strip before it is bent: one number, a table of stations, or the curve of a "
-            "pre-bent strip.",
+            "Curvature before bending: a number, stations, or the curve of a pre-bent strip.",
             "1/mm",
             group="curve",
             common=True,
