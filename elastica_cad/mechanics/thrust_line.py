@@ -3,7 +3,7 @@
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad.geometry.plane_points import clipped
+from elastica_cad.geometry.plane_points import clipped, left_of
 from elastica_cad.mechanics.rod import Rod
 
 PARALLEL = 1e-6
@@ -24,10 +24,13 @@ def inflections_of(rod: Rod) -> FloatArray:
 
 
 def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
-    """Return the sides (2, 2) of the thrust line in a box, extended beyond the inflections of the rod.
+    """Return the sides (n, 2) of the thrust line in a box, extended beyond the inflections of the rod.
 
-    The result is empty for a rod without elements and point forces, because its thrust line is the inflection line.
+    Without weight the sides are straight, n = 2. The result is empty for a rod without elements and point forces,
+    because its thrust line is the inflection line.
     """
+    if rod.acting and rod.gravity is not None:
+        return _curved_sides(rod, low, high)
     turns = inflections_of(rod)
     lines = [
         None if side is None else (np.array(side.point), np.array(side.direction)) for side in rod.thrust_line
@@ -61,3 +64,22 @@ def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray
         if least < most:
             sides.append(line[0] + line[1] * np.array([[least], [most]]))
     return sides
+
+
+def _curved_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
+    """Return the parts (n, 2) inside a box of the thrust line of a rod with weight, divided at the elements.
+
+    The moment of the section force is 0 on the line M + <b, x - gamma> = 0. These lines touch the curve
+    gamma - M / <b, e> e, where e is the direction of gravity, because b changes along R^t e only.
+    """
+    assert rod.gravity is not None
+    e = np.array(rod.gravity.direction)
+    along = -left_of(rod.force) @ e
+    with np.errstate(divide="ignore", invalid="ignore"):
+        points = rod.position - (rod.moment / along)[:, None] * e
+    inside = ((low <= points) & (points <= high)).all(axis=1)
+    joined = inside[1:] & inside[:-1] & (along[1:] * along[:-1] > 0)
+    stations = np.concatenate([action.s for action in rod.acting])
+    joined[np.searchsorted(rod.s, stations).clip(1, rod.s.size - 1) - 1] = False
+    parts = np.split(points, np.flatnonzero(~joined) + 1)
+    return [part for part in parts if len(part) > 1]

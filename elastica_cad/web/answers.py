@@ -321,7 +321,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
 
 
 def _thrust_line(rod: Rod) -> list[Any]:
-    """Return the sides of the thrust line, as pairs of points, clipped to the box of the curve enlarged by
+    """Return the sides of the thrust line, as lists of points, clipped to the box of the curve enlarged by
     its size.
     """
     low, high = rod.position.min(axis=0), rod.position.max(axis=0)

@@ -114,8 +114,28 @@ def test_inflections_are_on_the_sides_of_the_thrust_line_and_stations_are_marked
             if -1e-6 <= (point - first) @ way <= np.hypot(*(last - first)) + 1e-6:
                 near.append(abs((point - first) @ [way[1], -way[0]]))
         assert min(near) < 0.05
-    heavy = ec.optimal_rod(wave, ec.Gravity(2000.0), between=between)
-    assert "thrust line" not in {line.get_label() for line in plot.rod(heavy).axes[0].lines}
+
+
+def test_a_thrust_line_under_weight_is_where_the_forces_of_a_part_have_no_moment():
+    points = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
+    wave = PlaneCurve.spline(points, degree=5)
+    rod = ec.optimal_rod(wave, ec.Gravity(120.0, (0, -1)), between=ec.Rail(200))
+    axes = plot.rod(rod).axes[0]
+    lines = {line.get_label(): line.get_xydata() for line in axes.lines}
+    line = np.concatenate(
+        [lines["thrust line"], *(part.get_xydata() for part in axes.lines if part.get_label() == "_side")]
+    )
+    for point in lines["inflections"]:
+        assert np.hypot(*(line - point).T).min() < 1.0  # distance of the points of the line
+    weights, rail = np.asarray(rod.nodal_load), rod.between[0]
+    for k in (100, 250, 400, 550):
+        x = line[np.hypot(*(line - rod.position[k]).T * [[1e3], [1]]).argmin()]  # above or below the node
+        acting = [(rod.force[0], rod.position[0]), *zip(weights[:k], rod.position[:k], strict=True)]
+        acting.append((weights[k] / 2, rod.position[k]))
+        if rod.s[k] > rail.s[0]:
+            acting.append((rail.force[0], wave.at(rail.s).position[0]))
+        moments = [force[0] * (x - at)[1] - force[1] * (x - at)[0] for force, at in acting]
+        assert rod.moment[0] - sum(moments) == pytest.approx(0.0, abs=1e-3 * np.abs(rod.moment).max())
 
 
 def test_of_a_bent_blank_the_line_passes_where_the_bending_changes_sign():

@@ -59,8 +59,8 @@ class Picture:
         Inadmissible crossings of the line and the curve.
     labels : tuple of ((x, y), mm)
         Positions of these marks and their arc lengths, which the result of the check mentions.
-    thrust : tuple of (2, 2) arrays
-        Sides of the thrust line between its corners, for a curve with elements or point forces and without weight.
+    thrust : tuple of (n, 2) arrays
+        Sides of the thrust line, for a curve with elements or point forces.
     stations : tuple of ((x, y), str)
         Positions of rails, pins, ties and point forces. The first position of each has the name of its kind
         as the text.
@@ -108,7 +108,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     on_line, off_line, crossings = np.split(marks, [len(good), len(good) + len(bad)])
     answer, realizable = quick_answer(drawn_curve, samples, spec, check), check.realizable
     thrust: tuple[FloatArray, ...] = ()
-    if realizable and acting and rod_spec.gravity is None:
+    if realizable and acting:
         try:
             thrust = thrust_lines(find_rod(rod_spec))
         except ElasticaError as error:
@@ -135,7 +135,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
 
 
 def thrust_lines(rod: Rod) -> tuple[FloatArray, ...]:
-    """Return the parts of a rod's thrust line that are near the rod, one for each straight side."""
+    """Return the parts of a rod's thrust line that are near the rod."""
     low, high = rod.position.min(axis=0), rod.position.max(axis=0)
     margin = LINE_MARGIN * float(np.max(high - low))
     return tuple(thrust_sides(rod, low - margin, high + margin))
