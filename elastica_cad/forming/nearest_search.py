@@ -464,8 +464,9 @@ def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
 
 _MOST_NODES = 5000  # largest number of nodes; more nodes hardly change the shape
 _UNBEARABLE = 50.0
-"""Length of a curve, in elasto-gravity lengths, above which the message names the weight as the reason if no
-initial rod is found."""
+"""Length of a curve, in elasto-gravity lengths, above which its weight can prevent an initial rod.
+
+The message then gives the weight as the reason."""
 
 
 def nearest_rod(

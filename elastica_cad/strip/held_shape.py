@@ -83,7 +83,7 @@ class HeldShape:
     Attributes
     ----------
     rod : Rod
-        Shape with all causes together.
+        Rod in its rest shape in the holders, with all causes of deviation together.
     deviation : float
         Largest computed distance between a point of the strip and its designed position, mm.
     parts : mapping of str to float

@@ -206,7 +206,9 @@ NO_FORCE_SHARE = 1e-6
 """Force of an element, as a fraction of the largest force in the rod, below which it is a rounding error."""
 
 MOUNTING_ERROR_MM = 0.5
-"""Error of the position of a rail or pin, or of the length of a cord, mm, for which displacements are reported."""
+"""Assumed error of the position of a rail or pin, or of the length of a cord, mm.
+
+The displacement of the strip by this error is reported."""
 
 
 def _mounting_rows(strip: Strip) -> Iterator[Row]:

@@ -88,7 +88,7 @@ class TabSeat:
 
     @cached_property
     def edges(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Coordinates (k,) of all points outward and to the left, and their sides: 1 for left, -1 for right."""
+        """Outward and left coordinates (k,) of all points, and the side of each: 1 for left, -1 for right."""
         into, left = np.concatenate([self.left, self.right]).T.copy()
         return into, left, np.repeat([1.0, -1.0], [len(self.left), len(self.right)])
 
