@@ -11,6 +11,7 @@ import Part
 import pytest
 from freecad.elastica_wb.curves.part_shapes import make_face, make_solid, make_wire
 from freecad.elastica_wb.features import flat, strip
+from freecad.elastica_wb.solving import strip_cache
 from freecad.elastica_wb.solving.strip_cache import changes_that_help
 
 from elastica_cad import InputError, PlaneCurve, Sheet, Strip, optimal_rod
@@ -411,3 +412,28 @@ def test_ends_far_apart_are_not_joined(document):
         made.addGeometry(Part.LineSegment(App.Vector(x, 0, 0), App.Vector(x + 60, 0, 0)), False)
     document.recompute()
     assert suggested(new(strip.create, document, made)) == {}
+
+
+@pytest.mark.parametrize("degree", [3, 4])
+def test_failed_strips_are_not_solved_again_at_an_unrelated_change(document, drawn, monkeypatch, degree):
+    strips = [
+        strip.create(document, drawn([(x, y + (x == 80) * -0.7 * k) for x, y in BAD], degree=degree))
+        for k in range(12)
+    ]
+    box = new(lambda document: document.addObject("Part::Box", "Box"), document)
+    assert all("Invalid" in feature.State for feature in strips)
+    solved = []
+    for name in ("solve_rod", "glued"):
+        solve = getattr(strip_cache, name)
+        monkeypatch.setattr(
+            strip_cache, name, lambda *given, solve=solve: solved.append(given) or solve(*given)
+        )
+    change(box, Length=20)
+    assert box.Shape.BoundBox.XLength == pytest.approx(20)
+    assert solved == []
+    sketch = strips[0].Curve[0]
+    curve = sketch.Geometry[0]
+    curve.setPole(3, curve.getPole(3) + App.Vector(0, -5, 0))
+    sketch.Geometry = [curve, *sketch.Geometry[1:]]
+    document.recompute()
+    assert len(solved) == 1, "only the changed strip is solved"
