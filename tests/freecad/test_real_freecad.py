@@ -489,6 +489,8 @@ def test_a_lamp_from_an_empty_document_to_its_files(tmp_path):
     rings = [f"Rings-{end}{second}" for end in ("start", "end") for second in ("", "-outer")]
     assert counts == {"Strip": 6, **dict.fromkeys(rings, 1)}
     assert {f"{name}_mdf-3_3mm_x1.svg" for name in rings} < set(found["files"])
+    assert found["colours"]
+    assert min(found["colours"]) >= 1, "every STEP file has the colours of its bodies"
 
 
 @pytest.mark.campaign

@@ -11,6 +11,7 @@ import io
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
+from importlib import import_module
 from importlib.util import find_spec
 from itertools import count
 from pathlib import Path
@@ -40,6 +41,7 @@ from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.kit.kit import cutting_files
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.cut_rows import cut_list
+from elastica_cad.model.model import FIXTURE_COLOR
 from elastica_cad.model.nesting import nest_pieces
 from elastica_cad.strip.pieces import distinct, file_word
 from elastica_cad.strip.solids import FlatSolid, frame_beside
@@ -154,8 +156,8 @@ def _write_step(obj: Any, path: Path) -> None:
     The file of a strip contains the flat part, and the bent part on its curve. The file of a model contains
     its bodies. Plates are at their positions.
     """
-    import Import
-
+    # only the module of the graphical interface writes colours
+    exporter = import_module("ImportGui" if App.GuiUp else "Import")
     document = App.newDocument("ElasticaExport", hidden=True, temp=True)
     try:
         whole = document.addObject("App::Part", "Whole")
@@ -167,10 +169,10 @@ def _write_step(obj: Any, path: Path) -> None:
             body.Label = name
             body.Shape = shape
             body.Placement = placement
-            if sheet is not None and App.GuiUp and body.ViewObject is not None:
-                body.ViewObject.ShapeColor = sheet_color(sheet)
+            if App.GuiUp and body.ViewObject is not None:
+                body.ViewObject.ShapeColor = FIXTURE_COLOR if sheet is None else sheet_color(sheet)
         document.recompute()
-        Import.export([whole], str(path))
+        exporter.export([whole], str(path))
     finally:
         App.closeDocument(document.Name)
 

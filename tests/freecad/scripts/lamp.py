@@ -1,5 +1,6 @@
 """A lamp from an empty document to its files: one rib by the mouse, an array, rings at both ends."""
 
+import re
 import sys
 from pathlib import Path
 
@@ -112,6 +113,8 @@ def work():
     until(told)
     answers["files"] = sorted(path.name for path in (OUT / "files").iterdir())
     answers["list"] = (OUT / "files" / "cut-list.csv").read_text().splitlines()
+    texts = [path.read_text() for path in (OUT / "files").glob("*.step")]
+    answers["colours"] = [len(set(re.findall(r"COLOUR_RGB[^)]*", text))) for text in texts]
     picture("4-exported.png")
 
 

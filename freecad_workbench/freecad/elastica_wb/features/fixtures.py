@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
+import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.copies import not_repeated
 from freecad.elastica_wb.curves.part_shapes import make_solid
@@ -23,7 +24,7 @@ from elastica_cad.declared import declared
 from elastica_cad.errors import InputError
 from elastica_cad.model.fixtures import EndFixture, place_tabs
 from elastica_cad.model.held_tabs import holder_plays
-from elastica_cad.model.model import Model
+from elastica_cad.model.model import FIXTURE_COLOR, Model
 
 SIZES = {option.name.title().replace("_", ""): option for option in declared(EndFixture)}
 """Options of blocks, by the names of their properties."""
@@ -86,7 +87,10 @@ def _unpocketed(block: EndFixture) -> Part.Shape:
 
 def create(document: Any, sources: list[Any]) -> Any:
     """Make fixtures for a model or for strips. They are displayed after a recompute of the document."""
-    return added(document, "Fixtures", FixturesFeature, sources, Sources=sources)
+    obj = added(document, "Fixtures", FixturesFeature, sources, Sources=sources)
+    if App.GuiUp:
+        obj.ViewObject.ShapeColor = FIXTURE_COLOR
+    return obj
 
 
 def show_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:
