@@ -49,6 +49,8 @@ class MadePair:
         if not step_trouble():
             files += [File(f"{name}.step", self._write_step)]
             files += [File(f"{name}.stl", partial(save_solid, part.solid))]
+            holder = part.holder_solid
+            files += [File(f"{name}-holder.stl", partial(save_solid, holder, bed=holder.frame))]
         if can_draw():
             files.append(File(f"{name}.png", self._picture()))
         matched = self.spec.matched

@@ -525,6 +525,13 @@ class Flexure:
         return Drawing(name, (*holes, LayeredPath(CUT_OUTER, plate)), tuple(texts))
 
     @property
+    def holder_solid(self) -> FlatSolid:
+        """Body of the holder, as thick as the sheet, below the plane of the part."""
+        *holes, plate = (item.path for item in self.holder().paths)
+        depth = self.sheet.thickness
+        return FlatSolid(plate, tuple(holes), depth, Frame().shifted(z=-depth))
+
+    @property
     def solid(self) -> FlatSolid:
         """Body of the unloaded part, from z = 0 to its depth."""
         return self.solid_in(None)

@@ -5,6 +5,7 @@ import shutil
 from pathlib import Path
 
 import ezdxf
+import numpy as np
 import pytest
 
 from elastica_cad.plot.drawing_process import drawing_process
@@ -30,7 +31,7 @@ def test_two_curves_become_cutting_files_bodies_picture_and_report(made):
     assert "bistable" in said.output
     assert {file.name for file in folder.iterdir()} == {
         *(f"clip{kind}" for kind in (".dxf", ".svg", ".step", ".stl", ".png", ".json")),
-        "clip-holder.dxf", "clip-holder.svg",
+        "clip-holder.dxf", "clip-holder.svg", "clip-holder.stl",
     }  # fmt: skip
     report = json.loads((folder / "clip.json").read_text())
     assert report["bistable"] is True
@@ -40,6 +41,24 @@ def test_two_curves_become_cutting_files_bodies_picture_and_report(made):
     kinds = [entity.dxftype() for entity in drawn if entity.dxf.layer == "CUT_OUTER"]
     assert kinds.count("SPLINE") == 2
     assert sum(entity.dxf.layer == "CUT_INNER" for entity in drawn) == 4
+
+
+def test_the_printed_holder_is_the_plate_of_its_drawing(made):
+    """Against the area of a rectangle with round corners, less the holes of the drawing without its kerf."""
+    data = (made[0] / "clip-holder.stl").read_bytes()[84:]
+    corners = np.frombuffer(data, [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")])[
+        "corners"
+    ]
+    assert (corners[..., 2].min(), corners[..., 2].max()) == (0, 3)
+    volume = np.linalg.det(corners.astype(float)).sum() / 6
+    drawn = ezdxf.readfile(made[0] / "clip-holder.dxf").modelspace()
+    loops = [entity for entity in drawn if entity.dxf.layer in ("CUT_OUTER", "CUT_INNER")]
+    radii = [loop.dxf.radius + 0.1 for loop in loops if loop.dxftype() == "CIRCLE"]  # half of the kerf
+    size = np.ptp(corners.reshape(-1, 3), axis=0)
+    corner = 3.2  # radius of the corners of the plate, that of a hole's diameter
+    area = size[0] * size[1] - (4 - np.pi) * corner**2 - np.pi * sum(r**2 for r in radii)
+    assert len(radii) == 4
+    assert volume == pytest.approx(3 * area, rel=2e-4)
 
 
 def test_a_design_file_asks_for_the_same(made, tmp_path):

@@ -34,7 +34,7 @@ from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.pairs.flexure import CentreLine, Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import note
-from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, Drawing
+from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.solids import FlatSolid
 
 FORMS = ["Everything", "First state", "Second state", "As cut", "Holder"]
@@ -182,7 +182,7 @@ def solids_of(part: Flexure, form: str = FORMS[0]) -> list[tuple[str, FlatSolid]
             (
                 *(_bent(part, line) for line in states),
                 FlatSolid(part.outline, part.holes, depth, Frame() if form == "As cut" else flat),
-                _plate(part.holder(), depth),
+                part.holder_solid,
             ),
             strict=True,
         )
@@ -199,13 +199,3 @@ def drawings_of(part: Flexure, name: str) -> Iterator[tuple[str, Drawing]]:
 def _bent(part: Flexure, line: CentreLine) -> FlatSolid:
     holes = [Path.circle(place, part.pad.hole / 2) for place in part.hole_places(line).reshape(-1, 2)]
     return FlatSolid(part.outline_along(line), tuple(holes), part.sheet.thickness)
-
-
-def _plate(drawing: Drawing, thickness: float) -> FlatSolid:
-    """Return the body of a holder, below the plane of the curves."""
-    paths: dict[str, list[Path]] = {CUT_OUTER: [], CUT_INNER: []}
-    for item in drawing.paths:
-        if item.layer in paths:
-            paths[item.layer].append(item.path)
-    (outline,) = paths[CUT_OUTER]
-    return FlatSolid(outline, tuple(paths[CUT_INNER]), thickness, Frame().shifted(z=-thickness))
