@@ -134,8 +134,8 @@ def warn(text: str, *, printed: bool = True, in_notes: bool = True) -> None:
 def say_row(row: Row, *, is_answer: bool = False) -> None:
     """Print a row of the report, and with -v its details.
 
-    A row about a problem is printed as a warning to stderr and added to the notes of the JSON record, unless
-    it `is_answer` to the request.
+    A row about a problem is printed as a warning to stderr, and is added to the notes of the JSON record. A
+    row that `is_answer` is not such a warning.
     """
     speaker = voice()
     warns = row.stops and not is_answer

@@ -374,8 +374,8 @@ def _common_parts(
 ) -> list[tuple[int, _Place, FloatArray]]:
     """Return the end parts of a run, longer than `least` mm, that coincide with the end of a longer run.
 
-    Each entry has the end of the run (0 or 1), the position in the run at which the longer run ends, and the
-    end point (d,) of the longer run.
+    Each entry has three items: the end of the run (0 or 1), and two for the end of the longer run, its
+    position in the run and its point (d,).
     """
     parts = []
     on_run = [(place, end) for end in _ends([longer]) if (place := _place_of(end, run, tolerance))]

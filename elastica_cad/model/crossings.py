@@ -426,8 +426,8 @@ def _joint(k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float) -> tu
     """Return the extreme of a height that ends a piece at the height `bound`, or None if no other piece
     starts there.
 
-    The result has the strip ("a" or "b"), the number of its stretch that begins at the extreme, and the
-    number of the other strip's stretch.
+    The result names the strip with the extreme ("a" or "b"). It has the number of the stretch that begins
+    there, and the stretch of the other strip.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:

@@ -282,8 +282,9 @@ class _RailPlan:
 
 @dataclass(frozen=True, eq=False)
 class _Seat:
-    """Position of a rib in a rail: a point on the upper face of the rail, the direction of the rib, and the
-    normal of the face.
+    """Position of a rib in a rail.
+
+    It has a point on the upper face of the rail, the direction of the rib, and the normal of the face.
     """
 
     point: FloatArray

@@ -87,8 +87,10 @@ def _bent_slot_width(
 
 
 def _on_face(strip: RuledStrip, flat: FloatArray, height: FloatArray) -> FloatArray:
-    """Return points (n, 3) of a bent strip at points (n, 2) of its flat pattern and heights (n, 1) to the
-    left of its curve.
+    """Map points (n, 2) of the flat pattern of a strip to the bent strip.
+
+    `height` (n, 1) is the distance of the results (n, 3) from the middle surface, to the left of the
+    curve.
     """
     points, tangents = strip.in_plane(flat[:, 0])
     left = np.column_stack([-tangents[:, 1], tangents[:, 0]])

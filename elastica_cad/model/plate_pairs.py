@@ -309,7 +309,7 @@ def _opposite(ends: FloatArray) -> BoolArray:
     """Return True for each strip that is directed opposite to the first, from starts and ends (n, 2, 3).
 
     Directions are determined strip by strip. Each strip is compared with the nearest strip of known
-    direction; it has the direction in which the ends of both strips are nearer to each other.
+    direction. Its direction is chosen so that its ends are near the corresponding ends of that strip.
     """
     apart = np.linalg.norm(ends[:, None, :, None] - ends[None, :, None, :], axis=-1)
     alike, turned = apart[:, :, 0, 0] + apart[:, :, 1, 1], apart[:, :, 0, 1] + apart[:, :, 1, 0]

@@ -179,8 +179,10 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
 
 
 RIM_SHARE, MODEL_RIM_SHARE = 0.035, 0.0015
-"""Width of the dark line along edges, as a fraction of the strip width; its largest width, as a fraction of
-the extent of the model.
+"""Width of the dark line along edges.
+
+The first number is a fraction of the strip width. The second is a limit, as a fraction of the extent of the
+model.
 """
 
 ROUNDED_MM = 6

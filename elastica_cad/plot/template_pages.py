@@ -129,8 +129,8 @@ def save_template(
 ) -> Tiling:
     """Write a drawing at its true size as PDF, on as many pages as necessary.
 
-    Each page has a name, crosses that must coincide with the crosses of its neighbours when pages are joined,
-    and a measuring bar to detect scaling by the printer. Lines follow splines to 0.01 mm.
+    Each page has a name, and a measuring bar to detect scaling by the printer. Pages are joined so that their
+    crosses coincide. Lines follow splines to 0.01 mm.
 
     Parameters
     ----------

@@ -166,8 +166,8 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
 def shown_strips(obj: Any) -> Iterator[Standing]:
     """Yield the strips that an object displays, with the placement of each copy.
 
-    Raises ------ InputError For the reasons of `copies`, or because a pattern of a body repeats a strip,
-    which would fuse the copies to one solid.
+    Raises ------ InputError For the reasons of `copies`. Or a pattern of a body repeats a strip, which would
+    fuse the copies to one solid.
     """
     for standing in copies(obj):
         strip = next(filter(is_strip, repeated(standing[0])), None)

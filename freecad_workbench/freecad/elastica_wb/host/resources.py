@@ -41,7 +41,7 @@ def icon(name: str) -> str:
 def load_panel(name: str) -> Any:
     """Make a widget from its .ui file.
 
-    PySide may reuse the Python wrapper of a deleted widget for a new widget at the same address, for example
+    PySide may reuse the Python wrapper of a deleted widget for a new widget at the same address. This happens
     in FreeCAD 1.0 with Python 3.13. A form with such a wrapper is kept in memory, so that its addresses stay
     occupied, and the file is loaded again.
     """

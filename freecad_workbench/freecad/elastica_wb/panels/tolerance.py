@@ -100,8 +100,9 @@ ROW, WIDTH = 24, 300  # height of a row, and width of the chart, pixels
 
 
 def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
-    """Draw a chart of rows (name, usual value, worst value), mm, with a dark bar for the usual value and a
-    light bar for the worst.
+    """Draw a chart of rows (name, usual value, worst value), mm.
+
+    Dark bars are usual values, and light bars are worst values.
     """
     largest = max((worst for _, _, worst in rows), default=0.0) or 1.0
     picture = QtGui.QPixmap(WIDTH, ROW * len(rows) + 10)
