@@ -13,7 +13,7 @@ from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.mechanics.bracing import Bracing
-from elastica_cad.mechanics.loads import Supports
+from elastica_cad.mechanics.loads import Supports, whole_number
 
 RANK_TOLERANCE = 1e-9
 """Relative tolerance for linearly dependent rows; for a straight rod, the rows for x and y are dependent."""
@@ -615,6 +615,7 @@ class DiscreteRod:
 
     def lowest_modes(self, count: int = 1) -> tuple[FloatArray, FloatArray]:
         """Return the lowest eigenvalues (count,) and modes (count, n) of the Hessian under the constraints."""
+        whole_number(count, "count", 1)
         rows, terms = self._braced(self.constraint_rows)
         return lowest_constrained(*self.hessian, rows, count, terms)
 

@@ -9,7 +9,12 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.elements import Element, Pin, Rail, Tie
 from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.least_ratio import rod_of_request
-from elastica_cad.mechanics.loads import NaturalCurvature, Supports
+from elastica_cad.mechanics.loads import (
+    NaturalCurvature,
+    Supports,
+    require_natural_curvature,
+    require_supports,
+)
 from elastica_cad.mechanics.moment_conditions import RodRequest
 from elastica_cad.mechanics.optimal_balance import balance_of
 from elastica_cad.mechanics.stability import stability
@@ -60,7 +65,8 @@ def suggest_support(
     >>> suggest_support(PlaneCurve.spline(points, degree=5))
     Rail(at=197.0, one_sided=True)
     """
-    supports = supports or Supports()
+    supports = require_supports(supports)
+    require_natural_curvature(natural_curvature)
     check = examine(curve, supports, natural_curvature, heavy=True)
     if not check.realizable or check.any_stiffness:
         return None

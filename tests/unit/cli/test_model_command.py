@@ -551,5 +551,5 @@ def test_glued_leaves_beside_strips_that_are_held(tmp_path):
     assert "LEAF" in (tmp_path / "kit" / "mast-cut-list.txt").read_text()
     path.write_text(LEAVES + "[fixtures]\n")
     done = run("model", path, "-o", tmp_path / "all", code=2)
-    assert "LEAF: a stack of plies" in done.output
+    assert "LEAF: " in done.output
     assert not (tmp_path / "all").exists()

@@ -218,7 +218,7 @@ def test_an_inclined_tab_rocks_in_one_plate_and_not_in_two():
         "A (and 1 more): in the slot of base, the tab at the start of the strip can tip by "
     )
     upright, flatter = map(
-        int, re.search(r"tip (\d+) degrees towards .* (\d+) degrees in the opposite", told).groups()
+        int, re.search(r"tip by (\d+) degrees towards .* (\d+) degrees in the opposite", told).groups()
     )
     assert upright > 10 > flatter
     assert f"the strip then deviates by up to {rocked.deviation:.2g} mm" in told
