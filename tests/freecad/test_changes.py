@@ -84,3 +84,21 @@ def test_changes_by_mouse(tmp_path):
     assert (offered, hidden) == ([], True)
     assert found["undone"][0] == found["drawn"]
     assert "cannot" in found["undone"][1]
+
+
+@pytest.mark.campaign
+def test_a_dragged_pole_stops_at_the_border(tmp_path):
+    found = launching.run_window("keep.py", tmp_path)
+    assert found["stored"] == [True, True]
+    before, poles, circles, steps, verdict = found["dragged"]
+    assert (steps, verdict) == (1, "")
+    assert found["farther"], "it is the border"
+    moved = np.linalg.norm(np.subtract(poles, before), axis=1)
+    assert np.flatnonzero(moved > 1e-3).tolist() == [2]
+    assert np.array(circles) == pytest.approx(np.array(poles), abs=1e-2)
+    assert found["undone"] == before
+    drags, refused, stopped = found["drags"]
+    assert (drags, refused) == (500, [])
+    assert 50 < stopped < 450
+    assert found["circles"] < 1e-2
+    assert found["off"] == [False, True]

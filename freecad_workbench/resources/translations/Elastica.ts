@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Stop dragged poles where the strip can be made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Length of the curve to which the places in Between and Loads refer; 0 for the present length</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1024,10 +1028,6 @@
     </message>
     <message>
         <source>A dragged pole returns to the last position where the strip can be made</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep dragged poles where the strip can be made</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

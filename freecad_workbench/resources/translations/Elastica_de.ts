@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Stop dragged poles where the strip can be made</source>
+        <translation>Gezogene Pole dort anhalten, wo der Streifen machbar ist</translation>
+    </message>
+    <message>
         <source>Length of the curve to which the places in Between and Loads refer; 0 for the present length</source>
         <translation>Länge der Kurve, auf die sich die Stellen in Between und Loads beziehen; 0 für die jetzige Länge</translation>
     </message>
@@ -1021,10 +1025,6 @@
     <message>
         <source>A dragged pole returns to the last position where the strip can be made</source>
         <translation>Ein gezogener Pol kehrt an die letzte Stelle zurück, an der der Streifen machbar ist</translation>
-    </message>
-    <message>
-        <source>Keep dragged poles where the strip can be made</source>
-        <translation>Gezogene Pole dort halten, wo der Streifen machbar ist</translation>
     </message>
     <message>
         <source>The cutting files show {strip} without {later}, a later feature of its body. Use the slots, tabs and holes of the strip instead, or draw the change in the files.</source>

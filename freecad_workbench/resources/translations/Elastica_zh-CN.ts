@@ -4,6 +4,10 @@
 <context>
     <name>App::Property</name>
     <message>
+        <source>Stop dragged poles where the strip can be made</source>
+        <translation>将拖动的控制点停在条带可制作的位置</translation>
+    </message>
+    <message>
         <source>Length of the curve to which the places in Between and Loads refer; 0 for the present length</source>
         <translation>Between 和 Loads 中的位置所对应的曲线长度；0 表示当前长度</translation>
     </message>
@@ -1021,10 +1025,6 @@
     <message>
         <source>A dragged pole returns to the last position where the strip can be made</source>
         <translation>被拖动的控制点会退回到条带仍可制作的最后位置</translation>
-    </message>
-    <message>
-        <source>Keep dragged poles where the strip can be made</source>
-        <translation>将拖动的控制点保持在条带可制作的位置</translation>
     </message>
     <message>
         <source>The cutting files show {strip} without {later}, a later feature of its body. Use the slots, tabs and holes of the strip instead, or draw the change in the files.</source>

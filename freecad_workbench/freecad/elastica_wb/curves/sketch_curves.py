@@ -245,6 +245,23 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
         sketch.exposeInternalGeometry(number)
 
 
+def move_poles(sketch: Any, curve: PlaneCurve) -> None:
+    """Move the poles of the only spline of a sketch, with the circles that display them, to those of a curve."""
+    drawn = sketch.Geometry
+    (number,) = (
+        i for i, g in enumerate(drawn) if isinstance(g, Part.BSplineCurve) and not sketch.getConstruction(i)
+    )
+    aligned = (c.First for c in sketch.Constraints if c.Type == "InternalAlignment" and c.Second == number)
+    circles = [drawn[i] for i in aligned if isinstance(drawn[i], Part.Circle)]
+    for k, (x, y) in enumerate(curve.control_points.tolist(), start=1):
+        before, pole = drawn[number].getPole(k), App.Vector(x, y, 0)
+        if circles:  # each pole takes its circle, because FreeCAD 0.20 does not number them
+            circles.sort(key=lambda circle, place=before: circle.Center.distanceToPoint(place), reverse=True)
+            circles.pop().Center = pole
+        drawn[number].setPole(k, pole)
+    sketch.Geometry = drawn
+
+
 def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
     """Replace a curve of a sketch by a spline, or add the spline if `number` is None. Return its number.
 

@@ -4,7 +4,8 @@
 """Live feedback: the overlay of an open sketch is updated at every move of the mouse."""
 
 import time
-from dataclasses import replace
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from typing import Any
 
 import FreeCAD as App
@@ -13,11 +14,13 @@ import numpy as np
 from freecad.elastica_wb.curves.edge_chains import curves_of_geometry
 from freecad.elastica_wb.curves.part_shapes import plane_curve
 from freecad.elastica_wb.curves.sketch_curves import (
+    AUTOMATIC,
     curve_into,
     drawn_curve,
     drawn_in,
     gap_of,
     is_blank,
+    move_poles,
     read_line,
     sketch_curve,
 )
@@ -46,11 +49,13 @@ from freecad.elastica_wb.solving.verdicts import Answer, Verdict, refusal_answer
 from freecad.elastica_wb.undo_steps import close_step, open_step
 from pivy import coin
 
+from elastica_cad._types import FloatArray
 from elastica_cad.defaults import CUTTABLE_RATIO
 from elastica_cad.forming.limits import Limits
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.geometry.plane_curve import PlaneCurve
+from elastica_cad.mechanics.point_search import move_while_possible
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip_spec import StripSpec
@@ -59,6 +64,8 @@ REST_MS = 40  # time, ms, without a mouse move, before slower results are comput
 NO_POLES = np.zeros((0, 2))
 SEEN = 24  # number of points of a curve that the card tries not to hide
 PEEK_MS = 60  # interval, ms, between checks whether the nearest curve was found
+STEP_SHARE = 1e-3  # smallest move of a pole towards the border, as a fraction of the length of the curve
+MOVES, HALVINGS = 3, 12  # number of moves towards the border, and largest number of trials of a move
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
@@ -95,6 +102,9 @@ class Session:
         self._asked: Any = None
         self._answer = later(self._look, PEEK_MS)
         self._comb = _OwnComb()
+        self._possible: _Possible | None = None
+        self.card.keep.setChecked(getattr(sketch, sketches.KEEP, False))
+        self.card.keep.clicked.connect(self._keep)
         self.refresh()
 
     def refresh(self) -> None:
@@ -102,6 +112,8 @@ class Session:
         self._soon.stop()
         self._scale = self._asks = None
         self._asks_along = {}
+        if self.card.keep.isChecked() and self._stop_at_border():
+            return  # the changed sketch causes another refresh
         self._attach()
         # relate the drawn points to the current geometry
         self._dragged = Dragged(self.sketch, self._points()) if self._node is not None else None
@@ -133,6 +145,51 @@ class Session:
         record_call(self.sketch, "solve")  # macros must also solve the sketch, because this moves its points
         close_step(document)
         self.refresh()
+
+    def _keep(self, on: bool) -> None:
+        sketches.remember(self.sketch, on, sketches.KEEP)
+        self._possible = None
+        self.refresh()
+
+    def _stop_at_border(self) -> bool:
+        """Move a dragged curve back to the last curve that a strip can take. Return True if the sketch changed.
+
+        The sketcher moves the poles itself until the mouse is released. The undo step of the drag is replaced.
+        """
+        try:
+            self._curve = curve = sketch_curve(self.sketch, None, gap_of(*sketches.followers(self.sketch)))
+            spec = self._spec().changed(limits=None, keep=None)
+        except FAILURES:
+            return False
+
+        def possible(poles: FloatArray) -> FloatArray | None:
+            with suppress(*FAILURES):
+                solve_strip(spec.changed(curve=curve.with_control_points(poles)))
+                return poles
+            return None
+
+        now, last = _Possible(curve, _driving(self.sketch)), self._possible
+        if possible(curve.control_points) is not None:
+            self._possible = now
+            return False
+        document = self.sketch.Document
+        if last is None or document.RedoCount or not last.is_dragged_to(now):
+            return False
+        start = poles = last.curve.control_points
+        drawn = drawn_in(self.sketch, None)
+        is_spline = len(drawn) == 1 and hasattr(drawn[0], "getPoles")  # other curves return to their start
+        for _ in range(MOVES if is_spline else 0):
+            step = STEP_SHARE * curve.length
+            nearer = move_while_possible(poles, curve.control_points, possible, step, HALVINGS)
+            poles = poles if nearer is None else nearer
+        record_call(document, "undo")
+        if poles is not start:
+            open_step(document, translate("Elastica", "Keep it possible"))
+            recorded(move_poles, self.sketch, curve.with_control_points(poles))
+            record_call(self.sketch, "solve")
+            solved = sketch_curve(self.sketch).control_points
+            close_step(document, abort=possible(solved) is None)
+        return True
 
     def _attach(self) -> None:
         """Observe the points that the sketcher draws.
@@ -319,6 +376,23 @@ class Session:
         cost = self._cost if poles.shape == self._placed.shape and np.allclose(poles, self._placed) else ""
         self.sentence = worded(sentences([answer.sentence, cost], "\n"))
         self.card.show(answer, self.sentence, self.overlay.shown())
+
+
+@dataclass(frozen=True, eq=False)
+class _Possible:
+    """A curve that a strip can take, and the values of the constraints of its sketch."""
+
+    curve: PlaneCurve
+    constraints: list[tuple[str, float]]
+
+    def is_dragged_to(self, other: "_Possible") -> bool:
+        """Return True if another curve of the same sketch differs only in the places of its poles."""
+        same = self.curve.control_points.shape == other.curve.control_points.shape
+        return same and self.constraints == other.constraints
+
+
+def _driving(sketch: Any) -> list[tuple[str, float]]:
+    return [(c.Type, c.Value) for c in sketch.Constraints if c.Driving and c.Type not in AUTOMATIC]
 
 
 class _OwnComb:

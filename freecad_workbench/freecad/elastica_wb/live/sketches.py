@@ -15,6 +15,9 @@ from freecad.elastica_wb.host.qt import when_free
 MEMORY = "ElasticaLive"
 """Property of a sketch that stores whether its overlay is on."""
 
+KEEP = "ElasticaKeep"
+"""Property of a sketch that stores whether dragged poles stop where the strip can be made."""
+
 listeners: list[Callable[[bool], None]] = []
 """Functions that are called with True after an overlay starts, and with False after it ends."""
 
@@ -36,12 +39,15 @@ def followers(sketch: Any) -> list[Any]:
     return [obj for obj in sketch.InList if is_strip(obj) and obj.Curve and obj.Curve[0] is sketch]
 
 
-def remember(sketch: Any, on: bool) -> None:
-    """Store in the sketch whether its overlay is on."""
-    if MEMORY not in sketch.PropertiesList:
-        words = App.Qt.translate("App::Property", "Show live feedback while this sketch is open")
-        sketch.addProperty("App::PropertyBool", MEMORY, "Elastica", words, 8)  # causes no recompute
-    setattr(sketch, MEMORY, on)
+def remember(sketch: Any, on: bool, name: str = MEMORY) -> None:
+    """Store in the sketch whether its overlay is on, or another state."""
+    if name not in sketch.PropertiesList:
+        words = {
+            MEMORY: App.Qt.translate("App::Property", "Show live feedback while this sketch is open"),
+            KEEP: App.Qt.translate("App::Property", "Stop dragged poles where the strip can be made"),
+        }
+        sketch.addProperty("App::PropertyBool", name, "Elastica", words[name], 8)  # causes no recompute
+    setattr(sketch, name, on)
 
 
 def wants_overlay(sketch: Any) -> bool:

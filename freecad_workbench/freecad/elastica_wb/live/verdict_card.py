@@ -30,10 +30,10 @@ FOLDED = "CardFolded"
 
 
 class VerdictCard(QtCore.QObject):
-    """Frame over a view that ignores the mouse, with two buttons. The lower button calls `wanted`.
+    """Frame over a view that ignores the mouse, with three buttons.
 
-    The card is placed in the corner of the view in which it hides the fewest of the points that must stay
-    visible.
+    The lowest button calls `wanted`, and `keep` is a switch. The card is placed in the corner of the view in which
+    it hides the fewest of the points that must stay visible.
     """
 
     def __init__(self, view: Any, wanted: Callable[[], None]) -> None:
@@ -51,12 +51,18 @@ class VerdictCard(QtCore.QObject):
             layout.addWidget(label)
         # the buttons are outside of the frame, because the frame ignores the mouse
         self.button, self.fold = QtWidgets.QPushButton(self._over), QtWidgets.QPushButton(self._over)
+        self.keep = QtWidgets.QPushButton(translate("Elastica", "Keep it possible"), self._over)
+        self.keep.setCheckable(True)
+        self.keep.setObjectName("keepPossible")
+        self.keep.setToolTip(
+            translate("Elastica", "A dragged pole returns to the last position where the strip can be made")
+        )
         self.button.setObjectName("useNearest")
         self.fold.setObjectName("foldVerdict")
         self.fold.setToolTip(translate("Elastica", "Fold or unfold the card"))
         self.button.clicked.connect(lambda *_: wanted())
         self.fold.clicked.connect(self._turn)
-        for part in (self.frame, self.button, self.fold):
+        for part in (self.frame, self.button, self.fold, self.keep):
             part.setStyleSheet(STYLE)
             # the card takes no keyboard focus, so that the sketcher receives keys
             part.setFocusPolicy(QtCore.Qt.NoFocus)
@@ -112,7 +118,7 @@ class VerdictCard(QtCore.QObject):
         self._camera.detach()
         with suppress(RuntimeError):
             self._over.removeEventFilter(self)
-            for part in (self.frame, self.button, self.fold):
+            for part in (self.frame, self.button, self.fold, self.keep):
                 part.hide()
                 part.deleteLater()
             self.deleteLater()
@@ -158,7 +164,10 @@ class VerdictCard(QtCore.QObject):
         self.button.setVisible(bool(self.button.text()) and not folded)
         self.words.setVisible(not folded)
         self.legend.setVisible(bool(self.legend.text()) and not folded)
-        layout, room = self.frame.layout(), self.button.height() + GAP_PX if self.button.isVisible() else 0
+        self.keep.setFixedSize(self.keep.sizeHint())
+        self.keep.setVisible(not folded)
+        rows = [button for button in (self.keep, self.button) if button.isVisible()]
+        layout, room = self.frame.layout(), sum(button.height() + GAP_PX for button in rows)
         layout.setContentsMargins(0, 0, 0, room + (0 if folded else GAP_PX // 2))
         width = (
             FOLDED_PX if folded else max(min(WIDEST_PX, round(SHARE * free_part(over).width())), FOLDED_PX)
@@ -170,7 +179,10 @@ class VerdictCard(QtCore.QObject):
         (x, y), hidden = self._free_corner()
         self.frame.move(x, y)
         self.fold.move(x + width - self.fold.width() - 2, y + 2)
-        self.button.move(x + GAP_PX, y + self.frame.height() - self.button.height() - GAP_PX // 2)
+        below = y + self.frame.height() + GAP_PX // 2
+        for button in rows[::-1]:
+            below -= button.height() + GAP_PX
+            button.move(x + GAP_PX, below)
         self.fold.show()
         return hidden
 
@@ -243,7 +255,8 @@ def hex_of(color: tuple[float, float, float]) -> str:
 STYLE = """
 #ElasticaVerdict { background: rgba(32, 33, 38, 230); border: 1px solid rgba(255, 255, 255, 60); }
 #ElasticaVerdict QLabel { padding: 1px 8px; color: #f2f2f2; background: transparent; }
-#useNearest { padding: 3px 10px; }
+#useNearest, #keepPossible { padding: 3px 10px; }
+#keepPossible:checked { color: white; background: #14873d; }
 #foldVerdict { border: none; padding: 3px 8px; color: white; background: transparent; }
 """
 """Style of the card. It is white on dark in every theme, because the view behind it may have any colour."""
