@@ -140,6 +140,9 @@ campaign-fuzz: $(VENV)/test-installed
 	-$(RECORD) "fuzz: cutting files" $(TRUST).written --strips 1000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
 	$(RECORD) "fuzz: designs" $(TRUST).designs --designs 2000 --minutes $(MINUTES) --seed $(SEED) --out $(OUT)/campaign
 
+campaign-held: $(VENV)/test-installed
+	$(RECORD) held $(TRUST).held_strips --curves 200 --minutes $(MINUTES) --out $(OUT)/campaign
+
 campaign-kills: $(VENV)/test-installed
 	$(RECORD) kills $(TRUST).faults --out $(OUT)/campaign
 
