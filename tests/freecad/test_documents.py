@@ -674,3 +674,20 @@ def test_a_spline_of_freecads_own_tool_is_replaced(document):
     assert kinds.count("Part::GeomLineSegment") == 1, "construction geometry stays"
     assert kinds.count("Part::GeomCircle") == 4, "the new poles, none of the old"
     assert sketch_curve(sketch).length == pytest.approx(wanted.length)
+
+
+def test_an_unknown_sheet_in_the_preferences_is_reported_once(document, sketch, monkeypatch):
+    from freecad.elastica_wb.host import preferences, sheet_store
+    from freecad.elastica_wb.host.words import worded
+
+    said = []
+    monkeypatch.setattr(sheet_store, "report_warning", lambda sentence, who="": said.append(sentence))
+    before = preferences.get("DefaultSheet")
+    preferences.put("DefaultSheet", "plywood I had once")
+    try:
+        feature = new(strip.create, document, sketch)
+    finally:
+        preferences.put("DefaultSheet", before)
+    assert feature.Sheet == preferences.DEFAULTS["DefaultSheet"]
+    assert len(said) == 1
+    assert "'plywood I had once' of the preferences is unknown" in worded(said[0])

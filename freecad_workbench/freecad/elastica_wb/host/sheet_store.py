@@ -107,9 +107,24 @@ OWN = note("Own sheets")
 
 
 def default_sheet() -> str:
-    """Return the default sheet of new strips. An unknown name in the preferences is ignored."""
-    name = preferences.get("DefaultSheet")
-    return name if name in sheet_list() else preferences.DEFAULTS["DefaultSheet"]
+    """Return the default sheet of new strips. The report view names an unknown sheet of the preferences, once."""
+    name, usual = preferences.get("DefaultSheet"), preferences.DEFAULTS["DefaultSheet"]
+    if name in sheet_list():
+        return str(name)
+    _report_unknown(name, usual)
+    return str(usual)
+
+
+@lru_cache(maxsize=64)
+def _report_unknown(name: str, usual: str) -> None:
+    report_warning(
+        note(
+            "The sheet {name!r} of the preferences is unknown, so new strips have the sheet {usual}. Choose "
+            "another sheet in the preferences.",
+            name=name,
+            usual=usual,
+        )
+    )
 
 
 def sheet_called(name: str, saved: str = "") -> Sheet:
