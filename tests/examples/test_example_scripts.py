@@ -59,7 +59,8 @@ def run(project_root, tmp_path, monkeypatch):
 
 def test_every_script_is_run(project_root):
     folders = (project_root / "examples").iterdir()
-    assert {folder.name for folder in folders if (folder / f"{folder.name}.py").exists()} == set(FOLDERS)
+    scripts = {folder.name for folder in folders if (folder / f"{folder.name}.py").exists()}
+    assert scripts == {*FOLDERS, "slat"}  # the slat writes no kit: test_slat.py runs it
 
 
 LONG = ("carpet", "facade", "flower_pot", "horse", "lamp", "revolution", "shell")
