@@ -38,7 +38,7 @@ def main(arguments: list[str] | None = None) -> None:
     try:
         from elastica_cad.plot.drawing_process import drawing_process
 
-        # a program that calls `main` draws in its own process, because it may use matplotlib
+        # a program that calls `main` draws in its own process, because it may have imported matplotlib
         with drawing_process(() if arguments is not None else sys.argv[1:]) as process:
             code = _run(arguments, process)
     except KeyboardInterrupt:

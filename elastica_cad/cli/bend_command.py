@@ -445,7 +445,7 @@ def _least_radius(shape: Rod) -> str:
 
 
 def _worst(states: Sequence[str], moved: Travel | None) -> Row:
-    """Return the row with the least stable of all shapes."""
+    """Return the row on stability, which states the first shape that is not stable, if any."""
     step = next((k for k, state in enumerate(states) if state != "stable"), None)
     if step is None:
         return Row("Stability", "stable in its plane" + (" at every step" if states[1:] else ""))

@@ -51,10 +51,10 @@ COMMANDS = {
 
 MM_IN_KEYS = ("settings",)
 PER_MM = ("natural_curvature",)
-"""Options to whose values `--units` does not apply, because they are curvatures."""
+"""Options to which `--units` does not apply: keys as in a design file (lengths in mm), and curvatures (1/mm)."""
 
 ALIKE = {"name": "label"}
-"""Alternative names of an option that has different names in different commands."""
+"""For an option that has different names in different commands: the other name, by the name that a user typed."""
 
 FILES = {
     "curve": "name the file with the curve (DXF, SVG, CSV, JSON, STEP), or - for standard input",

@@ -127,7 +127,7 @@ def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Ca
 def _known(chosen: dict[str, Any]) -> Sheet:
     """Return the named sheet with the measured thickness and density.
 
-    If the name is unknown, assume other properties.
+    Without a name, return a sheet with assumed modulus and strain limit.
     """
     thickness, density = chosen["thickness"], chosen["density"]
     for option, value, key in (

@@ -130,7 +130,7 @@ FIELDS = ("nearest", "lap", "max_width", "smooth", "thickness")
 
 
 def _refused(design: Design, problem: ElasticaError) -> StripSpec | None:
-    """Return the request of the strip that was refused, or None if its table describes several strips."""
+    """Return the request of the strip that was refused, or None unless exactly one strip has its name."""
     label = problem.refusal.where.get("strip")
     specs = [entry.spec for entry in design.entries if entry.called == label]
     return specs[0] if len(specs) == 1 else None

@@ -283,7 +283,7 @@ def _names(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
 
 
 def _word(name: str) -> str:
-    """Return the name without characters that are not valid in file names."""
+    """Return the name with _ instead of characters that are not valid in file names."""
     return re.sub(r"[^-.A-Za-z0-9_]+", "_", engravable(name.strip()))
 
 

@@ -55,9 +55,7 @@ GAP_MM = 20.0
 """Distance, mm, between neighbouring curves in the drawing."""
 
 UPRIGHT = 1e-9
-"""An upright direction is not used if its component in the plane is smaller than this, as a fraction of its
-length.
-"""
+"""A direction counts as parallel to z if its x and y are at most this fraction of it, because of rounding."""
 
 _IDLE = {
     "--radial": ("up",), "--angle": ("up",), "--parallel": ("zero",), "--offset": ("zero",),
@@ -262,7 +260,10 @@ def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts |
 
 
 def _up(chosen: dict[str, Any], along: Any) -> Triple:
-    """Return the upward direction in planes perpendicular to `along`: z, if it is in the planes."""
+    """Return the upward direction in planes perpendicular to `along`.
+
+    It is the option `--up`, or else z, or else y if `along` is parallel to z.
+    """
     upright = np.abs(along[:2]).max() <= UPRIGHT * np.abs(along).max()
     up: Triple = chosen["up"] or ((0.0, 1.0, 0.0) if upright else (0.0, 0.0, 1.0))
     return up

@@ -114,7 +114,7 @@ def _value(text: str) -> Any:
 def twice(table: Mapping[str, Any], others: Mapping[str, Any], way: str = "") -> Iterator[str]:
     """Yield the paths of keys that have different values in two tables.
 
-    The value `true` equals any table or list.
+    The value `true` of the key `gravity` equals any table or list.
     """
     for key in table.keys() & others.keys():
         mine, theirs = table[key], others[key]

@@ -169,8 +169,9 @@ class HolderSpec:
     nesting : Nesting
         Stock sheets of the plates.
     strips : tuple of str
-        Labels of the strips; they may contain the wildcards * and ?. where : str Name of the request in
-        messages.
+        Labels of the strips; they may contain the wildcards * and ?.
+    where : str
+        Name of the request in messages.
     """
 
     kind: HolderKind

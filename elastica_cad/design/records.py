@@ -176,9 +176,13 @@ class Reader:
     Attributes
     ----------
     sheets : mapping
-        Sheets, by name, that a file may use in addition to the known sheets. folder : Path Folder to which
-        names of files are relative. read_curves : callable or None Function that reads a curve file. sheet :
-        Sheet or None Sheet of the strip whose table is read.
+        Sheets, by name, that a file may use in addition to the known sheets.
+    folder : Path
+        Folder to which names of files are relative.
+    read_curves : callable or None
+        Function that reads a curve file.
+    sheet : Sheet or None
+        Sheet of the strip whose table is read.
     """
 
     sheets: Mapping[str, Sheet] = field(default_factory=dict)
@@ -308,7 +312,7 @@ def _keys_met(kind: Kind, table: Mapping[str, Any]) -> int:
 def _read_sheet(reader: Reader, table: Table, key: str) -> Sheet:
     """Return the sheet that a key names: a sheet of the file or a known sheet.
 
-    The key `thickness` of the table sets its thickness.
+    If the key is `sheet`, the key `thickness` of the same table sets the thickness.
     """
     name = table.text(key)
     with table.naming(key):

@@ -132,8 +132,9 @@ def report_strip(
     near : NearestRod, optional
         Nearest rod, for its deviation from the drawn curve and the binding limits.
     stability : Stability, optional
-        Stability of the rest shape. smoothing : Smoothing, optional Smoothing that was applied to the drawn
-        curve.
+        Stability of the rest shape.
+    smoothing : Smoothing, optional
+        Smoothing that was applied to the drawn curve.
     stations : int
         Number of stations for stiffness and width, uniform in arc length.
 
@@ -378,7 +379,7 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
 def _held(strip: Strip) -> dict[str, Any] | None:
     """Return the shape of the cut strip, held at its designed ends.
 
-    Return None for a strip with rails, pins or ties, and if there is no shape near the design.
+    Return None for a strip with rails, pins, ties or point forces, and if there is no shape near the design.
     """
     if strip.rod.acting:
         return None
@@ -389,8 +390,9 @@ def _held(strip: Strip) -> dict[str, Any] | None:
 
 
 def _measuring(strip: Strip) -> dict[str, Any] | None:
-    """Return measurable quantities for `elastica compare`, or None for a closed strip or a strip without a
-    rest shape.
+    """Return measurable quantities for `elastica compare`.
+
+    Return None for a closed strip, a strip with rails, pins, ties or point forces, and if there is no rest shape.
     """
     if strip.is_closed or strip.rod.acting:
         return None

@@ -137,7 +137,7 @@ class RevolutionTable:
 
     @property
     def reports(self) -> tuple[str, ...]:
-        """Message on the distance of the meridian from its points; empty if the meridian passes through them."""
+        """Messages on an assumed axis, and on the distance of the meridian from its points, if any."""
         off = self.meridian.deviation
         assumed = self.curve is not None and self.axis is None and self.axis_x is None
         axis = note(

@@ -81,9 +81,11 @@ class StripEntry:
     Attributes
     ----------
     spec : StripSpec
-        Request for the strip. section : str Name of the section that the strip follows, with the start of its
-        curve, or "". off_section : float Largest distance, mm, between the points of the section and the
-        curve.
+        Request for the strip.
+    section : str
+        Name of the section that the strip follows, with the start of its curve, or "".
+    off_section : float
+        Largest distance, mm, between the points of the section and the curve.
     """
 
     spec: StripSpec

@@ -345,8 +345,11 @@ class Table:
     data : mapping
         Values as parsed, by key.
     where : str
-        Name of the file and of the table, for messages. scope : mapping Values of the names that formulae may
-        use. defaults : Table, optional Table that provides keys that are missing in `data`.
+        Name of the file and of the table, for messages.
+    scope : mapping
+        Values of the names that formulae may use.
+    defaults : Table, optional
+        Table that provides keys that are missing in `data`.
     """
 
     def __init__(
@@ -442,7 +445,7 @@ class Table:
         return int(value)
 
     def vector(self, key: str, size: int, default: Sequence[float] | None = None) -> tuple[float, ...]:
-        """Return a list of `size` values, each written as a number or a formula."""
+        """Return the `size` numbers in a list, each written as a number or a formula."""
         value = self.raw(key, default)
         if not isinstance(value, list | tuple) or len(value) != size:
             raise InputError(

@@ -41,7 +41,7 @@ _LINE, _CIRCLE, _SPLINE_CURVE = 1, 2, 7
 _PLANE, _CYLINDER, _EXTRUSION, _SPLINE_SURFACE = 1, 2, 6, 9
 _KNOT = np.dtype([("place", "<f8"), ("count", "<i4")])
 
-# bits of a flag: free, modified, checked, orientable, closed, infinite, convex
+# flags of a shape, a byte each: free, modified, checked, orientable, closed, infinite, convex
 _FLAGS = {
     (_VERTEX, False): bytes((0, 1, 0, 1, 1, 0, 1)),
     (_EDGE, False): bytes((0, 1, 0, 1, 0, 0, 0)),

@@ -69,7 +69,7 @@ class JoinedRuns:
     closed : tuple of float
         Widths, mm, of the closed gaps that are explained by the rounding of coordinates in the file.
     widest : float
-        Width, mm, of the widest closed gap.
+        Width, mm, of the widest gap that would be closed. It is set by the rounding of the coordinates.
     """
 
     chains: list[Run]
@@ -105,7 +105,7 @@ def join_runs(
 
 
 def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
-    """Return the rounding error (2 n,), mm, of the two end points of each of n chains."""
+    """Return the largest rounding error (2 n,), mm, of the two end points of each of n chains."""
     known = [edge.source.rounding for run in chains for edge in run if edge.source and edge.source.rounding]
     sizes = np.repeat([sum(edge.size for edge in run) for run in chains], 2)
     digit = _DIGIT * min(known, default=0.0)
@@ -328,7 +328,10 @@ class _RunIndex:
 def _without_overlaps(
     runs: Sequence[Run], tolerance: float
 ) -> tuple[list[Run], tuple[tuple[Source, Source, str], ...]]:
-    """Remove each run that coincides with a longer run. Return the remaining runs and all overlaps."""
+    """Remove runs that coincide with a longer run, or with an earlier run of equal length.
+
+    Return the remaining runs and all overlaps.
+    """
     index, sources = _RunIndex(runs, tolerance), [_source_of(run) for run in runs]
     called = [(source.layer, source.is_named and source.name) for source in sources]
     in_part: list[tuple[int, int]] = []
@@ -375,7 +378,7 @@ def _common_parts(
     """Return the end parts of a run, longer than `least` mm, that coincide with the end of a longer run.
 
     Each entry has three items: the end of the run (0 or 1), and two for the end of the longer run, its
-    position in the run and its point (d,).
+    position in the first run and its point (d,).
     """
     parts = []
     on_run = [(place, end) for end in _ends([longer]) if (place := _place_of(end, run, tolerance))]
@@ -711,10 +714,9 @@ def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
 def _clamped(
     edge: Edge, degree: int, low: float = -np.inf, high: float = np.inf
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the part of an edge between two parameters as a clamped spline of the given degree or a higher
-    degree.
+    """Return the part of an edge between two parameters as a clamped spline of a degree.
 
-    The result is the knot vector and the homogeneous control points.
+    The degree is at least the degree of the edge. The result is the knot vector and the homogeneous control points.
 
     The spline space of the higher degree contains the edge, so interpolation at the Greville abscissae is
     exact.

@@ -62,7 +62,9 @@ def write_curves(
     ----------
     curves : sequence of PlaneCurve
     path : path-like
-        The suffix selects the format. version : str DXF version, R12 to R2018.
+        The suffix selects the format.
+    version : str
+        DXF version, R12 to R2018.
     force : bool
         Overwrite a file of that name.
 

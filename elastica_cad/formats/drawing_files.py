@@ -110,8 +110,9 @@ def encode_svg(
         "spline" and "bezier" write Bezier curves, "arc" writes arcs, and "polyline" writes lines. Bezier
         curves approximate weighted splines and degrees above 3 to the tolerance, at most 0.001 mm.
     tolerance : float
-        Largest distance, mm, between a curve and its replacement. layers : mapping, optional Names and
-        colours, see `style_layers`.
+        Largest distance, mm, between a curve and its replacement.
+    layers : mapping, optional
+        Names and colours, see `style_layers`.
 
     Raises
     ------
@@ -184,13 +185,16 @@ def write_drawing(
     ----------
     drawing : Drawing
     path : path-like
-        The suffix selects the format. kerf : float Width of the cut, mm. Closed outer loops grow by half the
-        kerf, and inner loops shrink by half the kerf. Cutting services often compensate the kerf themselves,
-        so the default is 0. It may be negative.
+        The suffix selects the format.
+    kerf : float
+        Width of the cut, mm. Closed outer loops grow by half the kerf, and inner loops shrink by half the
+        kerf. Cutting services often compensate the kerf themselves, so the default is 0. It may be negative.
     curves : str
         "spline", "bezier", "arc" or "polyline".
     tolerance : float
-        Largest distance, mm, between a curve and its replacement. version : str DXF version, R12 to R2018.
+        Largest distance, mm, between a curve and its replacement.
+    version : str
+        DXF version, R12 to R2018.
     layers : mapping or str, optional
         Mapping from a layer to a name, or to a name and a colour "#rrggbb". Or the name of a colour scheme:
         "boxes", "lightburn".

@@ -173,8 +173,10 @@ class DrawnCurve:
     Attributes
     ----------
     number : int
-        Number of the curve in the file, from 1. name, layer : str Label, id or handle of the curve, and its
-        layer, as displayed by the drawing program. Empty if the file does not name them.
+        Number of the curve in the file, from 1.
+    name, layer : str
+        Label, id or handle of the curve, and its layer, as displayed by the drawing program. Empty if the
+        file does not name them.
     make : callable
         Function that computes the curve.
     id : str
@@ -185,8 +187,9 @@ class DrawnCurve:
         Names, such as "J1", of the corners at its start and end that join it to another piece. Empty for
         other ends.
     kinds : mapping
-        Number of shapes of each kind that form the curve: {"spline": 1}. chain : Run Edges of the curve as
-        drawn; empty if it was not drawn as edges.
+        Number of shapes of each kind that form the curve: {"spline": 1}.
+    chain : Run
+        Edges of the curve as drawn; empty if it was not drawn as edges.
     flatten : callable, optional
         Function that maps edges in space to the plane of the curve.
     """
@@ -258,7 +261,9 @@ class DrawnFile:
     path : Path
     curves : sequence of DrawnCurve
     skipped : mapping
-        Number of skipped items of each kind: {"TEXT": 3}. unit : ReadUnit Unit of the file, and its source.
+        Number of skipped items of each kind: {"TEXT": 3}.
+    unit : ReadUnit
+        Unit of the file, and its source.
     remarks : tuple of str
         Messages on curves that were not joined, look different in the drawing, or are probably not strips.
 

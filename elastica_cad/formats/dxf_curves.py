@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
 
-DEEPEST_BLOCK = 20  # largest number of nested blocks; deeper nesting means an error or an attack
+DEEPEST_BLOCK = 20  # largest depth of nested blocks; deeper nesting means an error or an attack
 
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
 """Exceptions that ezdxf raises for truncated or corrupt entities."""

@@ -125,7 +125,8 @@ def _through_ezdxf(
         for layer, path in paths:
             entities = [*_entities(space, path, {"layer": layer})]
             if len(entities) > 1:
-                # `document.groups.new` is not used, because it takes minutes for thousands of holes
+                # `document.groups.new` is not used: it compares the name with all names, which takes minutes
+                # for thousands of holes
                 group = document.objects.add_dxf_object_with_reactor("GROUP", {"owner": groups.dxf.handle})
                 groups.add(f"LOOP_{len(groups) + 1}", group)
                 group.set_data(entities)

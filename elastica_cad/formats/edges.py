@@ -21,7 +21,9 @@ class Source:
         Label, id or handle of the shape, as displayed by the drawing program.
     layer : str
     rounding : float
-        Half a unit of the last digit of the coordinates, mm. id : str Id or handle of the shape.
+        Half a unit of the last digit of the coordinates, mm.
+    id : str
+        Id or handle of the shape.
     is_named : bool
         True if a person chose the name, False if a program made it.
     """

@@ -97,7 +97,7 @@ TANGENT = 1e-3  # rad
 EVEN = 1e-6  # a curve with a smaller total turn, rad, does not determine the side of its plane
 # largest distance of ends that are probably intended to meet, as a fraction of the extent of all edges
 MEANT = 0.05
-JOINED_MM = 0.5  # largest gap, mm, that is closed by moving an edge
+JOINED_MM = 0.5  # largest gap, mm, for which a larger tolerance for joining is suggested
 AS_DRAWN = np.eye(3)
 
 
@@ -215,7 +215,7 @@ def _why_not_one(runs: Sequence[Run]) -> str:
 
 
 def _within(run: Sequence[Edge], plane: Frame) -> Frame:
-    """Return the given plane with its origin next to the origin of space; refuse it if the edges are not in it."""
+    """Return the given plane unchanged, and refuse it if the edges are not in it."""
     points = np.concatenate([edge.at(edge.stations()) for edge in run])
     off = (points - plane.origin) @ plane.z_axis
     if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):

@@ -106,8 +106,9 @@ class PointTable:
     unit : str or None
         Unit named in the table.
     note : str
-        Message on how ambiguous numbers were interpreted. is_offsets : bool True for a table of offsets, in
-        which every column is a curve over a common column.
+        Message on how ambiguous numbers were interpreted.
+    is_offsets : bool
+        True for a table of offsets, in which every column is a curve over a common column.
     """
 
     columns: list[Column]
@@ -308,7 +309,7 @@ class _Layout:
 
 
 def _filled(cells: list[str], places: Sequence[int]) -> list[str]:
-    """Return the cells of a row that belong to a curve; an empty list if all are blank or missing."""
+    """Return the cells of a row that belong to a curve; an empty list if the first two are blank or missing."""
     cells_of_curve = [cells[k] if k < len(cells) else "" for k in places]
     return cells_of_curve if any(cell not in NOTHING for cell in cells_of_curve[:2]) else []
 

@@ -335,7 +335,10 @@ def _reaches_out(runs: Sequence[Run], box: Box | None, way: str) -> bool:
 
 
 def _in_user_units(tree: SvgTree) -> bytes:
-    """Return the document without width and height of the root element, so that coordinates are in user units."""
+    """Return the document without viewBox, and with the size of the root element in user units.
+
+    The parser then leaves all coordinates in user units.
+    """
     root = tree.root
     box = root.get("viewBox", "").replace(",", " ").split()
     lengths = [read_length(text) for text in tree.size]

@@ -237,7 +237,7 @@ def arc_between(
     start: FloatArray, end: FloatArray, axes: FloatArray, *, large: bool, sweep: bool
 ) -> Edge | None:
     """Return the exact arc between two points; its semi-axes are the columns of `axes` (2, 2), see `_arc_edge`."""
-    # in coordinates relative to the semi-axes, the arc is part of a unit circle
+    # in units of the semi-axes, the arc is part of a unit circle with its centre on the bisector of the chord
     half = np.linalg.solve(axes, (end - start) / 2)
     reach = float(np.hypot(*half))
     if reach < 1e-12:

@@ -538,8 +538,9 @@ class Shape:
     data : str or None
         The path data of a path.
     rounding : float
-        Half a unit of the last digit of the size attributes; 0 for a path. shown : bool True if the shape is
-        not inside definitions or other hidden elements.
+        Half a unit of the last digit of the size attributes; 0 for a path.
+    shown : bool
+        True if the shape is not inside definitions or other hidden elements.
     clips : tuple of (box, str)
         Clip paths and masks. Each has the transforms from the shape to the area, and the box (low x, low y,
         high x, high y) of a rectangular area, or None for other areas.

@@ -19,7 +19,7 @@ from elastica_cad.refusals import FieldName
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a text to a file in UTF-8. After an error, no incomplete file remains.
+    """Write a text to a file in UTF-8, with line feeds as line ends on every system.
 
     Examples
     --------
@@ -33,7 +33,7 @@ def write_text(path: Path, text: str) -> None:
 
 
 def write_json(path: Path, record: Any) -> None:
-    """Write a record to a file as JSON. After an error, no incomplete file remains."""
+    """Write a record to a file as JSON."""
     write_text(path, json.dumps(record, indent=1) + "\n")
 
 

@@ -176,7 +176,8 @@ def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
     patches, colors = (np.concatenate(part) for part in zip(*shown, strict=True))
     outlines = list(_outlines([*model.plates, *holders], far))
     depths = [*(patches.mean(axis=1) @ toward), *(float(place @ toward) for _, place, _ in outlines)]
-    # paint from far to near; consecutive patches with equal numbers of corners are drawn together
+    # paint from far to near; consecutive patches with equal numbers of corners are drawn together, because this
+    # is much faster than single polygons
     order = np.argsort(depths, kind="stable")
     whole = order >= len(patches)
     for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):

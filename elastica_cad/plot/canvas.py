@@ -19,7 +19,7 @@ Figure: TypeAlias = Any
 Axes: TypeAlias = Any
 
 WIDTH_INCHES = 9.0
-"""Width of all figures, inches: the printable width of a page in landscape."""
+"""Width of all figures, inches, which fits a page in landscape."""
 
 NOTEBOOK_DPI = 90.0
 """Resolution, dots per inch, at which a figure is as wide as the column of a notebook."""
@@ -60,7 +60,9 @@ class Panel(NamedTuple):
 def save_figure(
     figure: Figure, path: str | PathLike[str], *, force: bool = False, resolution: float = RESOLUTION
 ) -> None:
-    """Write a figure as PNG, SVG or PDF, selected by the suffix of the file name. After an error, no file remains.
+    """Write a figure as PNG, SVG or PDF, selected by the suffix of the file name.
+
+    After an error, no incomplete file remains.
 
     Parameters
     ----------
@@ -104,7 +106,7 @@ def write_pages(
     force: bool = False,
     resolution: float = RESOLUTION,
 ) -> None:
-    """Write figures as the pages of a PDF without time stamps. After an error, no file remains.
+    """Write figures as the pages of a PDF without time stamps. After an error, no incomplete file remains.
 
     Parameters
     ----------

@@ -35,7 +35,7 @@ def check(check: EquilibriumCheck) -> Figure:
     """Draw the curve of a check with its curvature comb, inflections, inflection line and faults.
 
     Noisy measured points are drawn as dots, and outliers have a ring. Positions are stated in mm along the
-    curve, as in the reasons.
+    curve from its start, as in the reasons.
 
     Parameters
     ----------

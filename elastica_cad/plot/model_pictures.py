@@ -36,15 +36,16 @@ FEWEST, ROUND = 4, 96
 
 
 def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
-    """Divide the area inside a loop and outside its holes into trapezoids with sides parallel to y.
+    """Divide the area that is inside an odd number of loops into trapezoids with sides parallel to y.
 
     Trapezoids end at corners of the loops and at `stations`.
 
     Parameters
     ----------
     loops : sequence of Path
-        Closed outline and holes, in any direction. stations : (k,) array Values of x, mm, at which trapezoids
-        also end.
+        Closed outline and holes, in any direction.
+    stations : (k,) array
+        Values of x, mm, at which trapezoids also end.
     step : float
         Length, mm, of the sides of the polygons that approximate curved loops.
 

@@ -259,7 +259,7 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
 def _widened(size: FloatArray) -> FloatArray:
     """Return the displayed width and height for a drawing of this size.
 
-    The height is enlarged if axis numbers would overlap.
+    Each is at least 0.3 times the larger of both, so that the numbers on its axis can be read.
     """
     return np.asarray(1.1 * np.maximum(size, 0.3 * size.max()))
 
@@ -282,8 +282,9 @@ def _stations_of(size: Profile) -> list[float]:
 
 
 def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
-    """Return a point and the direction of the line of zero moment (Eq. 3 of the paper), or None for a rod
-    with weight.
+    """Return a point and the direction of the line of zero moment (Eq. 3 of the paper).
+
+    Return None for a rod with weight, elements or point forces, and for a rod without a force at its start.
     """
     size = float(np.linalg.norm(rod.force[0]))
     if rod.gravity is not None or rod.acting or size == 0.0:

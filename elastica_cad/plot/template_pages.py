@@ -105,7 +105,10 @@ def _tiles(drawing: Drawing, page: tuple[float, float]) -> Tiling:
 
 
 def _enters(segments: FloatArray, low: FloatArray, high: FloatArray) -> bool:
-    """Return True if any of the segments (n, 4), each x, y of both ends, crosses the box from `low` to `high`."""
+    """Return True if the bounding box of any of the segments (n, 4) overlaps the box from `low` to `high`.
+
+    A segment is x, y of its start and x, y of its end.
+    """
     inside = np.minimum(segments[:, :2], segments[:, 2:]), np.maximum(segments[:, :2], segments[:, 2:])
     return bool(np.any(np.all((inside[0] < high) & (inside[1] > low), axis=1)))
 

@@ -30,7 +30,8 @@ Send = Callable[[bytes, bytes], Awaitable[None]]
 class Workers:
     """Two worker processes, and a queue of requests.
 
-    Pages are served in the order of their oldest waiting requests.
+    Requests are answered in the order in which they arrive. A request that replaces a waiting request of the same
+    kind takes its position.
     """
 
     def __init__(self, saved: Path | None) -> None:
