@@ -151,7 +151,7 @@ class Through(Constraint):
     place: float = 0.5
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the distance of the target from the rod, along its normal (1,)."""
+        """Return the signed distance of the rod from the target, along the normal of the rod (1,)."""
         share, nodes, normal = self._foot(rod)
         off = share @ rod.position[nodes] - np.asarray(self.target)
         return np.array([normal @ off])
@@ -540,7 +540,7 @@ class LeastStiffness(Constraint):
     price: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return 1 - min K (1,). The bounds of the coefficients prevent negative values."""
+        """Return 1 - min K (1,). The bounds of the coefficients prevent positive values."""
         return np.array([1 - rod.stiffness.min()])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:

@@ -120,7 +120,10 @@ class NearestTask:
 
     @property
     def is_scaled_freely(self) -> bool:
-        """True if the scale of K depends on the shape of the rod, so that it is not known before the search."""
+        """True if K has no scale during the search.
+
+        This is so without a section law, and for laws whose limits depend on the curvature of the rod.
+        """
         return self.section is None or self.section.law.follows_bend
 
     @property
@@ -183,7 +186,10 @@ class NearestTask:
 
     @property
     def in_smaller_sections(self) -> "NearestTask | None":
-        """Task with smaller sections that withstand the curvature of the target, or None if there are none."""
+        """Task with smaller sections, which withstand the curvature of the target.
+
+        None if the sections are not changed.
+        """
         if self.section is None or self.is_scaled_freely or self.request.gravity is None:
             return None
         bent = _nodal_bend(self.target, self.request.natural_curvature, self.nodes)

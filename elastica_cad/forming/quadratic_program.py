@@ -21,7 +21,7 @@ class InteriorPoints(NamedTuple):
     accuracy : float
         Default accuracy. It is much smaller than the errors of linearised constraints.
     backoff : float
-        Length of a step as a fraction of the distance to the nearest bound.
+        Largest length of a step, as a fraction of the distance to the nearest bound.
     cycling, centered : int, float
         After `cycling` factorisations, steps have no corrector, and reduce the complementarity to the fraction
         `centered`. The reason is that predictor and corrector cycle in one program of a thousand.

@@ -154,8 +154,8 @@ class SectionScale:
 
         `bend` (n,) is kappa - kappa_0, 1/mm.
 
-        Return None if no scale is suitable. Thin sections may withstand a curvature that breaks the thickest
-        sections.
+        Return None if the scale need not or cannot be reduced. Thin sections may withstand a curvature that breaks
+        the thickest sections.
         """
         least, largest = self.law.limits
         if limits.sheet is None or not (least > 0 and np.isfinite(largest)):

@@ -498,7 +498,7 @@ def _place(line: SectionLine, point: FloatArray) -> str:
 def _refuse_corners(line: SectionLine, tolerance: float) -> None:
     """Raise InputError for a line with a corner.
 
-    Corners between sides shorter than the tolerance count as roughness.
+    A corner beside a side shorter than the tolerance counts as roughness.
     """
     turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
     turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)

@@ -411,7 +411,7 @@ class SectionSpec:
         Raises
         ------
         InputError
-            The planes are invalid, or no strip can follow a section.
+            The planes are invalid, or no strip can follow any section.
         """
         half = self.cuts.half if self.half is None else self.half
         divided = [self._divide(section) for section in surface.cut(self.cuts.frames(surface), half)]

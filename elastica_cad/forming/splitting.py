@@ -104,7 +104,7 @@ def split(
         No number of supports is sufficient, because the curvature touches zero, or because there are too few
         `places`.
     InputError
-        The ratio is less than 1, or a value of `places` is not finite.
+        The ratio is less than 1, or a value of `places` is not finite or not on the curve.
 
     References
     ----------
@@ -223,7 +223,7 @@ class _Cut:
         while far - near > self.short / 10:
             middle = (near + far) / 2
             near, far = (middle, far) if self.takes(start, middle) else (near, middle)
-        # a tiny possible step beyond `sure` is a numerical error; then the piece ends at `sure`
+        # less than `least` beyond the mark `sure` is a numerical error: no strip can pass the mark, so end there
         return near if near - sure > self.least else sure
 
     def _reach_of_places(self, start: float, near: float, far: float) -> float:

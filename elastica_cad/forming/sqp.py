@@ -267,7 +267,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def fallback(self) -> Point:
-        """Return a point in equilibrium that is used if no other initial point is found."""
+        """Return a point in equilibrium, for a search that cannot start or end with a point of its own."""
 
     @abstractmethod
     def for_open_points(self) -> "NonlinearProgram[Point]":
@@ -490,7 +490,7 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
         point = here.local.moved(change)
         after = program.objective(point)
         changed = float(np.abs(here.local.state_jacobian @ change).max())
-        # the second term estimates the increase of the distance from this point to equilibrium
+        # the second term estimates how much the distance may increase when the point is brought into equilibrium
         if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
             best, least = point, rank
         if (
@@ -602,7 +602,8 @@ class _Walk(Generic[Point]):
         reliable = here.is_reliable(worth, highest)
         if reliable and promised <= floor and not here.restores_feasibility(step):
             if promised < -floor and self.radius > SETTINGS.ascent_radius:
-                # the step increases the merit, so the model is inaccurate: try a shorter step with full damping
+                # the model itself predicts an increase, so the step does not solve the quadratic program:
+                # try a shorter step with full damping
                 self.damping_fraction, self.radius = 1.0, 0.25 * self.radius
                 return False
             self.settled = True
@@ -648,7 +649,10 @@ class _Walk(Generic[Point]):
 
 
 def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
-    """Return the first iterate: the start, or the point in equilibrium with the same unknowns."""
+    """Return the first iterate: the start, if its defect is small.
+
+    Otherwise it is the point in equilibrium with the same unknowns, or the fallback of the program.
+    """
     point = program.clip(start)
     here = iterate_at(program, point)
     if here is not None:

@@ -31,7 +31,9 @@ PARALLEL = 1e-200
 sides."""
 
 CLOSE_SHARE = 1e-3
-"""Tolerance, as a fraction of the radius, of the test whether an arc crosses a side that it replaces."""
+"""Tolerance, as a fraction of the radius, of the test whether an arc crosses a side that it replaces.
+
+It is also the chord error of the polyline that represents the side in this test."""
 
 
 def round_corners(path: Path, radius: float) -> Path:

@@ -163,7 +163,7 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
     cuts = element_cuts(rod)
     for cut in cuts:
         _require_room(cut, float(layout.width(cut.at)))
-    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # the moment is 0 beyond the bent part
+    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # the moment is 0 at a free end
     peaks = np.zeros(len(cuts))
     for _ in range(ROUNDS if cuts else 0):
         bumps = []
@@ -299,7 +299,7 @@ def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
 
 
 def _crossings(rod: Rod, start: FloatArray, end: FloatArray) -> list[float]:
-    """Return the arc lengths, mm, at which a rod crosses the line between two points (2,)."""
+    """Return the arc lengths, mm, at which a rod crosses the line strictly between two points (2,)."""
     chord = end - start
     aside = (rod.position - start) @ left_of(chord)
     before = np.flatnonzero(aside[:-1] * aside[1:] < 0)

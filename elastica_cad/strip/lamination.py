@@ -40,7 +40,7 @@ class Laminated:
     The width of the backing follows from the exact bending stiffness of the two-layer section.
 
     The backing continues into both tabs with the width of the base, so that holes in the tabs align both layers.
-    Without `max_width`, the backing is as wide as the base at its widest point, as in the paper (section 8.1). The
+    Without `max_width`, the backing is as wide as the base at one point, as in the paper (section 8.1). The
     weight of a laminate is not proportional to its stiffness. For a rod under its own weight, use
     `optimal_laminate`.
 

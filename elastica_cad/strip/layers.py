@@ -264,7 +264,7 @@ def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
 
 
 def _ticks(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
-    """Return marks across a solid strip where the tabs begin and where the lap joint ends."""
+    """Return marks across a strip without a hole pattern, where the tabs begin and where the lap joint ends."""
     if layout.pattern is not None:
         return ()
     starts = ((0.0, ends[0]), (width.length, ends[1]))

@@ -163,7 +163,7 @@ class FlatShape:
             return True  # fast test for copies, which have the same loop objects
         if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False
-        ways = WAYS if self.bent is None else WAYS[:1]  # turning a pre-bent strip over reverses its curvature
+        ways = WAYS if self.bent is None else WAYS[:1]  # turning a pre-bent strip changes its curvature
         return any(self._covers(other, signs) for signs in ways)
 
     @cached_property

@@ -267,9 +267,9 @@ class BentSolid:
     def joints(self) -> Mapping[str, Frame]:
         """Frames at which other parts are joined, by name.
 
-        "start" and "end" of the bent part and "hole1", "hole2", ... are at mid-thickness. Their z axis is the
-        normal of the strip. Their x axis is along the strip, and points outward at the ends. "hole1:top" and
-        "hole1:bottom" are on the faces of the strip, with z outward.
+        "start" and "end" of the bent part and "hole1", "hole2", ... are at mid-thickness. Their z axis is
+        normal to the strip and points to its upper face. Their x axis is along the strip; at the ends it points
+        outward. "hole1:top" and "hole1:bottom" are on the faces of the strip, with z outward.
         """
         stations = [0.0, *(float(part.knots[-1]) for part in self.maps if isinstance(part, BentMap))]
         frames = {}

@@ -551,7 +551,10 @@ class Strip:
         return cut_layers(self.layout, self.ends, self.slots, holes, name=self.label or "strip")
 
     def cut_as(self, other: "Strip") -> "Strip":
-        """Return this strip with the layers of an equal strip (`cut_key`), so that they are computed once."""
+        """Return this strip with the layers of another strip with the same `cut_key`.
+
+        The layers are then computed once.
+        """
         vars(self)["layers"] = other.layers
         return self
 

@@ -640,7 +640,8 @@ class StripSpec(EqualByValue):
     def rod_spec(self) -> RodSpec:
         """Request for the rod.
 
-        It does not depend on ends, slots and label; it depends on widths only with loads.
+        It does not depend on ends, slots and label. Widths have an effect only through loads, limits, a section
+        law or smoothing.
         """
         gravity, share = self._pulled
         layers: LaminateLayers | None = None

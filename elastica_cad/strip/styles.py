@@ -144,7 +144,8 @@ class Layout:
     section : BoundedLaw or None
         Section law, or None if the width is proportional to the stiffness.
     size : Profile or None
-        Thickness or diameter along the bent part, mm, if it varies, else None. For glued plies, their number.
+        Thickness or diameter along the bent part, mm, if it varies, else None. For glued plies, the thickness
+        of the stack.
     """
 
     sheet: Sheet

@@ -249,7 +249,7 @@ class _Skins:
         return rings
 
     def cap(self, rings: list[list[int]], cross: Frame, *, at_start: bool) -> None:
-        """Add the plane end face between the first circle and the second, if there is a bore."""
+        """Add the plane end face inside the first circle and, if there is a bore, outside the second circle."""
         frame = Frame(cross.origin, cross.y_axis, cross.x_axis) if at_start else cross
         loops = []
         for i, ring in enumerate(rings):

@@ -367,7 +367,7 @@ def _directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
 
 
 def _crosses_itself(rod: Rod) -> bool:
-    """Return True if a rod crosses itself."""
+    """Return True if a rod crosses itself, which requires angles that differ by more than half a turn."""
     return bool(np.ptp(rod.angle) > np.pi and rod.curve.self_intersections().size)
 
 
