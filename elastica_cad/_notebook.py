@@ -63,7 +63,7 @@ def html_table(title: str, rows: Sequence[Mapping[str, object]]) -> str:
 def rows_table(title: str, rows: Sequence[Row]) -> str:
     """Return the rows of a report as an HTML table with a caption.
 
-    Warnings are marked, and details are tooltips.
+    Errors and warnings are marked, and details are tooltips.
     """
     body = "".join(
         f"<tr><th>{'! ' if row.stops else ''}{html_text(row.label)}</th>"

@@ -96,7 +96,7 @@ def read_number(text: str) -> float:
 
 def read_offset(text: str) -> float | None:
     """Return a length in inches from feet, inches and eighths ("3-4-5", as in tables of offsets), or from
-    feet and inches with signs.
+    feet and inches with their units (3' 4 5/8", 2 ft 11 in).
 
     A plus sign after the eighths adds a sixteenth, and a minus sign subtracts a sixteenth. The result is None
     for any other text.

@@ -57,8 +57,9 @@ class ElasticaError(Exception):
     Parameters
     ----------
     text : str
-        A complete sentence, or a template with {name} for each value. kind : str, optional Identifier of the
-        kind of error, for programs. The default is that of the class.
+        A complete sentence, or a template with {name} for each value.
+    kind : str, optional
+        Identifier of the kind of error, for programs. The default is that of the class.
     where : mapping, optional
         Positions of the problem by kind, such as {"field": "end"}.
     changes : sequence of Change, optional
@@ -231,8 +232,9 @@ def refuse_unknown(options: Iterable[str], known: Iterable[str], what: str) -> N
     Parameters
     ----------
     options, known : iterable of str
-        The names to be checked, and the known names. what : str Name, in the message, of the object that has
-        these options.
+        The names to be checked, and the known names.
+    what : str
+        Name, in the message, of the object that has these options.
 
     Raises
     ------

@@ -16,8 +16,9 @@ class Row:
     Attributes
     ----------
     label : str
-        Word that names the subject. text : str Text of the line. A warning states the problem and one
-        instruction.
+        Word that names the subject.
+    text : str
+        Text of the line. A warning states the problem and one instruction.
     details : sequence of str
         Sentences for verbose output.
     severity : "error", "warning" or "note"

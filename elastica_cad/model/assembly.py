@@ -158,8 +158,9 @@ class AssemblyStep:
     Attributes
     ----------
     number : int
-        Number of the step, from 1. strip : str Engraved name, with the number of the strip if several strips
-        have the same name.
+        Number of the step, from 1.
+    strip : str
+        Engraved name, with the number of the strip if several strips have the same name.
     part : str
         Name of the cut piece.
     ends : (str, str)

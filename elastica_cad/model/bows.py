@@ -43,8 +43,9 @@ class Bow:
     Attributes
     ----------
     drawn : PlaneCurve
-        Drawn curve. The bow has the same end points. strip : Strip Strip or rod with pinned ends at the ends
-        of the cord. Its weight is neglected.
+        Drawn curve. The bow has the same end points.
+    strip : Strip
+        Strip or rod with pinned ends at the ends of the cord. Its weight is neglected.
     """
 
     drawn: PlaneCurve
@@ -75,7 +76,7 @@ class Bow:
 
     @property
     def end_angles(self) -> FloatArray:
-        """Angles (2,), rad, between the bow and its cord at the start and the end."""
+        """Angles (2,), rad, of the bow at its start and end, measured from the direction from start to end."""
         x, y = _chord(self.strip.rod)
         turn = self.strip.rod.angle[[0, -1]] - np.arctan2(y, x)
         return np.asarray(turn - 2 * np.pi * np.round(turn.mean() / (2 * np.pi)))
@@ -119,8 +120,9 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
     Raises
     ------
     NotRealizable
-        No bow with a varying section has the shape of the curve. InputError The curve is straight or closed,
-        or for the reasons of `StripSpec`.
+        No bow with a varying section has the shape of the curve.
+    InputError
+        The curve is straight or closed, or for the reasons of `StripSpec`.
 
     Examples
     --------

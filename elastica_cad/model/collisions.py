@@ -71,7 +71,9 @@ class Collision:
     Attributes
     ----------
     places : (float, float)
-        Arc lengths of the position on both strips, mm. depth : float Depth of the overlap, mm.
+        Arc lengths of the position on both strips, mm.
+    depth : float
+        Depth of the overlap, mm.
     position : (3,) array
         Position in space, mm.
     """

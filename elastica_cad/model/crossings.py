@@ -355,7 +355,7 @@ class Branch:
 
 
 IntersectionCurve: TypeAlias = Branch | Ruling
-"""Curve of common points of two surfaces. Between two nodes it is smooth, except where it crosses an edge."""
+"""Curve of common points of two surfaces. Between two nodes, its only special points are crossings of edges."""
 
 
 def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
@@ -497,8 +497,10 @@ class CrossingPoints:
     ----------
     first, second : (n, 2) arrays
         Points in the flat patterns of both strips: arc length, and distance from the centre line, mm.
-        position : (n, 3) array Points in space, mm. angle : (n,) array Angles between the two surfaces, rad,
-        from 0 to pi / 2.
+    position : (n, 3) array
+        Points in space, mm.
+    angle : (n,) array
+        Angles between the two surfaces, rad, from 0 to pi / 2.
     """
 
     first: FloatArray
@@ -580,8 +582,8 @@ class Crossing:
 
     @cached_property
     def room(self) -> FloatArray:
-        """Widths (2, 2), mm, of the first and second strip beyond the crossing: a row for its start, a row
-        for its end.
+        """Width, mm, of each strip beyond the crossing (2, 2): a row for each strip, with columns for the
+        start and the end of the crossing.
         """
         m = margins(self.strips, self.locus.at(np.array([self.start, self.end])))
         return np.array([m[:, :2].min(axis=1), m[:, 2:].min(axis=1)])
@@ -642,7 +644,7 @@ def _edges(
 ) -> FloatArray:
     """Return the parameters at which the intersection curve crosses edges, one in each of n intervals.
 
-    `sides` (n,) selects the edge (column of `IntersectionPoints.margins`), `between` has the ends of the
+    `sides` (n,) selects the edge (column of `margins`), `between` has the ends of the
     intervals, and `values` the margins at these ends.
     """
     rows = np.arange(sides.size)

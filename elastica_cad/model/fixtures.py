@@ -40,8 +40,11 @@ class PlacedTab:
     frame : Frame
         The origin is the end of the free part, at half the thickness. The x axis points out of the strip into the
         tab, y across the tab, and z away from the strip's upper side.
-    length, width, thickness : float Size of the tab, mm. holes : tuple of Hole Holes of the tab, viewed along
-    y of the frame. name : str
+    length, width, thickness : float
+        Size of the tab, mm.
+    holes : tuple of Hole
+        Holes of the tab, viewed along y of the frame.
+    name : str
         Part number: the strip's name with 1 for the start and 2 for the end, as in the engraved label.
     t_slot : TSlot or None
         Slot for a screw that is inserted at the tip.
@@ -164,7 +167,9 @@ class EndFixture(EqualByValue):
     wall : float
         Least thickness around the pocket, mm.
     foot : float
-        Width of the foot on each side, mm; 0 for no foot. foot_height : float Height of the foot, mm.
+        Width of the foot on each side, mm; 0 for no foot.
+    foot_height : float
+        Height of the foot, mm.
     screw : float
         Diameter of the screw holes in the foot, mm; 0 for no holes. Holes of the tab also pass through the block,
         for clamping screws.
@@ -351,7 +356,7 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def solid(self) -> PrismSolid:
-        """Block as a union and difference of prisms; the pocket is the first prism.
+        """Block as a union and difference of prisms; the pocket is the first prism that is removed.
 
         The joint "tab" of the body is at the end of the free part of the strip.
         """

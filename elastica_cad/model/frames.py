@@ -49,7 +49,8 @@ MOST_RIBS = 200
 STEP_MM = 2.5
 """Step, mm, on each side of a tongue.
 
-Behind the step the tongue is narrower; the step keeps the distance between two rails.
+The tongue is narrower in the first of two rails. The step rests against this rail and keeps its distance from
+the second rail.
 """
 
 ON_SIDE_MM = 1e-6
@@ -73,7 +74,9 @@ class Rib:
     frame : Frame
         Middle plane of the rib.
     outline : Path
-        Closed outline, in the frame. label : Text Engraved name, in the frame.
+        Closed outline, in the frame.
+    label : Text
+        Engraved name, in the frame.
     warnings : tuple of str
         Reasons not to cut the rib, if limits were ignored.
     """
@@ -462,7 +465,10 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
 
 
 def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
-    """Yield the feet with a different name for each shape, because equal strips have equal feet."""
+    """Yield the feet with a different name for each shape.
+
+    Feet of equal shape keep the same name, because equal strips have equal feet.
+    """
     shapes: list[tuple[str, FloatArray]] = []
     places: list[int] = []
     for foot in feet:

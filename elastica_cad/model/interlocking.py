@@ -322,8 +322,9 @@ class _Cutter:
         return joints_of_pair
 
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
-        """Return the joint of an equal pair of strips: `frames` contains the frame of the first strip of each
-        pair.
+        """Return the joint moved to an equal pair of strips, with the indices `members`.
+
+        `frames` contains the frame of the first strip of the joint's pair, and of the equal pair.
         """
         first, second = (
             replace(slot, mate=self.strips[mate].label)

@@ -222,7 +222,9 @@ class Model:
     Parameters
     ----------
     placed : sequence of Placed
-        Strips in the order of assembly. name : str Name for titles and files.
+        Strips in the order of assembly.
+    name : str
+        Name for titles and files.
     reports : tuple of str
         Messages about the design, one sentence each.
     joints : tuple of Joint

@@ -50,8 +50,11 @@ class NestedSheet(Drawing):
     Attributes
     ----------
     sheet : Sheet
-        Material of the sheet. sheet_size : (width, height) Size of the sheet, mm. pieces : tuple of str Name
-        of each piece.
+        Material of the sheet.
+    sheet_size : (width, height)
+        Size of the sheet, mm.
+    pieces : tuple of str
+        Name of each piece.
     used : float
         Area, mm2, of the rows of pieces, with margins.
     filled : float

@@ -158,13 +158,15 @@ class BasePlate:
     frame : Frame
         Upper face of the plate, z up.
     outline : Path
-        Closed outline, in the frame. slots : tuple of TabSlot
+        Closed outline, in the frame.
+    slots : tuple of TabSlot
     name : str
     warnings : tuple of str
         Reasons not to cut the plate, if limits were ignored.
     opening : Path or None
-        Closed loop of the opening in the middle, or None. glued : bool True if feet (gussets) are glued to
-        the tabs.
+        Closed loop of the opening in the middle, or None.
+    glued : bool
+        True if the tabs are glued at their angle, with feet (gussets).
     """
 
     sheet: Sheet

@@ -96,7 +96,9 @@ def write_cutting_files(
     ------
     InputError
         There is nothing to write, a file exists and `force` is False, a strip failed, or a piece is larger
-        than the sheet. NotConvergedError The user stopped the work: `step` returned False.
+        than the sheet.
+    NotConvergedError
+        The user stopped the work: `step` returned False.
     """
     kinds, cuts, cutting = list(kinds), cuts_of(sources), cutting or cutting_of()
     if not kinds:

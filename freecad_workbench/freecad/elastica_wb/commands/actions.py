@@ -154,14 +154,16 @@ def edit_strips() -> None:
 
 
 def perforate() -> None:
-    """Make strips of constant width whose stiffness is reduced by holes, and open the panel."""
+    """Change the selected strips to a constant width, with holes that reduce the stiffness, and open the panel."""
     strips = chosen_strips()
     _even_out(strips, "Perforated", "Perforate")
     show_panel(panel_of, strips[-1], strips)
 
 
 def laminate() -> None:
-    """Make strips of constant width, stiffened by a narrower strip that is glued on, and open the panel."""
+    """Change the selected strips to a constant width, with a narrower strip glued on that increases the
+    stiffness, and open the panel.
+    """
     strips = chosen_strips()
     _even_out(strips, "Laminated", "Laminate")
     for strip in strips:

@@ -239,7 +239,7 @@ def _all_sources() -> list[Any]:
 def _may_show(obj: Any) -> bool:
     """Return True if an object may display objects to be cut.
 
-    The check is fast: it only looks for the proxy of a Python object.
+    The check is fast: it only reads the type, and looks for the proxy of a Python object.
     """
     return obj.TypeId in COPYING or hasattr(obj, "Proxy")
 

@@ -136,7 +136,8 @@ def report_on_edges(drawn: Iterable[Any], gap: float = 0.0) -> ReadReport | None
 
     Raises
     ------
-    InputError For the reasons of `plane_curve`.
+    InputError
+        For the reasons of `plane_curve`.
     """
     drawn = list(drawn)
     edges = _drawn_edges(drawn)

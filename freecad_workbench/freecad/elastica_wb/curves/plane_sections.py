@@ -177,8 +177,10 @@ def cut(source: Any, family: Family, step: Step | None = None) -> list[PlaneSect
     Raises
     ------
     InputError
-        The mesh is invalid, or the family has no planes. NotConvergedError The user stopped the computation:
-        `step`, which is called with the number of finished planes, returned False.
+        The mesh is invalid, or the family has no planes.
+    NotConvergedError
+        The user stopped the computation: `step`, which is called with the number of finished planes, returned
+        False.
     """
     planes = family.planes(box_of(source))
     mesh = _mesh(source)

@@ -46,8 +46,9 @@ class Picture:
     Attributes
     ----------
     answer : Answer
-        The result of the checks that need no search. realizable : bool or None True if a strip is possible.
-        None, for a curve with weight, if only the solver can decide this.
+        The result of the checks that need no search.
+    realizable : bool or None
+        True if a strip is possible. None, for a curve with weight, if only the solver can decide this.
     comb, strained : tuple of (n, 2) arrays
         Rim and teeth of the curvature comb: parts within the strain limit of the sheet, and parts beyond the
         limit.

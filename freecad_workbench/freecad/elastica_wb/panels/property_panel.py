@@ -78,10 +78,13 @@ class Layout:
         Function that returns the rows below the message. A detail that is the name of a property is replaced
         by its help.
     actions : tuple of (label, callable)
-        Labels and functions of buttons that replace the feature and close the panel. picture : callable
-        Function that returns a pixmap for the space below the rows, or None. suggestions : callable Function
-        that returns suggested changes: texts with new values of properties. Each has a button. footnote :
-        callable Function that returns the text of slow results below all widgets.
+        Labels and functions of buttons that replace the feature and close the panel.
+    picture : callable
+        Function that returns a pixmap for the space below the rows, or None.
+    suggestions : callable
+        Function that returns suggested changes: texts with new values of properties. Each has a button.
+    footnote : callable
+        Function that returns the text of slow results below all widgets.
     """
 
     title: str

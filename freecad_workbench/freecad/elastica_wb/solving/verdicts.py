@@ -33,8 +33,11 @@ class Fault:
     Attributes
     ----------
     words : str
-        Short text for a heading. sentence : str Text as a full sentence. number : str Name of the property
-        with the result that is beyond its limit.
+        Short text for a heading.
+    sentence : str
+        Text as a full sentence.
+    number : str
+        Name of the property with the result that is beyond its limit.
     curve_helps : bool
         True if the nearest curve within limits may not have this fault.
     """
