@@ -108,7 +108,10 @@ def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
 def shown_model(obj: Any) -> Model:
     """Return the model from which the current shape was made; see `shown_strip`.
 
-    Raises ------ ElasticaError For the reasons of `model_of`, which is called if no model is cached.
+    Raises
+    ------
+    ElasticaError
+        For the reasons of `model_of`, which is called if no model is cached.
     """
     shape, place, model = _shown.get(obj.Proxy, (None, None, None))
     return model if model and obj.Shape.isPartner(shape) and container(obj) == place else model_of(obj)

@@ -147,10 +147,8 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     body = group is not None and group.TypeId == BODY and not _solids(group)
     obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
     StripFeature(obj)
-    if (
-        is_sketch(sketch) and sketch.Label != sketch.Name
-        # use the label of the sketch only if the user chose it, because FreeCAD does not allow two equal labels
-    ):
+    # use the label of the sketch only if the user chose it, because FreeCAD does not allow two equal labels
+    if is_sketch(sketch) and sketch.Label != sketch.Name:
         obj.Label = f"{sketch.Label} {translate('Elastica', 'strip')}"
     if group is not None and (body or group.TypeId != BODY):
         group.addObject(obj)
@@ -166,8 +164,11 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
 def shown_strips(obj: Any) -> Iterator[Standing]:
     """Yield the strips that an object displays, with the placement of each copy.
 
-    Raises ------ InputError For the reasons of `copies`. Or a pattern of a body repeats a strip, which would
-    fuse the copies to one solid.
+    Raises
+    ------
+    InputError
+        For the reasons of `copies`. Or a pattern of a body repeats a strip, which would fuse the copies
+        to one solid.
     """
     for standing in copies(obj):
         strip = next(filter(is_strip, repeated(standing[0])), None)
@@ -184,7 +185,10 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
 def strip_of(obj: Any) -> Strip:
     """Return the `Strip` record of a strip feature.
 
-    Raises ------ ElasticaError The strip cannot be made as requested.
+    Raises
+    ------
+    ElasticaError
+        The strip cannot be made as requested.
     """
     return solve_strip(spec_of(obj, drawn_curve(obj.Curve, obj)))
 
@@ -267,7 +271,10 @@ def _may_help(spec: StripSpec, change: Change) -> bool:
 def shown_strip(obj: Any) -> Strip:
     """Return the strip from which the current shape was made. Features that depend on the strip use it.
 
-    Raises ------ ElasticaError For the reasons of `strip_of`, which is called if no strip is cached.
+    Raises
+    ------
+    ElasticaError
+        For the reasons of `strip_of`, which is called if no strip is cached.
     """
     return _shown.get(obj.MadeFrom) or strip_of(obj)
 

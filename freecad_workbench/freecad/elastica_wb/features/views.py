@@ -72,7 +72,7 @@ class ModelView(View):
     icon_name = "Elastica_Interlock"
 
     def claimChildren(self) -> list[Any]:
-        """Return the strips for the tree. Strips outside of a model have no slots."""
+        """Return the strips for the tree. The model displays the strips with their slots."""
         return list(self.Object.Strips)
 
     def onDelete(self, _provider: Any, _elements: Any) -> bool:

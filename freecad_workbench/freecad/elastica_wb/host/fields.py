@@ -207,7 +207,10 @@ def _is_quantity(widget: Any) -> bool:
 
 
 def _is_emptied(widget: Any) -> bool:
-    """Return True if the user has emptied a box that may be empty. Otherwise Qt would restore the earlier text."""
+    """Return True if the user has emptied a box whose empty state has a meaning.
+
+    The caller sets the value of such a box, because Qt would restore the earlier text.
+    """
     may_be_empty = isinstance(widget, QtWidgets.QDoubleSpinBox) and bool(widget.specialValueText())
     return may_be_empty and not widget.cleanText().strip()
 
@@ -238,7 +241,7 @@ class _Keeper(QtCore.QObject):
         if kind == QtCore.QEvent.KeyPress and event.text() == "." and _takes_numbers(widget):
             point = str(widget.locale().decimalPoint())
             if point != ".":
-                # FreeCAD's box would ignore the point as a separator of thousands, and read 5 mm
+                # FreeCAD's box would ignore the point as a separator of thousands, and read 0.5 mm as 5 mm
                 typed = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Comma, event.modifiers(), point)
                 QtWidgets.QApplication.sendEvent(widget, typed)
                 return True

@@ -74,7 +74,10 @@ def progress(title: str, count: int = 0) -> Iterator[Step]:
 def in_background(title: str, work: Callable[..., Answer], *arguments: Any) -> Answer:
     """Run a function in another thread and return its result. After half a second the user can stop it.
 
-    Raises ------ NotConvergedError The user stopped the work.
+    Raises
+    ------
+    NotConvergedError
+        The user stopped the work.
     """
     if not App.GuiUp:
         return work(*arguments)
@@ -111,7 +114,10 @@ def in_steps(title: str, items: Sequence[Item], work: Callable[[Item], Answer]) 
 
     The user can stop the work between items.
 
-    Raises ------ NotConvergedError The user stopped the work.
+    Raises
+    ------
+    NotConvergedError
+        The user stopped the work.
     """
     answers = []
     with progress(title, len(items)) as step:

@@ -132,7 +132,7 @@ class BetweenClamps:
         document = self.sketch.Document
         open_step(document, translate("Elastica_Between", "Curve of given length"))
         self.number = recorded(replace_curve, self.sketch, self.number, self.found.curve)
-        record_call(self.sketch, "solve")  # macros must also solve the sketch, because this moves its points
+        record_call(self.sketch, "solve")  # solve within the step, because solving moves points
         close_step(document)
 
     def _places(self) -> FloatArray:

@@ -59,7 +59,7 @@ class LaterResults:
             self._wait_for(nest)
 
     def slotDeletedDocument(self, document: Any) -> None:
-        """Remove the nests of the document from the queue."""
+        """Forget the nests of the document."""
         self._nests.pop(document.Name, None)
 
     slotRedoDocument = slotUndoDocument

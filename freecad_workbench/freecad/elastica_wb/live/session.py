@@ -142,7 +142,7 @@ class Session:
         self._placed = curve.control_points
         open_step(document, translate("Elastica", "Use the nearest curve"))
         recorded(curve_into, self.sketch, curve)
-        record_call(self.sketch, "solve")  # macros must also solve the sketch, because this moves its points
+        record_call(self.sketch, "solve")  # solve within the step, because solving moves points
         close_step(document)
         self.refresh()
 

@@ -39,7 +39,10 @@ class Panel:
     opened: "Panel | None" = None
 
     def __init__(self, document: Any = None, subjects: Iterable[Any] = ()) -> None:
-        """Open the panel. It may change `document`; it is closed if one of the objects `subjects` is deleted."""
+        """Open the panel, which may change `document`.
+
+        It needs the objects `subjects`. If one of them was deleted, OK shows an error.
+        """
         Panel.opened = self
         self.subjects = list(subjects)
         self._homes = [subject.Document for subject in self.subjects] + [document]
@@ -180,7 +183,7 @@ class Panel:
 
 
 class _Documents:
-    """Observer that closes a panel when its document is closed."""
+    """Observer that closes a panel when a document that it changes or reads is closed."""
 
     def slotDeletedDocument(self, document: Any) -> None:
         panel = Panel.opened

@@ -216,7 +216,7 @@ class PropertyPanel(Panel):
         self._changed.clear()
 
     def _unbound(self, names: Iterable[str]) -> list[tuple[Any, str]]:
-        """Yield pairs of a feature and the name of a property, except properties that are set by a formula."""
+        """Return pairs of a feature and the name of a property, except properties that are set by a formula."""
         bound = {(obj, path) for obj in self.objects for path, *_ in obj.ExpressionEngine}
         return [(obj, name) for obj in self.objects for name in names if (obj, name) not in bound]
 

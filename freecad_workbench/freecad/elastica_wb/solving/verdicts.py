@@ -39,7 +39,7 @@ class Fault:
     number : str
         Name of the property with the result that is beyond its limit.
     curve_helps : bool
-        True if the nearest curve within limits may not have this fault.
+        True if the nearest curve within limits may be free of this fault.
     """
 
     words: str
