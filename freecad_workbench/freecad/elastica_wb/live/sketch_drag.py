@@ -28,7 +28,7 @@ POINTS = {
     "Part::GeomArcOfParabola": 3,
     "Part::GeomBSplineCurve": 2,
 }
-"""Number of points that the sketcher draws for each type of geometry, in the order of the geometry in the sketch."""
+"""Number of points that the sketcher draws for each type of geometry, in the order of geometry in the sketch."""
 
 
 class Dragged:
