@@ -1,5 +1,5 @@
-"""`elastica batten`: compute the taper with which a pressed batten has its largest depth at the requested
-position.
+"""`elastica batten`: compute the taper with which a pressed batten has its largest depth, the camber, at the
+requested position.
 """
 
 from functools import partial

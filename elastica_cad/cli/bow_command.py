@@ -170,7 +170,7 @@ def _rows(made: Bow, *, known: bool) -> list[Row]:
 
 
 def _curve_row(made: Bow) -> Row:
-    """Return the row with the distance from the drawn curve. It is a warning if this is a different curve."""
+    """Return the row with the distance from the drawn curve. It is a warning if this exceeds `FAR_SHARE`."""
     text = f"at most {made.deviation:.3g} mm from the drawn curve"
     if made.deviation <= FAR_SHARE * made.length:
         return Row("Curve", text)

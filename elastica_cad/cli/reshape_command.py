@@ -1,4 +1,4 @@
-"""`elastica reshape`: move a curve by four handles.
+"""`elastica reshape`: deform a curve by moving four handles.
 
 If a strip can be bent into the curve, a strip can be bent into the new curve.
 """

@@ -218,7 +218,7 @@ def _between(strip: Strip) -> list[dict[str, Any]]:
     """Return rails, pins, ties and point forces with their stations (mm) and forces on the strip (N).
 
     A tie has its length (mm) and its pull (N). `moved_per_mm` is the largest displacement of the strip, mm,
-    if the element is mounted 1 mm away from its position.
+    if a rail or pin is mounted 1 mm away from its position, or if the length of a tie is wrong by 1 mm.
     """
     rows = []
     moves = displacements_per_mm(strip.rod)

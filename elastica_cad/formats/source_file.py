@@ -272,9 +272,9 @@ def _whole(number: int) -> str:
 def half_last_place(numbers: Iterable[str]) -> float:
     """Return half a unit of the last written digit of coordinates: their largest rounding error.
 
-    Some programs write a fixed number of decimals without trailing zeros, and some a fixed number of
-    significant digits. The number with the coarsest rounding determines the result, which is 0 if there are
-    no numbers.
+    Some programs write a fixed number of decimals without trailing zeros, so the most decimals determine the
+    result. Other programs write a fixed number of significant digits, so the largest numbers determine it,
+    because their rounding is coarsest. Without numbers the result is 0.
 
     Examples
     --------

@@ -240,7 +240,7 @@ def _made(spec: StripSpec) -> tuple[Rod | NearestRod, Strip]:
 
 
 def _stopped(request: Mapping[str, Any]) -> Record:
-    """Return the strip for the possible position of a dragged control point that is nearest to the mouse.
+    """Return the strip for a possible position of a dragged control point, on its way to the mouse.
 
     `request["hold"]` has the index of the point, its last possible position `from`, and the tolerance `step`, mm.
     If the point cannot move, the record has only this position.
