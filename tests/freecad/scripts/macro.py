@@ -29,7 +29,6 @@ from inside import (
     scroll_to,
     sketch,
     still,
-    suggested,
     trigger,
     typed,
     until,
@@ -140,7 +139,7 @@ def change_ones_mind(document):
     open_panel("Elastica_Strip", wide)
     button("Cancel")
     open_panel("Elastica_Strip", bad)
-    click(suggested("Take the nearest curve that a strip can take."))
+    panel().form.Follow.setCurrentIndex(1)  # as the keyboard does, because no button suggests it
     until(lambda: panel().object.Follow == "Nearest")
     button()
     (first,) = strips_of(document)
