@@ -578,7 +578,7 @@ def curve_from_points(
         _require_near(pieces[0], points, tolerance)
         return pieces[0].drawn_as(replace(drawn, measured=measured))
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
-    # fall back to a polyline, because noise and corners cannot be separated
+    # record no noise, because noise and corners cannot be separated
     drawn = (
         replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, noise=0.0))
     )

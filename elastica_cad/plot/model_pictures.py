@@ -215,9 +215,9 @@ def model(
 ) -> Figure:
     """Draw the bent strips of a model in the colours of their sheets, viewed from two angles (degrees).
 
-    Tabs, slots and holes are drawn, but of a laminate only the base. `holders` are drawn without slots, in
-    addition to the plates of the model. `flat` is the number of different flat parts that are drawn below at
-    a common scale: the first, the last, and some between them.
+    Tabs, slots and holes of strips are drawn, but of a laminate only the base. `holders` are drawn in addition
+    to the plates of the model; slots of plates and holders are not drawn. `flat` is the number of different
+    flat parts that are drawn below at a common scale: the first, the last, and some between them.
     """
     require_model(model)
     if not (is_whole(flat) and flat >= 0):

@@ -485,8 +485,9 @@ def _sheets(request: Mapping[str, Any]) -> Record:
 
 
 def _bend(request: Mapping[str, Any]) -> Record:
-    """Return the shapes of a strip from flat to its design and beyond, with end forces and the positions of
-    snaps.
+    """Return the shapes of a strip from flat to its design and beyond.
+
+    Each has the force and moment at an end, and True if it is stable.
     """
     spec = _spec(request)
     strip = spec.make()
