@@ -51,7 +51,7 @@ class KitContents:
 
     @cached_property
     def cut_list(self) -> CutList:
-        """List of all parts to be cut."""
+        """List of all parts to be cut. It is cached, because the search for parts of equal shape is slow."""
         return cut_list(self.pieces)
 
     @cached_property
@@ -133,7 +133,7 @@ def _joined(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> M
 
 
 def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> dict[str, Splice]:
-    """Return the strips that are joined from pieces, by name."""
+    """Return the strips that are longer than the stock and are therefore joined from pieces, by name."""
     splices = {
         part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, requests))
         for part in model.parts

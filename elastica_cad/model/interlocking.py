@@ -114,7 +114,7 @@ crossing.
 """
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
-"""Decimals of positions (mm) and of unit vectors at which relative placements of pairs count as equal."""
+"""Decimals to which positions (mm) and unit vectors of pairs are compared, because copies differ by rounding."""
 
 PITCH_MM = 1.5
 """Largest distance, mm, between points along the centre line of a slot, which may be curved."""

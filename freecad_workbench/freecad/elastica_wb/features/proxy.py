@@ -64,7 +64,10 @@ HIDDEN_BY_ERROR = Property(
 SHOWN_BY_ERROR = result(
     "Bool", "ShownByError", "Shown because the recompute of its model failed", hidden=True
 )
-"""Property that is True for strips that were made visible because their model failed."""
+"""Property that is True for strips that were made visible because their model failed.
+
+They are displayed so that the view is not empty after an error.
+"""
 
 REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 

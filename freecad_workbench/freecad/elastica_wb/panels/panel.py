@@ -177,7 +177,8 @@ class Panel:
         if Gui.ActiveDocument is not None:
             Gui.ActiveDocument.resetEdit()
         Gui.Control.closeDialog()
-        # release the wrapper, because PySide would reuse it for the next widget at the same address
+        # release the wrappers, because PySide would reuse them for the next widgets at the same addresses; they
+        # are collected, because signals form reference cycles
         self.form = None
         gc.collect()
 

@@ -63,7 +63,7 @@ class SheetsPanel(Panel):
         """Return the sheet that the widgets define."""
         # read only numbers that the user has changed, because widgets round the displayed numbers
         typed = {field: self.value(field) for field in NUMBERS if self.value(field) != self.filled[field]}
-        # remove the published range of a property for which the user typed another number
+        # remove the range of a property for which the user typed another number, because it no longer applies
         ranges = {f"{field}_range": None for field in typed if hasattr(self.seen, f"{field}_range")}
         name, source = self.form.name.text().strip(), " ".join(self.form.source.toPlainText().split())
         # 0 is displayed as an empty field, which means that the modulus is estimated
