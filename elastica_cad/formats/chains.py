@@ -69,7 +69,8 @@ class JoinedRuns:
     closed : tuple of float
         Widths, mm, of the closed gaps that are explained by the rounding of coordinates in the file.
     widest : float
-        Width, mm, of the widest gap that would be closed. It is set by the rounding of the coordinates.
+        Width, mm, of the widest gap that would be closed: the tolerance, or more if the coordinates are rounded
+        coarsely.
     """
 
     chains: list[Run]

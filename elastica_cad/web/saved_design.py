@@ -61,7 +61,7 @@ def start_designs() -> dict[str, Tables]:
 def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
     """Convert the curves in the tables of a design to splines.
 
-    Its files are relative to `path`; `read_curves` reads curve files.
+    `path` is the file of the design, and `read_curves` reads the curve files that it names.
 
     Raises
     ------
