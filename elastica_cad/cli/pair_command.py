@@ -14,7 +14,7 @@ from elastica_cad.cli.options import (
     requested_sheet,
     sheet_options,
 )
-from elastica_cad.cli.requested_curves import requested_curves, unit_option
+from elastica_cad.cli.requested_curves import RequestedCurve, requested_curves, unit_option
 from elastica_cad.cli.settings import parsed_settings, set_option
 from elastica_cad.cli.strip_options import with_settings
 from elastica_cad.cli.voice import answer, say_row, say_step, wrote
@@ -26,7 +26,6 @@ from elastica_cad.design.records import Reader
 from elastica_cad.design.tables import Table
 from elastica_cad.errors import InputError
 from elastica_cad.files import read_curves
-from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.pairs.flexure_spec import FlexureSpec
@@ -108,11 +107,15 @@ def _spec_of(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
         raise InputError("The sheet is missing. Run elastica pair FIRST SECOND --sheet NAME.")
     table = given_of(chosen, (entry.name for entry in _COMMON_OPTIONS))
     table |= {} if chosen["ratio"] is None else {"limits": {"ratio": chosen["ratio"]}}
+    first, second = _curves(chosen)
+    names = (first.drawn.chosen_name, second.drawn.chosen_name)
+    if names[0] != names[1]:
+        table |= dict(zip(("first_state", "second_state"), names, strict=True))
     given = Reader().given(PairKeys, Table(with_settings(table, settings), "", {}))
-    return FlexureSpec(*_curves(chosen), requested_sheet(chosen), **given)
+    return FlexureSpec(first.bendable(None), second.bendable(None), requested_sheet(chosen), **given)
 
 
-def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
+def _curves(chosen: dict[str, Any]) -> tuple[RequestedCurve, RequestedCurve]:
     """Return both curves, in the order of the file if a single drawing has both."""
     path, unit = chosen["first"], chosen["unit"]
     if chosen["second"] is None and chosen["first_curve"] is None and chosen["second_curve"] is None:
@@ -124,12 +127,12 @@ def _curves(chosen: dict[str, Any]) -> tuple[PlaneCurve, PlaneCurve]:
                 path=path,
                 count=len(drawn),
             )
-        return drawn[0].bendable(None), drawn[1].bendable(None)
+        return drawn[0], drawn[1]
 
-    def curve_of(file: Path, which: str) -> PlaneCurve:
+    def curve_of(file: Path, which: str) -> RequestedCurve:
         how = f"--{which} 1 .. --{which} {{count}}, or --{which} ID"
         (requested,) = requested_curves(file, unit, chosen[f"{which}_curve"], None, corners=False, how=how)
-        return requested.bendable(None)
+        return requested
 
     return curve_of(path, "first"), curve_of(chosen["second"] or path, "second")
 

@@ -12,6 +12,7 @@ from elastica_cad.design.records import CurveReader, Reader, names_of
 from elastica_cad.design.tables import Table, merged
 from elastica_cad.errors import InputError
 from elastica_cad.formats.source_file import require_file
+from elastica_cad.pairs.flexure import STATES
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 
 
@@ -57,7 +58,11 @@ def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> Fl
     if not top.has("pair"):
         raise InputError("{path} has no table [pair]. Name two curves, or run `elastica model`.", path=path)
     top.scope = top.within(top.raw("let", {}))
-    spec: FlexureSpec = Reader(own_sheets(top, path), path.parent, read_curves).record(
-        FlexureSpec, top.table("pair")
-    )
+    pair = top.table("pair")
+    curves = {state: pair.raw(state) for state in STATES}
+    ids = {state: curve["id"] for state, curve in curves.items() if isinstance(curve, dict) and "id" in curve}
+    if len(set(ids.values())) == len(ids):
+        names = {f"{state}_state": name for state, name in ids.items()}
+        pair.defaults = Table(names, pair.where, pair.scope)
+    spec: FlexureSpec = Reader(own_sheets(top, path), path.parent, read_curves).record(FlexureSpec, pair)
     return spec

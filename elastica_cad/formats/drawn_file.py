@@ -206,6 +206,12 @@ class DrawnCurve:
     chain: Run = field(default=(), repr=False)
     flatten: Callable[[Run], Run] | None = field(default=None, repr=False)
 
+    @property
+    def chosen_name(self) -> str:
+        """Name if a person chose it, or "" for a name that a program made."""
+        source = self.chain[0].source if self.chain else None
+        return self.name if source is not None and source.is_named else ""
+
     @cached_property
     def curve(self) -> PlaneCurve:
         """The curve, mm.

@@ -10,12 +10,13 @@ import numpy as np
 from elastica_cad.defaults import LASER_KERF
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting
 from elastica_cad.files import step_trouble
-from elastica_cad.formats.write_files import File, write_json
+from elastica_cad.formats.write_files import File, write_json, write_text
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, save_solid
-from elastica_cad.pairs.flexure import Flexure
+from elastica_cad.pairs.flexure import STATES, Flexure, State
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import FieldName, Length, Refusal, note
+from elastica_cad.strip.pieces import distinct, file_word
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,12 +48,17 @@ class MadePair:
             for file in cutting_files(drawing, stem, self.cutting, part.sheet)
         ]
         if not step_trouble():
-            files += [File(f"{name}.step", self._write_step)]
+            stems = distinct([name, *(f"{name}-{file_word(str(label))}" for label in part.state_labels)])
+            files += [
+                File(f"{stem}.step", partial(self._write_step, state))
+                for stem, state in zip(stems, (None, *STATES), strict=True)
+            ]
             files += [File(f"{name}.stl", partial(save_solid, part.solid))]
             holder = part.holder_solid
             files += [File(f"{name}-holder.stl", partial(save_solid, holder, bed=holder.frame))]
         if can_draw():
             files.append(File(f"{name}.png", self._picture()))
+        files.append(File(f"{name}-force.csv", lambda path: write_text(path, part.force_csv())))
         matched = self.spec.matched
         report = {
             "name": name,
@@ -94,10 +100,10 @@ class MadePair:
             thin=Length(thin), percent=100 * (left / thin) ** 3,
         )  # fmt: skip
 
-    def _write_step(self, path: Path) -> None:
+    def _write_step(self, state: State | None, path: Path) -> None:
         from elastica_cad.kernel.step_files import write_flexure_step
 
-        write_flexure_step(self.part, path, name=self.name)
+        write_flexure_step(self.part, path, state=state, name=self.name)
 
     def _picture(self) -> Callable[[Path], object]:
         """Return a function that draws the picture and can be pickled."""

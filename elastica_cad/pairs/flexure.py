@@ -33,8 +33,8 @@ from elastica_cad.pairs.pushed_rod import PushPath, RestShape, push_path, rest_s
 from elastica_cad.pairs.two_state_rods import TwoStateRod
 from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.corner_rounding import round_corners
-from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
-from elastica_cad.strip.lettering import Text, fit_label
+from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
+from elastica_cad.strip.lettering import Text, centred_text, fit_label
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.solids import FlatSolid, turned
 
@@ -179,6 +179,8 @@ class Flexure:
         Text that is engraved on the first pad.
     ignore_limits : bool
         True to accept a part that is too thin, has too much strain, or touches itself.
+    state_names : pair of str
+        Names of both states, "" for "first state" and "second state".
 
     Raises
     ------
@@ -214,6 +216,7 @@ class Flexure:
     printed: bool = False
     label: str = ""
     ignore_limits: bool = False
+    state_names: tuple[str, str] = ("", "")
 
     def __post_init__(self) -> None:
         require_record(self.pair, TwoStateRod, "the pair", "a TwoStateRod, as two_state_rod gives")
@@ -240,6 +243,12 @@ class Flexure:
     def __repr__(self) -> str:
         low, high = self.thickness_range
         return f"<Flexure of {self.pair.length:.4g} mm, {self.sheet.name}, {low:.3g} to {high:.3g} mm thick>"
+
+    @cached_property
+    def state_labels(self) -> tuple[str, str]:
+        """Names of both states in rows, warnings and pictures."""
+        first, second = self.state_names
+        return first or note("first state"), second or note("second state")
 
     # --- thickness, strain and rest shapes
 
@@ -498,9 +507,12 @@ class Flexure:
     def holder(self) -> Drawing:
         """Return a plate with holes for both pads; the end pad has two sets unless the part is bistable."""
         places = [self.hole_places(line) for line in self.states]
-        groups = [(places[0][0], ""), (places[0][1], "" if self.pair.bistable else "1")]
+        groups = [
+            (places[0][0], ""),
+            (places[0][1], "" if self.pair.bistable else self.state_names[0] or "1"),
+        ]
         if not self.pair.bistable:
-            groups.append((places[1][1], "2"))
+            groups.append((places[1][1], self.state_names[1] or "2"))
         middles = np.concatenate([group for group, _ in groups])
         margin = self.pad_width / 2 + self.pad.hole
         low, high = middles.min(axis=0) - margin, middles.max(axis=0) + margin
@@ -515,11 +527,8 @@ class Flexure:
                 "of the pads, or turn the second curve so that its end is elsewhere",
                 apart=Length(apart),
             )
-        texts = [
-            Text((float(group[:, 0].mean()), float(group[:, 1].mean())), name, 3.0, 0.0, ENGRAVE)
-            for group, name in groups
-            if name
-        ]
+        room = self.pad.length - 2 * self.pad.inset - self.pad.hole
+        texts = [centred_text(name, group.mean(axis=0), 3.0, room) for group, name in groups if name]
         holes = [LayeredPath(CUT_INNER, Path.circle(place, self.pad.hole / 2)) for place in distinct]
         name = f"{self.label or 'flexure'}-holder"
         return Drawing(name, (*holes, LayeredPath(CUT_OUTER, plate)), tuple(texts))
@@ -575,6 +584,19 @@ class Flexure:
         if self.push_at is None and far[i] < FAR_SHARE * far.max():
             i = int(far.argmax())
         return float(first.s[i]), np.asarray(distances[i])
+
+    @cached_property
+    def force_direction(self) -> float:
+        """Direction of the force, in degrees anticlockwise from the x axis of the first curve.
+
+        It is the direction of the push. If the part is not bistable, it is the direction in which the largest
+        force acts on its end.
+        """
+        if self.pair.bistable:
+            x, y = self.pushed[1]
+        else:
+            x, y = -self._led_rods[int(self.travel.force.argmax())].force[-1]
+        return float(np.degrees(np.arctan2(y, x)))
 
     @cached_property
     def travel(self) -> FlexureTravel:
@@ -647,19 +669,22 @@ class Flexure:
             self.bistable and reached,
         )  # fmt: skip
 
-    def _push(self, start: Rod, scale: float, *snap: float) -> PushPath:
+    def _push(self, start: Rod, scale: float, *places: float) -> PushPath:
         """Return the path of a push straight to the other state.
 
-        Steps are finer before a snap at `snap` mm.
+        Steps are finer up to each of the travels `places`, mm.
         """
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
-        travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*snap, float(np.hypot(*push)))]
+        travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*places, float(np.hypot(*push)))]
         return push_path(start, at, push, np.unique(travel), thickness=scale)
 
     def _push_finely(self, start: Rod, scale: float) -> PushPath:
         path = self._push(start, scale)
-        return path if path.snap is None else self._push(start, scale, path.snap)
+        if path.snap is None:
+            return path
+        peak = path.travel[path.force[path.travel <= path.snap].argmax()]
+        return self._push(start, scale, path.snap, 2 * float(peak))
 
     def _nodal(self, shape: PushPath | RestShape) -> tuple[FloatArray, FloatArray]:
         """Return the changes of curvature, 1/mm, and axial strains (..., n) of a shape at the nodes of the rod."""
@@ -683,7 +708,7 @@ class Flexure:
                     float(first.angle[-1] + share * (angle - first.angle[-1])),
                 ),
             }
-            for share in np.linspace(0.0, 1.0, TRAVEL_STEPS // 2 + 1)
+            for share in np.linspace(0.0, 1.0, TRAVEL_STEPS + 1)
         ]
         return bend_path(first, steps)
 
@@ -705,9 +730,9 @@ class Flexure:
     def contacts(self) -> dict[str, float]:
         """Gaps that are less than `LEAST_GAP_MM`, mm, of the unloaded part and of both states, by name."""
         lines = {
-            "unloaded": self.centre,
-            "in its first state": self.states[0],
-            "in its second state": self.states[1],
+            note("unloaded"): self.centre,
+            self.state_labels[0]: self.states[0],
+            self.state_labels[1]: self.states[1],
         }
         gaps = {name: self._gap(line) for name, line in lines.items()}
         return {name: gap for name, gap in gaps.items() if gap < LEAST_GAP_MM}
@@ -781,11 +806,9 @@ class Flexure:
                                   "{sheet} withstands for long: {outcome}"),
                               severity="warning", worst=100 * worst, percent=verdict.percent, sheet=self.sheet.name,
                               outcome=verdict.outcome))  # fmt: skip
-        for name, side in zip(STATES, self.sideways, strict=True):
+        for name, side in zip(self.state_labels, self.sideways, strict=True):
             if side.needs_guiding:
-                messages.append(
-                    note("the {name} state: {side}", severity="warning", name=name, side=str(side))
-                )
+                messages.append(note("{name}: {side}", severity="warning", name=name, side=str(side)))
         messages += self.rest_warnings
         try:
             travel = self.travel
@@ -812,19 +835,21 @@ class Flexure:
     def rest_warnings(self) -> tuple[Refusal, ...]:
         """Warnings about states that are not stable, or whose rest shapes are far from the drawn curves."""
         if self.pair.bistable and not self.bistable:
-            return (note("the part is not bistable, because its forces stretch it, so it rests only near the "
-                         "{name} curve. Make it thinner ({field}), or bend the curves more",
+            return (note("the part is not bistable, because its forces stretch it, so it rests only near one "
+                         "curve ({name}). Make it thinner ({field}), or bend the curves more",
                          severity="warning", field=FieldName("least_thickness"),
-                         name=STATES[int(np.argmin(self.rest_deviations))]),)  # fmt: skip
+                         name=self.state_labels[int(np.argmin(self.rest_deviations))]),)  # fmt: skip
         messages = []
-        for name, far, stays in zip(STATES, self.rest_deviations, self.pair.stability, strict=True):
+        for name, far, stays in zip(
+            self.state_labels, self.rest_deviations, self.pair.stability, strict=True
+        ):
             if not stays.stable:
-                messages.append(note("the {name} state is unstable: the part snaps into another shape, up to "
+                messages.append(note("a state is unstable ({name}): the part snaps into another shape, up to "
                                      "{far} away",
                                      severity="warning", name=name, far=Length(far)))  # fmt: skip
             elif far > REST_SHARE * self.pair.length:
-                messages.append(note("the part rests up to {far} from the {name} curve ({percent:.2g} % of "
-                                     "its length), because its forces stretch it. Make it thinner ({field}), "
+                messages.append(note("the part rests up to {far} from its curve ({name}), {percent:.2g} % of "
+                                     "its length, because its forces stretch it. Make it thinner ({field}), "
                                      "or bend the curves more",
                                      severity="warning", field=FieldName("least_thickness"), far=Length(far),
                                      name=name, percent=100 * far / self.pair.length))  # fmt: skip
@@ -836,6 +861,7 @@ class Flexure:
         travel, pair = self.travel, self.pair
         report = {
             "sheet": self.sheet.name,
+            "states": [str(label) for label in self.state_labels],
             "length_mm": pair.length,
             "bistable": self.bistable,
             "free": pair.free,
@@ -854,6 +880,7 @@ class Flexure:
             "rest_deviation_mm": list(self.rest_deviations),
             "largest_force_N": travel.largest_force,
             "largest_force_range_N": list(self.force_range),
+            "force_direction_deg": self.force_direction,
             "snap_travel_mm": travel.snap,
             "work_N_mm": travel.work,
             "reaches_second_state": travel.reached,

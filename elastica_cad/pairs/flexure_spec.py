@@ -6,12 +6,14 @@ from typing import Annotated, Literal
 
 from elastica_cad._values import EqualByValue
 from elastica_cad.declared import Option, require_declared
+from elastica_cad.errors import InputError
 from elastica_cad.forming.fairing_request import smooth_curve
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.pairs.flexure import Flexure, Pad
 from elastica_cad.pairs.matching import MatchedPair, matched_pair, same_way
 from elastica_cad.pairs.two_state_rods import Objective, PairLimits, State, TwoStateRod, two_state_rod
+from elastica_cad.refusals import FieldName
 
 Match = Literal["ends", "shape", "none"]
 
@@ -39,6 +41,8 @@ class FlexureSpec(EqualByValue):
         ratio.
     least_thickness, pad, fillet, push_at, printed, label, ignore_limits
         As in `Flexure`.
+    first_state, second_state : str
+        Names of the states.
 
     Examples
     --------
@@ -108,9 +112,16 @@ class FlexureSpec(EqualByValue):
     ignore_limits: Annotated[
         bool, Option("Make the part even if it is too thin or touches itself.", common=True)
     ] = False
+    first_state: Annotated[str, Option("Name of the first state; by default the id of its curve.")] = ""
+    second_state: Annotated[str, Option("Name of the second state; by default the id of its curve.")] = ""
 
     def __post_init__(self) -> None:
         require_declared(FlexureSpec, vars(self))
+        if self.first_state and self.first_state == self.second_state:
+            raise InputError(
+                "Both states have the name {name}. Use two names ({fields}).",
+                name=self.first_state, fields=FieldName("second_state"),
+            )  # fmt: skip
 
     @cached_property
     def matched(self) -> MatchedPair | None:
@@ -142,4 +153,5 @@ class FlexureSpec(EqualByValue):
         return Flexure(
             self.pair, Sheet.of(self.sheet), least_thickness=self.least_thickness, pad=self.pad, fillet=self.fillet,
             push_at=self.push_at, printed=self.printed, label=self.label, ignore_limits=self.ignore_limits,
+            state_names=(self.first_state, self.second_state),
         )  # fmt: skip

@@ -1,7 +1,9 @@
 """Labelled rows of the report on a part with two states, for text and page."""
 
+from typing import Any
+
 from elastica_cad.mechanics.section_limits import judge_strain
-from elastica_cad.pairs.flexure import Flexure
+from elastica_cad.pairs.flexure import STATES, Flexure
 from elastica_cad.refusals import Length, Refusal, Span, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
@@ -22,13 +24,17 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
     path = [] if quick else [Row(note("Force"), _force(part))]
     first, second = part.rest_deviations
     rest = note(
-        ("at rest the part is up to {far} from the first and {other} from the second curve, because its "
-         "forces stretch it"),
-        far=about(first), other=about(second),
+        "at rest the part is up to {far} ({first}) and {other} ({second}) from its curves, because its forces "
+        "stretch it",
+        far=about(first), other=about(second), **_names(part),
     )  # fmt: skip
     stability = Row(note("Stability"), LATER) if live else _stability(part)
     rows = [_size(part), _strain(part, quick=quick), stability, *path, Row(note("Accuracy"), rest)]
     return in_order(rows)
+
+
+def _names(part: Flexure) -> dict[str, Any]:
+    return dict(zip(STATES, part.state_labels, strict=True))
 
 
 def _size(part: Flexure) -> Row:
@@ -44,12 +50,12 @@ def _size(part: Flexure) -> Row:
 def _strain(part: Flexure, *, quick: bool) -> Row:
     strains = (*part.strain, *(() if quick else (part.travel_strain,)))
     text = note(
-        "{first:.2f} % and {second:.2f} % in the two states; {sheet} allows {limit:.2f} % in the long term"
+        "{one:.2f} % ({first}) and {other:.2f} % ({second}); {sheet} allows {limit:.2f} % in the long term"
         if quick else
-        "{first:.2f} % and {second:.2f} % in the two states, {between:.2f} % between them; {sheet} allows "
+        "{one:.2f} % ({first}) and {other:.2f} % ({second}), {between:.2f} % between them; {sheet} allows "
         "{limit:.2f} % in the long term",
-        first=100 * strains[0], second=100 * strains[1], between=100 * strains[-1],
-        sheet=part.sheet.name, limit=100 * part.sheet.max_strain,
+        one=100 * strains[0], other=100 * strains[1], between=100 * strains[-1],
+        sheet=part.sheet.name, limit=100 * part.sheet.max_strain, **_names(part),
     )  # fmt: skip
     allowed = judge_strain(part.sheet, max(strains)).allowed
     return Row(note("Strain"), text, severity="note" if allowed else "warning")
@@ -67,32 +73,34 @@ def _stability(part: Flexure) -> Row:
     ]  # fmt: skip
     if set(ratings) == {"stable"}:
         return Row(note("Stability"), note("both states are stable, in the plane and sideways"), details)
-    first_word, second_word, left, right = map(note, ratings)
+    one, other, left, right = map(note, ratings)
     text = note(
-        "first state {first}, sideways {left}; second state {second}, sideways {right}",
-        first=first_word, second=second_word, left=left, right=right,
+        "{first}: {one}, sideways {left}; {second}: {other}, sideways {right}",
+        one=one, other=other, left=left, right=right, **_names(part),
     )  # fmt: skip
     return Row(note("Stability"), text, details, "warning")
 
 
 def _force(part: Flexure) -> Refusal:
     """Return a sentence about the forces between the states."""
+    turn = round(part.force_direction)
     if not part.pair.bistable:
         return note(
-            "the part has two settings; moving its end from one to the other takes at most {force}",
-            force=part.force_text,
-        )
+            "the part has two settings; moving its end from one to the other takes at most {force}, at {turn} "
+            "degrees to the x axis",
+            force=part.force_text, turn=turn,
+        )  # fmt: skip
     at = Length(part.pushed[0])
     if (back := part.travel_back) is None:
         return note(
-            "not bistable: the part keeps the second curve only while a force of {force} pushes it at "
-            "{at:.4g} from the start",
-            force=part.force_text, at=at,
+            "not bistable: the part keeps one curve ({second}) only while a force of {force} pushes it at "
+            "{at:.4g} from the start, at {turn} degrees to the x axis",
+            force=part.force_text, at=at, turn=turn, second=part.state_labels[1],
         )  # fmt: skip
     sentence = note(
-        "bistable: if pushed at {at:.4g} from the start, the part snaps over at {force} and back at about "
-        "{back:.2g} N",
-        at=at, force=part.force_text, back=back.largest_force,
+        "bistable: if pushed at {at:.4g} from the start, at {turn} degrees to the x axis, the part snaps over "
+        "at {force}, and back at about {back:.2g} N in the opposite direction",
+        at=at, turn=turn, force=part.force_text, back=back.largest_force,
     )  # fmt: skip
     if part.travel.snap is None:
         return sentence

@@ -41,8 +41,9 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     way = part.travel
     for line in way.position[:: max(1, len(way.position) // 6)]:
         bent.plot(*line.T, color=WAY, lw=0.8, zorder=0)
-    for line, colour, name in zip(lines, (FIRST, SECOND), ("first", "second"), strict=True):
-        bent.fill(*part.outline_along(line).points(chord).T, color=colour, alpha=0.75, lw=0, label=name)
+    for line, colour, name in zip(lines, (FIRST, SECOND), part.state_labels, strict=True):
+        label = name.replace("$", r"\$")
+        bent.fill(*part.outline_along(line).points(chord).T, color=colour, alpha=0.75, lw=0, label=label)
         for pad in part.pads_along(line):
             bent.fill(*np.transpose(pad), color=CUT, lw=0.6, ec=INK)
         for place in part.hole_places(line).reshape(-1, 2):
@@ -52,12 +53,19 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
         there = curve.transformed(moved).survey.position
         bent.plot(*there.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
     if part.pair.bistable:
-        at, push_way = part.pushed
-        start = lines[0].at(np.array([at]))[0][0]
-        pushed = {"arrowstyle": "-|>", "color": INK, "lw": 1.5, "shrinkA": 0, "shrinkB": 0}
-        tip = start + PUSHED_SHARE * push_way
-        bent.annotate("", xy=tip, xytext=start, arrowprops=pushed)
-        bent.annotate("push", tip, (6, 0), textcoords="offset points", fontsize=8)
+        at, displacement = part.pushed
+        start, size = lines[0].at(np.array([at]))[0][0], PUSHED_SHARE * float(np.hypot(*displacement))
+    else:
+        start, size = way.position[way.force.argmax(), -1], part.pad.length
+    turn = np.radians(part.force_direction)
+    tip = start + size * np.array([np.cos(turn), np.sin(turn)])
+    pushed = {"arrowstyle": "-|>", "color": INK, "lw": 1.5, "shrinkA": 0, "shrinkB": 0}
+    bent.annotate("", xy=tip, xytext=start, arrowprops=pushed)
+    left = tip[0] < start[0] - 0.1 * size
+    bent.annotate(
+        f"force, {part.force_direction:.0f}°", tip, (-6 if left else 6, 0), textcoords="offset points",
+        ha="right" if left else "left", fontsize=8, bbox={"fc": "white", "ec": "none", "alpha": 0.8, "pad": 1},
+    )  # fmt: skip
     corner = (0.99, bent.get_position().y1)
     figure.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=corner, ncols=3)
     _even(bent, f"both states at rest, strained by {100 * max(part.strain):.2f} % at most")
@@ -65,7 +73,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     push.axhline(0, color=INK, lw=0.5)
     if way.snap is not None:
         push.axvline(way.snap, color=SECOND, lw=0.8, ls=":")
-    label = "mm of the pushed point" if part.pair.bistable else "share of the way of the end"
+    label = "mm of the pushed point" if part.pair.bistable else "fraction of the displacement of the end"
     push.set_xlabel(label, fontsize=8)
     push.set_ylabel("N", fontsize=8)
     push.tick_params(labelsize=7)

@@ -328,7 +328,7 @@ class Studio {
   }
 
   choose(design) {
-    const strips = design.pair ? STATES.map((state) => ({ label: this.t(state) })) : design.strips ?? [];
+    const strips = design.pair ? STATES.map((state) => ({ label: design.pair[`${state}_state`] || this.t(state) })) : design.strips ?? [];
     this.which.replaceChildren(...(strips.length > 1 ? [html("select", { "aria-label": this.t("Strip"), onchange: (event) => {
       this.strip = +event.target.value;
       this.changed();

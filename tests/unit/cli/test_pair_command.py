@@ -30,10 +30,15 @@ def test_two_curves_become_cutting_files_bodies_picture_and_report(made):
     assert said.exit_code == 0, said.output
     assert "bistable" in said.output
     assert {file.name for file in folder.iterdir()} == {
-        *(f"clip{kind}" for kind in (".dxf", ".svg", ".step", ".stl", ".png", ".json")),
+        *(f"clip{kind}" for kind in (".dxf", ".svg", ".step", ".stl", ".png", ".json", "-force.csv")),
+        "clip-up.step", "clip-down.step",
         "clip-holder.dxf", "clip-holder.svg", "clip-holder.stl",
     }  # fmt: skip
     report = json.loads((folder / "clip.json").read_text())
+    assert report["states"] == ["up", "down"]
+    assert report["force_direction_deg"] == pytest.approx(-90, abs=0.5)
+    assert "0.90 % (up) and 0.90 % (down)" in said.output
+    assert "at -90 degrees to the x axis" in said.output
     assert report["bistable"] is True
     assert report["strain_on_the_way"] <= report["max_strain"]
     assert report["reports"] == []
@@ -66,6 +71,7 @@ def test_a_design_file_asks_for_the_same(made, tmp_path):
     said = run("pair", EXAMPLES / "clip.toml", "-o", tmp_path)
     assert "A laser cut of 0.2 mm leaves 0.751 mm of 0.951 mm at the thinnest place, and 49 %" in said.stderr
     reports = [json.loads((folder / "clip.json").read_text()) for folder in (made[0], tmp_path)]
+    assert reports[0]["states"] == reports[1]["states"]
     assert reports[0]["least_thickness_mm"] == pytest.approx(reports[1]["least_thickness_mm"], rel=1e-9)
 
 
@@ -96,9 +102,9 @@ least_thickness = 2.8
 """
     (tmp_path / "low.toml").write_text(design)
     said = run("pair", tmp_path / "low.toml", "--kerf", "0.2", "-o", tmp_path / "out")
-    assert "not bistable: the part keeps the second curve only while" in said.stdout
+    assert "not bistable: the part keeps one curve (second state) only while" in said.stdout
     assert "snaps" not in said.stdout
-    assert "it rests only near" in said.stderr
+    assert "it rests only near one curve (second state)" in said.stderr
     report = json.loads((tmp_path / "out" / "low.json").read_text())
     assert (report["bistable"], report["reaches_second_state"]) == (False, False)
     assert max(report["rest_deviation_mm"]) > 3
@@ -145,9 +151,13 @@ def test_other_keys_are_set(words, tmp_path):
 
 
 def test_a_printed_stand_has_two_settings(tmp_path):
-    said = run("pair", EXAMPLES / "stand.toml", "-o", tmp_path, "--json")
+    said = run("pair", EXAMPLES / "stand.toml", "--set", "first_state=steep", "-o", tmp_path, "--json")
     assert "laser" not in said.stderr
     report = json.loads(said.output)["pair"]
+    assert report["states"] == ["steep", "second state"]
+    assert {"stand-steep.step", "stand-second-state.step"} <= {file.name for file in tmp_path.iterdir()}
+    engraved = ezdxf.readfile(tmp_path / "stand-holder.dxf").modelspace().query('*[layer=="ENGRAVE"]')
+    assert len(engraved)
     assert report["bistable"] is False
     assert max(*report["strain"], report["strain_on_the_way"]) <= report["max_strain"]
     assert report["reports"] == []
@@ -166,6 +176,7 @@ def test_a_printed_stand_has_two_settings(tmp_path):
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "mdf-3"), "times as large"),
         (("clip.svg", "--sheet", "pom-3", "--kerf", "sheet"), "The width of the cut is not known for pom-3"),
         (("wrong.toml",), "unknown key 'thickness'"),
+        (("clip.toml", "--set", "first_state=down"), "Both states have the name down"),
         (("model.toml",), "no table [pair]"),
     ],
 )  # fmt: skip

@@ -186,8 +186,7 @@ def test_the_range_of_the_force_is_that_of_parts_of_other_thickness():
 def test_shapes_at_rest_are_reported_and_warned_of(low, clip):
     assert [round(far, 1) for far in low.rest_deviations] == [0.6, 0.5]
     assert [str(one).split(" (")[0] for one in low.rest_warnings] == [
-        f"the part rests up to {far:.3g} mm from the {name} curve"
-        for far, name in zip(low.rest_deviations, ("first", "second"), strict=True)
+        f"the part rests up to {far:.3g} mm from its curve" for far in low.rest_deviations
     ]
     assert low.as_dict()["rest_deviation_mm"] == list(low.rest_deviations)
     assert clip.rest_warnings == ()
@@ -244,3 +243,38 @@ def test_a_part_that_touches_itself_is_refused():
     wide = PlaneCurve.arc((0, 60), 60, -np.pi / 2, -np.pi / 2 + loop.length / 60)
     with pytest.raises(InputError, match="may touch itself"):
         FlexureSpec(wide, loop, "polypropylene-3", match="shape", least_thickness=1.0).make()
+
+
+def test_the_direction_of_the_force_is_that_of_the_push(low):
+    moved, turn = low.pushed[1], np.radians(low.force_direction)
+    assert moved @ [np.cos(turn), np.sin(turn)] == pytest.approx(np.hypot(*moved))
+
+
+def test_the_direction_of_the_force_on_an_end_agrees_with_the_energy(stand):
+    """The work of the force and of the moment on the end is the difference of the energy."""
+    rods, k = stand._led_rods, int(stand.travel.force.argmax())
+    before, after = (min(max(n, 0), len(rods) - 1) for n in (k - 1, k + 1))
+    moments = [stand.bending_stiffness * rods[n].moment[-1] for n in (before, after)]
+    turn = np.radians(stand.force_direction)
+    moved = (rods[after].position[-1] - rods[before].position[-1]) @ [np.cos(turn), np.sin(turn)]
+    work = np.mean(stand.travel.force[[before, after]]) * moved
+    work += np.mean(moments) * (rods[after].angle[-1] - rods[before].angle[-1])
+    assert stand.travel.energy[after] - stand.travel.energy[before] == pytest.approx(work, rel=0.1)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("part", ["clip", "low", "stand"])
+def test_half_the_step_changes_the_largest_force_below_one_percent(part, request, monkeypatch):
+    flexure = request.getfixturevalue(part)
+    monkeypatch.setattr("elastica_cad.pairs.flexure.TRAVEL_STEPS", 96)
+    finer = replace(flexure, least_thickness=flexure.scale, ignore_limits=True)
+    assert len(finer.travel.travel) > 1.5 * len(flexure.travel.travel)
+    assert finer.travel.largest_force == pytest.approx(flexure.travel.largest_force, rel=0.01)
+    assert (flexure.travel.travel < flexure.travel.travel[flexure.travel.force.argmax()]).sum() >= 12
+
+
+def test_states_have_names_in_the_holder_and_the_warnings(stand):
+    named = replace(stand, state_names=("reading", ""))
+    assert [text.text for text in named.holder().texts] == ["reading", "2"]
+    assert [text.text for text in stand.holder().texts] == ["1", "2"]
+    assert [str(label) for label in named.state_labels] == ["reading", "second state"]

@@ -50,7 +50,7 @@ class FlexureKeys:
     """Keys of a two-state part for which the feature has properties."""
 
     BESIDE: ClassVar[Record] = FlexureSpec
-    WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet")
+    WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet", "first_state", "second_state")
 
 
 NAMES = {
