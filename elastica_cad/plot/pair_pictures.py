@@ -61,11 +61,9 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     tip = start + size * np.array([np.cos(turn), np.sin(turn)])
     pushed = {"arrowstyle": "-|>", "color": INK, "lw": 1.5, "shrinkA": 0, "shrinkB": 0}
     bent.annotate("", xy=tip, xytext=start, arrowprops=pushed)
-    left = tip[0] < start[0] - 0.1 * size
     bent.annotate(
-        f"force, {part.force_direction:.0f}°", tip, (-6 if left else 6, 0), textcoords="offset points",
-        ha="right" if left else "left", fontsize=8, bbox={"fc": "white", "ec": "none", "alpha": 0.8, "pad": 1},
-    )  # fmt: skip
+        "force", tip if part.pair.bistable else start, (6, 0), textcoords="offset points", fontsize=8
+    )
     corner = (0.99, bent.get_position().y1)
     figure.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=corner, ncols=3)
     _even(bent, f"both states at rest, strained by {100 * max(part.strain):.2f} % at most")
@@ -74,7 +72,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     if way.snap is not None:
         push.axvline(way.snap, color=SECOND, lw=0.8, ls=":")
     label = "mm of the pushed point" if part.pair.bistable else "fraction of the displacement of the end"
-    push.set_xlabel(label, fontsize=8)
+    push.set_xlabel(f"{label}; force at {part.force_direction:.0f}° to the x axis", fontsize=8)
     push.set_ylabel("N", fontsize=8)
     push.tick_params(labelsize=7)
     upto = "force" if way.snap is None else "force up to the snap"
