@@ -268,6 +268,8 @@ push_at = 70
 printed = true
 label = "CLIP"
 ignore_limits = true
+first_state = "open"
+second_state = "closed"
 
 [pair.limits]
 ratio = 8
