@@ -285,7 +285,7 @@ def _workplane_strip(
             continue
         records = FlatSolid.layers(made.strip) if form == "flat" else BentSolid.layers(made.strip, made.frame)
         bodies.append(make_body(records, made))
-    # clean() is done separately, because it would return a body without the data of the strip
+    # skip clean() for bodies that are not combined, because it would return a body without the data of the strip
     tidy = clean and bool(combine)
     points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
     places = points or [cq.Location()]

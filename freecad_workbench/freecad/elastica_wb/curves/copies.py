@@ -59,7 +59,10 @@ def copies(obj: Any) -> Iterator[Standing]:
 
 
 def turned_over(place: App.Placement) -> App.Placement:
-    """Return the placement of a mirrored body whose shape was also mapped by z to -z."""
+    """Return the placement of the mirror image of a placed body, mapped by z to -z.
+
+    It applies to the shape of the body after this shape is mapped by z to -z, too.
+    """
     return App.Placement(TURNED_OVER * place.toMatrix() * TURNED_OVER)
 
 
