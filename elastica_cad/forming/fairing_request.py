@@ -317,7 +317,7 @@ def _faired(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fair
     """Return the curve smoothed by at most `smooth`, mm, with slight corners rounded."""
     rounded, moved = round_corners(curve, smooth)
     require_bendable(rounded)
-    if measured_points(curve) is not None:  # curves fitted to measured points are already smooth
+    if measured_points(curve) is not None:  # `round_corners` has fitted a smooth curve
         return Fairing(rounded, moved, smooth)
     fairing = fair_curve(rounded, smooth - moved, unbent)
     return replace(fairing, moved=fairing.moved + moved, tolerance=smooth)

@@ -113,7 +113,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         )
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:
-        # if all plies have the full length, the shape of the rod does not depend on their number
+        # if all plies have the full length, the shape does not depend on their number, so the fewest are used
         bare = _Search(
             relaxed,
             law,

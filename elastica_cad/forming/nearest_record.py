@@ -85,7 +85,8 @@ class NearestRod:
     mean_deviation : float
         Root mean square distance, mm, between points at the same fraction of the length.
     binding : tuple of Binding
-        Limits and kept properties that increase the distance, those with the largest effect first.
+        Limits and kept properties that are violated, followed by those that increase the distance, each with the
+        largest effect first.
     violation : float
         Largest violation of any limit, in lengths of the drawn curve, radians or fractions of the limit.
     iterations : int

@@ -415,7 +415,10 @@ _IDLE = 1e-6
 
 
 def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod]) -> tuple[Binding, ...]:
-    """Return all limits that increase the distance, those with the largest effect of a relative change first."""
+    """Return the violated limits, followed by the limits that increase the distance.
+
+    Both are sorted by the effect of a relative change, the largest first.
+    """
     size, limits, u = task.target.size, task.limits, problem.grid.unknowns
     if task.request.measure == "max":
         per = size

@@ -766,7 +766,7 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
             break
         if missed <= SETTINGS.exact_violation or missed > SETTINGS.correctable_violation:
             break
-        # scales s of the unknowns with which the derivatives of all rows are at most about 1
+        # scales s with which the derivatives are at most 1, because one unknown may dominate all rows
         s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
         bound = SETTINGS.correction_bound
         lower, upper = ((limit - z) / s / missed for limit in (program.lower, program.upper))

@@ -1,4 +1,4 @@
-"""Properties that bodies of flexures have in every CAD library. A flexure is a part with two stable states."""
+"""Properties that bodies of flexures have in every CAD library. A flexure is a part with two rest shapes."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any

@@ -1,4 +1,4 @@
-"""Kit of a flexure: cutting files, bodies, picture and report. A flexure is a part with two stable states."""
+"""Kit of a flexure: cutting files, bodies, picture and report. A flexure is a part with two rest shapes."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

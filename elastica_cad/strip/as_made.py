@@ -293,8 +293,8 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
     It is used to compute shapes for moved ends.
 
     If the widths are `corrected`, the stiffness in the designed shape is the relative stiffness K of the
-    design. Otherwise the rod is not in equilibrium until its rest shape is computed. The effect is ignored if
-    the sheet's Poisson ratio is only an estimate.
+    design. Otherwise the rod is not in equilibrium until its rest shape is computed. The effect is ignored for
+    a single sheet whose Poisson ratio is only an estimate.
     """
     sheet = layout.section is None and layout.sheet.poisson_known
     if rod.follows_bend or isinstance(rod.law, CurlingLaw) or not (sheet or layout.backing):

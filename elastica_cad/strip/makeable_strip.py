@@ -54,8 +54,9 @@ def _correct_widths(
 ) -> FloatArray:
     """Return coefficients (m,) of the correction of the width that removes a deviation to first order.
 
-    A relative change f of the width changes the moment M by M f and the weight p by p f in the same shape. Some
-    changes do not affect the shape, so the smallest and smoothest correction is chosen.
+    A relative change f of the width changes the moment M by M f and the weight p by p f in the same shape. Changes
+    with which K kappa remains M0 + <b, gamma> do not affect the shape. Therefore the smallest and smoothest
+    correction is chosen.
 
     Parameters
     ----------

@@ -34,7 +34,7 @@ class Hole:
     Parameters
     ----------
     at : float
-        Distance of the centre from the start of the tab, mm.
+        Distance of the centre from the end of the bent part, outward into the tab, mm.
     diameter : float
         Diameter of the hole, mm.
     across : float
