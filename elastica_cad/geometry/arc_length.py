@@ -38,6 +38,8 @@ _PLACES = np.linspace(-1.0, 1.0, 17)
 class ArcLength:
     """Arc length as a function of the parameter, on panels with Chebyshev series of degree 16.
 
+    The panels are so short that the series have rounding errors only.
+
     Attributes
     ----------
     t : (k + 1,) array

@@ -145,7 +145,10 @@ class MeasuredPoints:
 
     @property
     def bend_changes(self) -> int:
-        """Number of changes of the turning direction along the points that exceed the effect of rounding."""
+        """Number of changes of the turning direction along the points that exceed the effect of rounding.
+
+        A curve through the points has at least this number of inflections.
+        """
         turn, rounding = self._turns
         sides = np.sign(turn[np.abs(turn) > rounding])
         return int((sides[1:] != sides[:-1]).sum())

@@ -79,8 +79,9 @@ class TangentAngle:
 def hodograph(bezier: FloatArray) -> FloatArray:
     """Return Bernstein coefficients (p, n, 2) of vectors parallel to the velocity of Bezier pieces.
 
-    The pieces have homogeneous control points `bezier` (p, degree + 1, 3). The vectors are w P' - P w' for weight
-    w and weighted position P, divided by the degree. They are the velocity times the squared weight.
+    The pieces have homogeneous control points `bezier` (p, degree + 1, 3). For weight w and
+    weighted position P, w P' - P w' is the velocity times the squared weight. The vectors are w P' - P w' divided
+    by the degree.
     """
     a, b = bezier[:, :-1], bezier[:, 1:]
     if np.ptp(bezier[..., 2]) == 0:

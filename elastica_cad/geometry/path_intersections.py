@@ -100,8 +100,7 @@ def anticlockwise(loop: FloatArray) -> FloatArray:
 def self_crossing(p: FloatArray, *, closed: bool) -> FloatArray | None:
     """Return a point (2,) at which the polyline through p (n, 2) meets itself, or None.
 
-    The common ends of neighbouring chords do not count. The points of a closed polyline do not repeat its first
-    point.
+    Neighbouring chords are not compared. The points of a closed polyline do not repeat its first point.
     """
     q = np.concatenate([p, p[:1]]) if closed else p
     q = q[np.append(True, np.hypot(*np.diff(q, axis=0).T) > 0)]

@@ -4,9 +4,9 @@ A force f_j on the strip gamma(s) at the point p_j = gamma(s_j) changes the bend
 
     M(s) = a + <b, gamma(s)> - sum over s_j < s of det(f_j, gamma(s) - p_j),
 
-where a and b are constants. M is continuous, its slope jumps, and the internal force jumps by f_j. Each element has
-one or two unknown numbers. M is linear in these numbers and in a and b. A tie acts at two points with opposite
-forces. The page "Forces between the ends" of the manual has a short derivation.
+where a and b are constants. M is continuous, its slope jumps, and lambda (minus the internal force) jumps by f_j.
+Each element has one or two unknown numbers. M is linear in these numbers and in a and b. A tie acts at two points
+with opposite forces. The page "Forces between the ends" of the manual has a short derivation.
 """
 
 from collections.abc import Iterable, Sequence

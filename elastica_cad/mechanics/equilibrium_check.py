@@ -179,9 +179,10 @@ def _with_unbent_ends(
 ) -> EquilibriumCheck:
     """Check the curve again after its control points are moved so that almost unbent ends are exactly unbent.
 
-    An end is almost unbent if its curvature is zero except for rounding. An end that is free to turn is also
-    almost unbent if a zero of the curvature is near. Positions and tangents of both ends do not change. The
-    original result is returned if the curve would move farther than `tolerance` times its length.
+    An end is almost unbent if it counts as a zero of the curvature but its curvature is above rounding errors. An
+    end that is free to turn is also almost unbent if a zero of the curvature is near. Positions and tangents of
+    both ends do not change. The original result is returned if the curve would move farther than `tolerance` times
+    its length.
     """
     if check.curve.is_closed or check.any_stiffness:
         return check
@@ -443,9 +444,9 @@ def _line_meetings(
 ) -> tuple[LineMeeting, ...]:
     """Return the points of the curve at which the line violates condition (1) of Theorem 1.
 
-    A violation is a crossing that is not at a zero of the curvature, or a zero at which the curve is tangent to
-    the line or crosses it in the wrong direction. By the condition, moment a + <b, gamma> and curvature of the
-    curve gamma must have the same sign everywhere, or opposite signs everywhere.
+    A violation is a crossing or touching point that is not at a zero of the curvature. A zero is a violation if
+    the curve is tangent to the line there, or crosses it in the wrong direction. By the condition, moment a + <b,
+    gamma> and curvature of the curve gamma must have the same sign everywhere, or opposite signs everywhere.
     """
     near = _SAME_PLACE_SHARE * curve.length
     bad: list[LineMeeting] = []

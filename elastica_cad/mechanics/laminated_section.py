@@ -372,7 +372,7 @@ LEAST_SHARE = 2e-3
 """Least width of the backing and of the base beside it, as a fraction of the width of the base."""
 
 TERMS, STATIONS = 24, 60
-"""Number of terms of the polynomials in the curvature, and number of curvatures at which these are fitted."""
+"""Number of terms of the polynomials in the curvature, and number of stations at which these are computed."""
 
 LARGEST_STRAIN = 0.05
 """Largest surface strain for which `laminate_factor` is computed; no sheet withstands it."""

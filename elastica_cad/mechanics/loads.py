@@ -524,9 +524,9 @@ class RestCurvature(EqualByValue):
         return self.profile(s, derivative)
 
     def stretch_to(self, length: float) -> float:
-        """Return the ratio of the length of the pre-bent strip to the length of a curve, mm.
+        """Return the factor from arc lengths of a curve of `length` mm to arc lengths of the pre-bent strip.
 
-        Refuse unequal lengths.
+        Refuse lengths that differ by more than `LENGTHS_APART`.
         """
         length = require_number(length, "the length of the curve", "mm")
         if abs(length / self.length - 1) > LENGTHS_APART:
@@ -655,6 +655,6 @@ class ExcessCurvature:
 
     @cached_property
     def _size(self) -> float:
-        """Sum of both absolute curvatures, 1/mm, which determines the rounding error of their difference."""
+        """Largest sum of both absolute curvatures, 1/mm; it determines the rounding error of their difference."""
         t = np.linspace(*self.curve.domain, _SAMPLES)
         return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

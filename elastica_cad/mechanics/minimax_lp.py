@@ -163,8 +163,8 @@ class MinimaxProgram:
     ) -> None:
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
-        # the conditions are rows @ (x, R) >= limits; R >= 0 and -box <= x define the first vertex, and x <=
-        # box follows
+        # the conditions are rows @ (x, R) >= limits; R >= 0 and -box <= x define the first vertex, and the
+        # rows after them are x <= box
         box = np.eye(unknowns + 1)
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.full(2 * unknowns + 1, -METHOD.box)

@@ -97,7 +97,7 @@ class MomentRows:
     """Stiffness, force and moment along a rod as linear functions of m numbers.
 
     The numbers are (M, b_x, b_y) at the end of the curve, tau if `loaded`, and the unknown forces. M is the bending
-    moment, b the force without its quarter turn, and tau the inverse of the least bending stiffness.
+    moment, b minus the internal force after a quarter turn, and tau the inverse of the least bending stiffness.
 
     Attributes
     ----------

@@ -49,7 +49,7 @@ class ElementEquations:
     Attributes
     ----------
     force : (n, 2) array
-        Contribution of the elements to the force in the edges, 1/mm2.
+        Contribution of the elements to lambda, minus the internal force, in the edges, 1/mm2.
     rows : (k, n) array
         Derivatives of the residuals by the angles of the edges.
     corner : (k, k) array
@@ -76,8 +76,8 @@ class MountedElements:
         Elements with their `mount`. Their forces and arc lengths are the initial values of the unknowns.
     supports : Supports
     anchor : (2,) array
-        Position, mm, of the end from which positions are computed. It is the start if x and y are held there,
-        otherwise the end.
+        Coordinates, mm, of the end from which positions are computed, for x and y separately. It is the start if
+        the start holds this coordinate, otherwise the end.
     load : (2,) array
         Sum of the known forces, 1/mm2.
     edge_length : float

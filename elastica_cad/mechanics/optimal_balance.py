@@ -112,7 +112,7 @@ def _with_weight(request: RodRequest) -> BalancedStiffness:
 
 
 def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -> Weight:
-    """Return the weight; if its `own` is True, the weight of the strip itself is added."""
+    """Return the weight; if its `own` is True, that of a strip of least bending stiffness B, N mm2, is added."""
     step = bending_stiffness / gravity.length**3
     return replace(weight, beta=_raised(weight.beta, step), own=False) if weight.own else weight
 
@@ -329,7 +329,10 @@ SETTLED_SHARE = 1e-7
 """Relative change of E I below which the search ends; the error of the linearised weight is its square."""
 
 TANGENT_STEP = 1e-4
-"""Relative change of E I in the finite difference for the slope of the weight."""
+"""Relative change of E I in the finite difference for the slope of the weight.
+
+An error of this slope only slows the iteration.
+"""
 
 FIT_SHARE = 1e-5
 """Largest accepted relative violation of the limits of E I."""
@@ -450,7 +453,9 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
 
 
 def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray) -> BalancedStiffness:
-    """Return the stiffness in equilibrium whose least E I is largest, by a descent in short steps.
+    """Return the stiffness in equilibrium whose least E I is largest within the limits, in short steps.
+
+    Without an upper limit, the largest E I is least.
 
     This search is used if the linear programs oscillate. The optimum is then not a vertex of the linearised
     program, so successive solutions are far apart. The change of the moments is therefore limited in each step,
@@ -459,6 +464,7 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
     """
     deciding, points = _deciding(law), load.points
     limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
+    # -1: E I must be at most that of the largest section; 1: at least that of the least section
     sense = -1.0 if np.isfinite(law.limits[1]) else 1.0
     reach, before = WIDEST_REACH, np.zeros(EI.shape)
     for _ in range(MOST_STEPS):
@@ -492,14 +498,14 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
 def _beside(
     family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
 ) -> FloatArray | None:
-    """Return the free numbers near `here` that minimise the largest E I.
+    """Return the free numbers near `here` for which the largest value of the family is least.
 
-    The mean change of E I is at most `reach`. This limit is increased if no numbers within it satisfy the
+    The mean change of the values is at most `reach`. This limit is increased if no numbers within it satisfy the
     conditions.
     """
     rows, _ = family.dense
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
-    # rows are directions of the free numbers, multiplied by the root mean square change of E I along them
+    # rows are directions of the free numbers, multiplied by the root mean square change of the values
     moves = sizes[:, None] * ways / np.sqrt(len(rows))
     for room in reach * np.array([1.0, 4.0, 16.0, 64.0]):
         side = np.concatenate([moves, -moves]), np.concatenate([room - moves @ here, room + moves @ here])

@@ -276,10 +276,10 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
     """Return the spline, with arc length as its parameter, that follows the edges of a discrete rod.
 
     The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve at their midpoints. A curve of
-    the same length as the polygon passes the nodes at the distance h^2 |kappa| / 24, with edge length h and
-    curvature kappa. The result integrates a quintic spline through the edge angles. Its end angles differ from
-    the held angles by h^2 |kappa'| / 8. The smallest smooth changes of angle that correct the end angles and the
-    end position are added.
+    the same length as the polygon passes the nodes on their inner side, at the distance h^2 |kappa| / 24, with
+    edge length h and curvature kappa. The result integrates a quintic spline through the edge angles. Its end
+    angles differ from the held angles by h^2 |kappa'| / 8. The smallest smooth changes of angle that correct the
+    end angles and the end position are added.
 
     Parameters
     ----------
@@ -376,8 +376,9 @@ class Rod:
         mm.
     force : (n, 2) array
         Force lambda, 1/mm2: minus the usual internal force. Multiply by the least bending stiffness (N mm2) to
-        obtain N. For a discrete rod, the value at a node is the mean of its two edges. The value at an end
-        includes the weight of half an edge.
+        obtain N. For a discrete rod, the value at a node is the mean of its two edges. The value at the
+        start is that of the first edge minus the load of the first node. At the end, the load of the last node is
+        added.
     profile : Profile
         Stiffness K as a spline of arc length, from which the width of a strip is computed.
     natural_curvature : float or (n,) array
@@ -388,7 +389,7 @@ class Rod:
         Law M = K m(kappa - kappa_0) of a nonlinear material (paper, Appendix D). If the section depends on the
         curvature, `bend` adds its effect to the law, and K is the stiffness of the design; see `bending_law`.
     section : BoundedLaw or None
-        Section of the strip, or None for a strip of one sheet that is narrow.
+        Section of the strip, or None for a strip of one sheet that bends with Young's modulus E, not as a plate.
     residual : float
         Largest imbalance of moments, relative to the moments.
     shape : PlaneCurve or None

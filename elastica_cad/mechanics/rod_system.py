@@ -40,7 +40,8 @@ class Step(NamedTuple):
 class Residual(NamedTuple):
     """Residuals of a discrete rod, which are zero in equilibrium.
 
-    They are the moment imbalance of the edges (n,), 1/mm, and the position errors of ends and elements (p,), mm.
+    They are the moment imbalance of the edges (n,), 1/mm, and the errors of ends and elements (p,). These are
+    position errors, mm, or forces, 1/mm2; see `ElementEquations`.
     """
 
     imbalance: FloatArray
@@ -120,7 +121,7 @@ class RodSystem:
 
     @cached_property
     def given_force(self) -> FloatArray:
-        """Force of the edges (n, 2) by the loads alone, without the reactions, 1/mm2."""
+        """Force lambda of the edges (n, 2) by the loads alone, 1/mm2: minus the internal force."""
         first = np.zeros(2)
         start = self.supports.ends[0]
         for i, held_at_start in enumerate((start.x, start.y)):
@@ -177,8 +178,8 @@ class RodState:
     angles : (n,) array
         Edge angles, rad.
     reactions : (p,) array
-        Contributions of both supports to the force in the edges along the coordinates that both ends hold, 1/mm2.
-        The unknowns of the elements follow.
+        Contributions of both supports to lambda, minus the internal force, along the coordinates that both ends
+        hold, 1/mm2. The unknowns of the elements follow.
     """
 
     system: RodSystem
@@ -236,13 +237,13 @@ class RodState:
 
     @cached_property
     def rows(self) -> FloatArray:
-        """Derivatives (p, n) of the position errors `residual.miss` by the edge angles."""
+        """Derivatives (p, n) of the errors `residual.miss` by the edge angles."""
         rows = self.discrete.constraint_rows
         return rows if self._equations is None else np.concatenate([rows, self._equations.rows])
 
     @cached_property
     def corner(self) -> FloatArray | float:
-        """Derivatives (p, p) of the position errors `residual.miss` by the reactions."""
+        """Derivatives (p, p) of the errors `residual.miss` by the reactions."""
         if self._equations is None:
             return 0.0
         held, size = len(self.system.held), self.reactions.size
@@ -355,7 +356,7 @@ class RodState:
 
     @property
     def position(self) -> FloatArray:
-        """Positions of the nodes (n+1, 2), mm, at which the supports hold the rod."""
+        """Positions of the nodes (n+1, 2), mm, with the rod placed as its supports hold it."""
         system, position = self.system, self.discrete.position.copy()
         start = system.supports.ends[0]
         for i, held_at_start in enumerate((start.x, start.y)):

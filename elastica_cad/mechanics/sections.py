@@ -478,9 +478,9 @@ class WidthLaw:
         return None
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0) -> "WidthLaw":
-        """Return the law at stations that are bent by `curvature` (n,), 1/mm.
+        """Return the law at stations (n,) that are bent by a change of curvature, 1/mm.
 
-        The bend starts from the natural curvature `rest`, a number or (n,), 1/mm.
+        `curvature` is the change kappa - kappa_0, and `rest`, a number or (n,), the natural curvature kappa_0.
         """
         bend, before = alike(curvature=curvature, rest=rest)
         return replace(self, curvature=bend + before, natural_curvature=before)

@@ -77,8 +77,8 @@ class SidewaysSection:
         Parameters
         ----------
         stiffness, width, material : (n,) array
-            Stiffness of bending in the plane of the curve, width of the outline (mm), and width without holes
-            (mm), at every station.
+            Stiffness of bending in the plane of the curve, width of the outline (mm), and this width minus the
+            holes (mm), at every station.
         slope : (n,) array
             Slope tan(theta) of the ligaments relative to the strip.
         ligaments : int

@@ -272,7 +272,7 @@ class LeavesLaw(FixedLaw):
 
 @dataclass(frozen=True)
 class Leaf:
-    """Ply of a stack, or piece of a ply, from `start` to `end`, mm; the plies have the numbers 1, 2, ..."""
+    """Ply of a stack, or piece of it, from `start` to `end`, mm; `number` counts from a full-length ply (1)."""
 
     number: int
     start: float
@@ -378,7 +378,9 @@ class BoundedLaw(StiffnessLaw, Protocol):
         """Stack of glued plies with their positions, or None for a single piece."""
 
     def bent(self, curvature: ArrayLike, rest: ArrayLike = 0.0, /) -> "BoundedLaw":
-        """Return the law at stations that are bent by `curvature` (n,), 1/mm, from the natural curvature `rest`.
+        """Return the law at stations (n,) that are bent by a change of curvature, 1/mm.
+
+        `curvature` is the change kappa - kappa_0, and `rest` the natural curvature kappa_0.
 
         The result is the law itself if bending does not change it.
         """
@@ -425,7 +427,8 @@ def scale_within(
         Law for the stations in their bent state.
     solved : float, optional
         B of a rod that is in equilibrium already. A rod with weight is in equilibrium only with the weight of its
-        sections, so its B is returned. The sections of a weightless rod may be increased to their limits.
+        sections, so its B is returned. The sections of a weightless rod may be increased to their limits,
+        which include the limit of strain.
     """
     least, largest = law.limits
     limited = bool(np.isfinite(largest))

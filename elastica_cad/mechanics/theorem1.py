@@ -170,7 +170,7 @@ class EquilibriumCheck:
         True if the strip is not flat before it is bent.
     undecided : Undecided or None
         Only for a curve that was fitted to points: the comparison with another curve that fits the points equally
-        well. The other curve has a different result, or is refused for different inflections.
+        well. The other curve has a different result, or lacks inflections for which this curve is refused.
     """
 
     realizable: bool
@@ -320,8 +320,8 @@ class PairCheck:
     first, second : PlaneCurve
         Curves, scaled to the same length.
     bistable : bool
-        True if both states have the same clamps: equal positions of the ends and an equal angle between the end
-        tangents.
+        True if both states have the same clamps: equal positions of the ends, and equal total turning of the
+        tangent.
     any_stiffness : bool
         True if the curves are congruent, so that every strip of this shape has both rest shapes without being bent.
     zeros : tuple of PairZero

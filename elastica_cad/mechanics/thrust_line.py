@@ -11,7 +11,7 @@ PARALLEL = 1e-6
 
 
 def inflections_of(rod: Rod) -> FloatArray:
-    """Return the points (k, 2) at which the change of curvature by bending is zero.
+    """Return the points (k, 2) at which the change of curvature by bending changes its sign.
 
     If the strip is cut flat, these are its inflections.
     """
@@ -24,10 +24,11 @@ def inflections_of(rod: Rod) -> FloatArray:
 
 
 def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
-    """Return the sides (n, 2) of the thrust line in a box, extended beyond the inflections of the rod.
+    """Return the sides (n, 2) of the thrust line in a box.
 
-    Without weight the sides are straight, n = 2. The result is empty for a rod without elements and point forces,
-    because its thrust line is the inflection line.
+    They extend between their corners and beyond the inflections of the rod. Without weight the sides are straight,
+    n = 2. The result is empty for a rod without elements and point forces, because its thrust line is the
+    inflection line.
     """
     if rod.acting and rod.gravity is not None:
         return _curved_sides(rod, low, high)

@@ -45,7 +45,7 @@ class MatchedPair:
     moved : (float, float)
         Largest distance between corresponding points of each changed and drawn curve, mm.
     same_clamps : bool
-        True if both curves have exactly the same ends, and the same angle between their end tangents.
+        True if both curves have exactly the same ends and the same total turning of the tangent.
     """
 
     first: PlaneCurve
@@ -94,10 +94,10 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
         Drawn curves, mm.
     keep : "ends" or "shape"
         "ends": each curve keeps the positions and directions of its ends, and changes its length like a uniform
-        elastic strip. Its curvature changes by the smallest sufficient affine function of the position. The
-        common length minimises the changes of both curves. If the ends of both curves agree after a rigid motion
-        (within 1 % of the length and 2 degrees), they become exactly the same clamps. "shape": each curve is
-        scaled about its start.
+        elastic strip. Its curvature changes by the smallest sufficient affine function of the position. The common
+        length minimises the changes of both curves. If the ends of both curves agree after a rigid motion (within
+        1 % of the length and 2 degrees, with the same total turning), they become exactly the same clamps.
+        "shape": each curve is scaled about its start.
 
     Returns
     -------

@@ -170,7 +170,7 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
 def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
     """Return True if both curves have the same clamps.
 
-    Their ends relative to the start, and the angles between their end tangents, are compared.
+    Their ends relative to the start tangent, and their total turning, are compared.
     """
     (chord, turn), (other, other_turn) = (_clamps_of(curve) for curve in (first, second))
     return bool(
@@ -179,7 +179,7 @@ def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
 
 
 def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
-    """Return the end (2,), mm, in the frame of the start tangent, and the angle between the end tangents, rad."""
+    """Return the end (2,), mm, in the frame of the start tangent, and the total turning of the tangent, rad."""
     ends = curve.at(np.array([0.0, curve.length]))
     x, y = ends.position[1] - ends.position[0]
     c, s = np.cos(ends.angle[0]), np.sin(ends.angle[0])

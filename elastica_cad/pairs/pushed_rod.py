@@ -323,7 +323,7 @@ class _Chain:
         return band
 
     def led(self, x: FloatArray, by: float) -> FloatArray:
-        """Return the nodes after a displacement of the pushed node, with the linear response of the other nodes."""
+        """Return the nodes after a displacement of the pushed node along the push, with a linear response."""
         band = self._band(x)
         row = 2 * (self.pushed - 1)
         right = np.zeros(band.shape[1])
@@ -352,7 +352,10 @@ class _Chain:
         return held
 
     def settled(self, x: FloatArray, *, held: bool = False) -> FloatArray:
-        """Return the nodes at a minimum of the energy near given nodes, with the pushed node fixed if `held`."""
+        """Return the nodes at a minimum of the energy near given nodes.
+
+        If `held`, the coordinate of the pushed node along the push is fixed.
+        """
         damping, here, kicked = 0.0, self.energy(x), False
         shortest = self.edge.min()
         noise = NOISE * self.s[-1] / shortest * (self.axial.max() + self.stiffness.max() / shortest**2)

@@ -147,7 +147,7 @@ class TwoStateRod:
     def sideways(
         self, depth: float, thickness: Profile | ArrayLike, *, poisson_ratio: float = 0.3
     ) -> tuple[SidewaysStability, SidewaysStability]:
-        """Return the stability of both states against tipping out of the plane, for sections of `depth` mm.
+        """Return the stability of both states against tipping out of the plane, for sections `depth` mm deep.
 
         `thickness`, mm, is the thickness in the plane: a profile, a number, or values at equal distances.
         """

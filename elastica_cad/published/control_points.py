@@ -29,7 +29,7 @@ _ALONG = 0.1  # weight of a move along the curve relative to a move across it
 _BEND = 0.005  # size of a move that changes the curvature by 1 / length, as a fraction of the length
 _STRETCH = 0.05  # size of a move that changes the velocity d/dt by 100 %, as a fraction of the length
 _LINE_STEP = 0.02  # change of the line that counts as a move of the curve by this fraction of its length
-_RANK = 1e-11  # relative size of singular values below which conditions count as dependent
+_RANK = 1e-11  # relative size of singular values up to which conditions count as dependent
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,7 +203,8 @@ class CurveChanges:
         return np.asarray(by.stiffness @ K + by.angles @ angles + force + by.length * length)
 
 
-# price of a violated bound, in the unit of half the mean square distance (relative to the length)
+# price of a violated bound, in the unit of half the mean square distance (relative to the length); it is far
+# above all multipliers
 _PRICE = 0.1
 _ROW_PRICE = 10.0  # price of a step condition that cannot be satisfied; it exceeds the price of every bound
 # accuracy of a step relative to the price; half a mean square distance of 1e-8 then still has an effect

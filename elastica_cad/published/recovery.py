@@ -59,11 +59,11 @@ def optimize_ratio(
     length: bool = False,
     max_steps: int = 100,
 ) -> OptimizedRatio:
-    """Return the curve whose control points are moved as little as possible to a stiffness ratio of `target`.
+    """Return the curve after the least move of its control points to a stiffness ratio of at most `target`.
 
     A local step keeps the curve as close as possible to the drawn curve and reduces the ratio to the target. It
     is computed to first order, within a trust region. A global step finds the inflection line of least ratio
-    (paper, Eq. 4). The ratio is that of the continuous curve, so the result never exceeds the target.
+    (paper, Eq. 4). The ratio is that of the continuous curve, so the target is also a limit between samples.
 
     Parameters
     ----------
