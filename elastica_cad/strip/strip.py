@@ -266,7 +266,7 @@ def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str
     """Return a sentence on the joint of a closed strip and its load; `width` is the width there, mm."""
     how = (
         note(
-            "glue the tab of {lap} at its end, bent along the curve, to the back of its start",
+            "glue the tab of {lap} at its end, bent along the curve, to the inside of its start",
             lap=Length(lap),
         )
         if lap
