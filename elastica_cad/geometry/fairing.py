@@ -270,7 +270,7 @@ class _Problem:
         """Fix the end control points; return the number of the unknown (m,) of each control point, -1 if fixed."""
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
         first, last = (3 if is_unbent else 2 for is_unbent in unbent)
-        # such control points are on a straight line and have constant speed
+        # these would be the end control points of a straight line with constant speed
         reach = np.array([0.0, 1.0, 3.0])[:, None]
         self.held[:first] = (ends.position[0] + reach * step[0])[:first]
         self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
@@ -367,7 +367,7 @@ def _farthest(points: FloatArray, curve: PlaneCurve) -> float:
 
 
 PER_ROUNDING = 2 * np.sqrt(2.0)
-"""Largest error of the distance between a corner and the next control point if coordinates are rounded by 1."""
+"""Largest error of the vector from a corner to the next control point if coordinates are rounded by 1."""
 
 SMOOTHING_SHARE = 0.5
 """Fraction of the allowed distance for the removal of corners; the rest is for smoothing the curvature."""
@@ -413,7 +413,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
 
 
 def smooth_for_corners(curve: PlaneCurve) -> float | None:
-    """Return the least `smooth`, mm, rounded to one digit, with which `round_corners` removes all corners.
+    """Return a `smooth`, mm, rounded to one digit, with which `round_corners` removes all corners.
 
     For a spline, it is at least the default smoothing distance, and at most a thousandth of the length. For a
     polyline, it is at most a tenth of the size. The result is None if the curve has no corners, or if

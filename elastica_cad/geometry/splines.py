@@ -599,7 +599,7 @@ def fit_spline(
     """Return knots and control points of a clamped spline whose distance from `points` is at most `tolerance`.
 
     Knots are added where points are too far from the spline. Between iterations, the parameter of every point
-    moves to the nearest point of the spline. The correlation of the remaining distances of neighbouring points
+    moves to the nearest point of the spline. The correlation of the remaining deviations of neighbouring points
     separates noise from shape. Shape is approximated within a third of the tolerance, so that the curvature is
     accurate. Noise is removed by the largest penalty on the third derivative that hardly increases the mean
     distance; a parabola has the penalty 0. If no such spline is within the tolerance, the points are
@@ -737,7 +737,7 @@ class _Problem:
         return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
 
     def likeness(self, control: FloatArray, t: FloatArray) -> float:
-        """Return the correlation of the distances of neighbouring points: near 1 for shape, near 0 for noise."""
+        """Return the correlation of the deviations (vectors) of neighbouring points: 1 for shape, 0 for noise."""
         gap = self._gap(control, t)
         total = float((gap**2).sum())
         return float((gap[1:] * gap[:-1]).sum()) / total if total > 0 else 0.0

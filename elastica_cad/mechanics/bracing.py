@@ -1,6 +1,7 @@
 """Second variation of a rod with elements between its ends: constraints and added terms.
 
-The energy of a rod gamma(s) with bending stiffness K and minus internal force lambda changes in second order by
+The energy of a rod gamma(s) with bending stiffness K and force lambda, minus the internal force, changes in second
+order by
 
     Q = int K h'^2 - <lambda, gamma'> h^2 ds + sum over ties (T / l) (int from p to q of <u, gamma'> h ds)^2
         - sum over rails (2 t h sigma + t kappa sigma^2),    sigma = -<gamma', v> at the station,

@@ -151,8 +151,8 @@ def trace(
     """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1 in adaptive steps.
 
     Along a branch, the number of unstable modes changes only where another branch crosses it. Crossings are
-    passed in small steps. If the number changes in a long step, the step has reached another branch and is
-    repeated with a smaller length.
+    passed in small steps. If the number changes in a long step, the step has reached another branch, and
+    a shorter step is taken instead.
     """
     t, step, count = start, 1.0 - start, 0
     modes: int | None = None

@@ -121,10 +121,11 @@ def move_while_possible(
     step: float,
     halvings: int,
 ) -> Found | None:
-    """Return the result at a possible place nearer to an impossible `end`, or None without one near `start`.
+    """Return the result at a possible place nearer to an impossible `end`, or None if there is none near `start`.
 
-    The way is straight, or else along x or y. It ends within `step` of the border of the possible places, or after
-    `halvings` trials. A caller that needs the border repeats the call from the place that was reached.
+    Places are tried along the straight line to `end`, else along x or y. The search stops within `step` of the
+    limit of the possible places, or after `halvings` trials. A caller that needs the limit repeats the call from
+    the place that was reached.
 
     Parameters
     ----------
@@ -133,9 +134,9 @@ def move_while_possible(
     possible : callable
         Returns a result for a possible place, and None for an impossible one.
     step : float
-        Distance of places that are not told apart.
+        Distance below which two places count as the same.
     halvings : int
-        Largest number of trials after the first on a way.
+        Largest number of trials after the first in each direction.
 
     Examples
     --------

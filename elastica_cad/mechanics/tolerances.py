@@ -181,7 +181,7 @@ def _plate_as_cut(
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
     """Return the rod with the weight of the changed sheet.
 
-    The loss of width changes the least bending stiffness by the factor `width_factor`.
+    The changed width and thickness profile change the least bending stiffness by the factor `width_factor`.
     """
     if rod.gravity is None:
         return rod

@@ -12,7 +12,10 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
 EDGES = 480
-"""Number of edges of the discrete rod (paper, section 7.1); its relative error is (1 / EDGES)^2."""
+"""Number of edges of the discrete rod (paper, section 7.1).
+
+Its relative error (1 / EDGES)^2 is as large as that of a drawing.
+"""
 
 STIFF, STIFFEST = 400.0, 1000.0
 """Length over thickness of a rod of unknown thickness, and largest value in computations.
@@ -76,7 +79,7 @@ class PushPath:
     force : (k,) array
         Pushes divided by the least bending stiffness (N mm2), 1/mm2; negative if the rod must be held back.
     energy : (k,) array
-        Bending energies over the least bending stiffness, 1/mm.
+        Energies of bending and stretching over the least bending stiffness, 1/mm.
     position : (k, n, 2) array
         Positions of the nodes, mm.
     bend : (k, n) array
