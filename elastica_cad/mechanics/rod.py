@@ -135,7 +135,8 @@ def _stiffness_profile_of(
     length : float
         Length of the rod, mm.
     samples : int or None
-        Number of nodes. None means the number of values in `stiffness`, or for one value the default number.
+        Number of nodes. None means the number of values in `stiffness`; for one value or a profile, it means the
+        default number.
 
     Raises
     ------
@@ -286,7 +287,7 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
     s : (n,) array
         Arc lengths of the nodes, mm, uniform.
     position : (n, 2) array
-        Nodes, mm; the edges between them are as long as the arc lengths.
+        Nodes, mm; each edge between two nodes is as long as the difference of their arc lengths.
     angle : (n,) array
         Angles at the nodes, rad; the result has exactly the first and the last angle.
 
