@@ -88,8 +88,9 @@ def lateral() -> Iterator[str]:
     ]
     yield from _table(
         "Strips that tip out of their plane",
-        "The critical load is divided by the root of the product of edgewise bending stiffness and torsional "
-        "stiffness. Ours is computed with a rod of 601 nodes, and its margin with 201 nodes.",
+        "The strip has length 1. The table contains the critical moment, force or weight per length, divided by "
+        "the square root of edgewise bending stiffness times torsional stiffness. Ours is the load at which the "
+        "computed sideways margin is 0. The rod has 601 nodes, and the sideways margin is computed with 201 nodes.",
         "test_sideways",
         ["source", "published", "ours"],
         rows,
@@ -105,8 +106,8 @@ def paper() -> Iterator[str]:
         rows.append([f"strip {strip}", f"{light:.4f}", f"{ours[0]:.4f}", f"{heavy:.4f}", f"{ours[1]:.4f}"])
     yield from _table(
         "The paper's Pavilion: least stiffness ratio",
-        "Hafner and Bickel 2021, section 9.1. Published: their linear program with exact curvature at many "
-        "samples, without and with weight.",
+        "Hafner and Bickel 2021, section 9.1. The published ratios are results of their linear program with the "
+        "exact curvature at many samples. They are given without and with weight.",
         "test_optimal_ratios",
         ["curve", "without weight", "ours", "with weight", "ours"],
         rows,
@@ -147,10 +148,11 @@ def revolution() -> Iterator[str]:
                      f"({end[0]:.3f}, {end[1]:.3f})", f"{off:.1f}"])  # fmt: skip
     yield from _table(
         "The paper's surfaces of revolution: ends of the meridians",
-        "Hafner and Bickel 2021, section 9.4. Their published loop integrates by a method of first order, so its "
-        "end has an error of a few steps. With shorter steps their end approaches ours.",
+        "Hafner and Bickel 2021, section 9.4. Their published code integrates the meridian step by step with a "
+        "method of first order. Therefore the error of its end is a few times the length of a step. With shorter "
+        "steps, their end approaches ours.",
         "test_revolution",
-        ["surface", "theirs", "ours", "distance in steps of their loop"],
+        ["surface", "theirs", "ours", "distance in steps of their code"],
         rows,
     )
 
@@ -164,7 +166,8 @@ def code() -> Iterator[str]:
     yield from _table(
         "Where a strip loses stability",
         "One shape in balance, computed by the published code of the authors. The strip loses stability if it is "
-        "longer than its conjugate point, which is given as arc length in the units of that run.",
+        "longer than the arc length of its conjugate point. The table contains this arc length, in the unit of "
+        "length of their data.",
         "test_stability_reference",
         ["result", "theirs", "ours"],
         [["conjugate point", f"{data['sigma']:.8f}", f"{place:.8f}"]],

@@ -317,7 +317,7 @@ class Refusal(str):
 
     @property
     def fields(self) -> set[str]:
-        """Names of the fields that this record and the records in its values mention."""
+        """Names of fields among the values of this record and of the records inside its values."""
         inside = (inner.fields for inner in self.values.values() if isinstance(inner, Refusal))
         return {str(name) for name in self.values.values() if isinstance(name, FieldName)}.union(*inside)
 

@@ -120,12 +120,12 @@ def section_strips(
     limits : Limits
         Limits for changes of the curves; most sections need them.
     half : bool
-        Keep only the side of the plane to which its x axis points.
+        If True, only the part with x >= 0 in each plane is used, for half planes about an axis.
 
     Returns
     -------
     list of StripSolid
-        Strips in the planes of the sections; names are `label` and a number.
+        Strips in the planes of the sections. The name of each strip is `label` with a number, such as "strip-1".
 
     Raises
     ------

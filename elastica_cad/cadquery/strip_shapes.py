@@ -216,8 +216,9 @@ class _Made(StripBody, _Moved):
 
 
 class Slider:
-    """Path of the end of a strip: straight to another point with constant direction, or a rotation about its
-    position.
+    """Path on which the end of a strip moves.
+
+    The end either moves straight to another point and keeps its direction, or rotates in place.
 
     Parameters
     ----------

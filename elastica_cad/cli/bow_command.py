@@ -83,7 +83,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     taper or a strip the drawing NAME-bow.dxf and NAME-bow.svg. The weight of the bow is neglected.
 
     \b
-      elastica bow arch.dxf --rod 8                                   any material: pull for each GPa
+      elastica bow arch.dxf --rod 8                                   any material: pull per GPa
       elastica bow arch.dxf --rod 8 --sheet gfrp-1 -o out             newtons and safety
       elastica bow arch.dxf --rod 6:8 --sheet gfrp-1 --nearest        a tapered rod
       elastica bow arch.dxf --sheet pom-2 --max-width 20 --nearest    a strip
@@ -151,7 +151,7 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
 
 def _rows(made: Bow, *, known: bool) -> list[Row]:
     strip, (start, end) = made.strip, np.degrees(made.end_angles)
-    force = f"{made.pull:.3g} N" if known else f"{made.pull:.3g} N for each GPa of Young's modulus"
+    force = f"{made.pull:.3g} N" if known else f"{made.pull:.3g} N per GPa of Young's modulus"
     shape = f"rise {made.rise:.1f} mm; ends at {start:.1f} and {end:.1f} degrees"
     verdict = stability(strip.rod)
     rows = [

@@ -374,7 +374,7 @@ def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
 def title(record: Record) -> str:
     """Return the name of a record's table in the manual and schema.
 
-    If `kind` selects the record, the name begins with its family.
+    If a key `kind` selects the record from a family, the name consists of the family and the value of `kind`.
 
     Examples
     --------

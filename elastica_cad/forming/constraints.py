@@ -533,7 +533,10 @@ class KeepOut(Constraint):
 
 @dataclass(frozen=True, kw_only=True)
 class LeastStiffness(Constraint):
-    """Condition that the least stiffness along the rod is 1, which is the unit of the stiffness bounds."""
+    """Condition that the least stiffness along the rod is 1.
+
+    The stiffness bounds are multiples of this least stiffness.
+    """
 
     name: str = "stiffness bounds"
     one_sided: bool = True

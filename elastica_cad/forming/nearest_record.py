@@ -60,7 +60,8 @@ class Binding:
         Decrease of the distance, mm, to first order, per unit by which the limit is relaxed. For a kept property,
         it is per mm or rad by which the property may change.
     broken : float
-        Violation of the limit, in lengths of the drawn curve, radians or fractions of the limit.
+        Violation of the limit. It is in rad for angles, a multiple of the length of the drawn curve for positions
+        and lengths, and a fraction of the limit for other limits.
     """
 
     name: str

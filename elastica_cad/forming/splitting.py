@@ -320,7 +320,9 @@ def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, fl
 
 
 def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
-    """Return one position of each stage, so that the sum of the squared ratios of the pieces is least.
+    """Return positions of supports, one from each array of `stages`, that are best for the pieces.
+
+    They minimize the sum of the squared stiffness ratios of the pieces between the supports.
 
     The list is empty if every choice has a piece that no strip can take.
     """

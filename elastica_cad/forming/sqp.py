@@ -387,7 +387,7 @@ class Iterate(Generic[Point]):
         return np.where(rows.one_sided, np.maximum(-value, 0.0), np.abs(value))
 
     def _cost(self, broken: FloatArray, prices: FloatArray) -> float:
-        """Return the sum of the penalties for violations of rows."""
+        """Return the sum of the violations `broken` of all constraint rows, each times its price."""
         return float(prices[self.local.rows.constraint] @ broken)
 
 

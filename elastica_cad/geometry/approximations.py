@@ -243,7 +243,10 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
 def _longest(
     spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
 ) -> tuple[float, list[Segment]]:
-    """Return the end parameter, within 5 %, of the longest permitted biarc from `start`, and the biarc."""
+    """Return the longest biarc from `start` within the tolerance: its end parameter and its segments.
+
+    The end parameter is exact within 5 %.
+    """
     allowed = _TAKEN * tolerance
     pieces, off = _biarc(spline, start, end)
     if off <= allowed:

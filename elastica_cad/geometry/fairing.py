@@ -367,7 +367,7 @@ def _farthest(points: FloatArray, curve: PlaneCurve) -> float:
 
 
 PER_ROUNDING = 2 * np.sqrt(2.0)
-"""Largest error of the vector from a corner to the next control point if coordinates are rounded by 1."""
+"""Largest error of the vector between two points, as a multiple of the rounding error of a coordinate."""
 
 SMOOTHING_SHARE = 0.5
 """Fraction of the allowed distance for the removal of corners; the rest is for smoothing the curvature."""

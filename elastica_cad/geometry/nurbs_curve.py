@@ -430,7 +430,10 @@ def _refuse_standstill(
         s=Length(_length_until(pieces, t)),
     )
     if not twins.size:
-        raise InputError("{place}, because it has a cusp: move or delete a control point there", place=where)
+        raise InputError(
+            "{place}, because the curve has a cusp there: move or delete a control point near the cusp",
+            place=where,
+        )
     cause = note("control points {one} and {next} coincide", one=twins[0], next=twins[0] + 1)
     if 2 * np.sqrt(2.0) * rounding > SHORT_HANDLE * size:
         raise InputError(

@@ -27,9 +27,8 @@ _MOST_HALVINGS = 40
 """Largest number of halvings of a piece; then it is as short as rounding errors."""
 
 _NEWTON_SHARE = 1e-4  # a piece smaller than this fraction of the extent is a start for Newton's method
-# if there are more pairs of pieces than this, parts of the curve overlap, and only a tenth of the pairs is
-# used
 _MOST_PAIRS = 1000
+"""Number of pairs of pieces above which parts of the curve overlap. Then a tenth of this number is used."""
 
 
 def find_self_intersections(

@@ -55,7 +55,10 @@ class SkinMesh:
     triangles: IntArray
 
     def bent(self, rod: Rod, frame: Frame) -> tuple[FloatArray, FloatArray]:
-        """Return points and normals (n, 3) in space of the strip bent into the curve of a rod in `frame`."""
+        """Return the corners and normals (n, 3) in space after the strip is bent to the shape of `rod`.
+
+        The x and y axes of `frame` are the axes of the curve's plane.
+        """
         from scipy.interpolate import CubicHermiteSpline
 
         x, y, up = self.places.T

@@ -305,7 +305,7 @@ def _own_settings(further: Mapping[str, str] = MappingProxyType({})) -> Iterator
     The previous settings are restored at its end.
     """
     k, settings = kernel(), {**SETTINGS, **further}
-    k.STEPControl_Writer()  # because the first writer creates the settings
+    k.STEPControl_Writer()  # the settings do not exist before the first writer
     before = {name: k.Interface_Static.CVal_s(name) for name in settings}
     messenger = k.Message.DefaultMessenger_s()
     printers = list(messenger.Printers())

@@ -233,8 +233,9 @@ def _loaded(rod: Rod, loads: object) -> Rod:
 
 
 def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, Any]:
-    """Return the keywords `loads` and `between` of `bend` after the fraction `part` of a step of a path.
+    """Return the arguments `loads` and `between` of `bend` for an intermediate state of a path.
 
+    The state is reached after the fraction `part` of the change from `rod` to the next `step` of the path.
     The present loads decrease to zero while the loads of the step increase from zero. Points of rails and pins,
     and lengths of ties, are interpolated linearly. An element that differs in kind from the present element with
     the same index replaces it at once.

@@ -134,7 +134,7 @@ def cantilever_droop(overhang: float, elasto_gravity_length: float) -> float:
     Parameters
     ----------
     overhang, elasto_gravity_length : float
-        Free length of the strip and l_eg of the sheet, mm.
+        Free length of the strip and elasto-gravity length of the sheet, mm.
 
     Examples
     --------
@@ -259,7 +259,7 @@ def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatA
 
 
 def _fit(overhang: float, droop: float) -> tuple[float, float]:
-    """Return l_eg, mm, and the norm of its gradient with respect to overhang and droop."""
+    """Return the elasto-gravity length, mm, and the norm of its gradient with respect to overhang and droop."""
     part = droop / overhang
     value = overhang * _length_for(part)
     step = 1e-3 * min(part, 1 - part)
@@ -269,7 +269,7 @@ def _fit(overhang: float, droop: float) -> tuple[float, float]:
 
 
 def _length_for(part: float) -> float:
-    """Return l_eg / overhang for a strip whose ratio of droop to overhang is `part`."""
+    """Return elasto-gravity length / overhang of a strip whose ratio of droop to overhang is `part`."""
     from scipy.optimize import brentq
 
     def excess(log_load: float) -> float:

@@ -728,7 +728,10 @@ class ConditionedRows:
         )  # fmt: skip
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return the rows for the numbers that may not be negative, divided by their orders of magnitude."""
+        """Return the rows `sides` of `columns`, each divided by the order of magnitude of its unknown number.
+
+        The unknown numbers with these indices may not be negative.
+        """
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:

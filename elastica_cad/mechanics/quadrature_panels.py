@@ -193,7 +193,11 @@ def _distinct(places: list[float], close: float) -> list[float]:
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """Panels before evaluation; `tail` is the relative last Legendre coefficient before the last cut."""
+    """Panels on which the integrands are not yet evaluated.
+
+    Each value of `tail` belongs to the larger panel from which the panel was cut. It is the last Legendre
+    coefficient on that panel, divided by the largest value of the integrand.
+    """
 
     left: FloatArray
     right: FloatArray

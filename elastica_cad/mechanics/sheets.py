@@ -27,7 +27,7 @@ from elastica_cad.refusals import note
 SCHEMA = 1
 
 NOMINAL_KEY = "nominal_poisson_ratio"
-"""Key of a Poisson's ratio that was not measured for this sheet."""
+"""Key, in a file of sheets, of a typical Poisson's ratio that was not measured for this sheet."""
 
 UNITS = {
     "thickness": "mm",

@@ -95,7 +95,10 @@ class Body:
 
     @classmethod
     def of(cls, placed: Placed) -> "Body":
-        """Return the body of a placed strip with its least thickness; a round rod becomes its inscribed square."""
+        """Return the body of a placed strip. Its thickness is everywhere the least thickness of the strip.
+
+        The circle of a round section is replaced by its inscribed square.
+        """
         strip = placed.strip
         ruled = RuledStrip(strip.rod.curve, placed.frame, strip.width)
         for quantity, size in strip.tapered.items():

@@ -386,8 +386,8 @@ class _Cutter:
             s = crossing.at(np.array([0.5])).first[0, 0]
             names = [self.names[i] for i in members]
             raise InputError(
-                "{names} and {names_2} cross at {s:.6g} of {names}, but one of these strips ends too close "
-                "to the crossing for a slot. Shorten, move or turn one of the strips",
+                "{names} and {names_2} cross {s:.6g} from the start of {names}, but one of these strips ends too "
+                "close to the crossing for a slot. Shorten, move or turn one of the strips",
                 names=names[0],
                 names_2=names[1],
                 s=Length(s),
@@ -423,8 +423,8 @@ class _Cutter:
 
     def _touch(self, names: list[str], s: float) -> str:
         return note(
-            "{a} and {b} touch along a line at {s} of {a} instead of crossing: move the strips apart, or "
-            "turn one of them",
+            "{a} and {b} touch along a line {s} from the start of {a} instead of crossing: move the strips "
+            "apart, or turn one of them",
             a=names[0], b=names[1], s=Length(s),
         )  # fmt: skip
 
@@ -454,8 +454,8 @@ def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
         )
         degrees = np.degrees(min(joint.angle[0] for joint in group))
         messages.append(note(
-            "{a} and {b} cross at {degrees:.3g} degrees at {places} of {a}, so the slots are up to {width} "
-            "wide: increase the angle for a better hold",
+            "{a} and {b} cross at an angle of {degrees:.3g} degrees, {places} from the start of {a}, so the slots "
+            "are up to {width} wide: increase the angle for a better hold",
             a=a, b=b, degrees=degrees, places=places, width=Length(width),
         ))  # fmt: skip
     order = _assembly(names, joints) if joints else note("no strips cross, so no slots were cut")

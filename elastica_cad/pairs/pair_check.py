@@ -187,7 +187,7 @@ def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
 
 
 def _is_stretch(curve: PlaneCurve, zero: CurvatureZero) -> bool:
-    """Return True for an interval of equal curvature that is too long to be a zero of high order."""
+    """Return True if `zero` is an interval of equal curvature that is too long to count as one point."""
     return zero.kind == "flat" and zero.s_end - zero.s > SHORT_SHARE * curve.length
 
 

@@ -299,9 +299,11 @@ class _Chain:
     def _band(self, x: FloatArray) -> FloatArray:
         """Return the second derivatives of the energy by the inner nodes, as an upper band (6, 2 n - 2).
 
-        With respect to the edges they have the blocks A_i on the diagonal and C_i = -K_{i+1} a_i a_{i+1}^t beside
-        it. Here a_i is the derivative of the angle of edge i, and K_i the stiffness of a node. A node is the end
-        of an edge and the start of the next edge.
+        The second derivatives by the edge vectors form a matrix of 2 x 2 blocks. Its diagonal block A_i contains
+        the terms of edge i. The block beside it is C_i = -K_{i+1} a_i a_{i+1}^t. Here a_i is the derivative of the
+        angle of edge i by its vector, and K_{i+1} is the stiffness of the node between edges i and i + 1. Every
+        inner node is the end of an edge and the start of the next edge, so its derivatives are differences of
+        these blocks.
         """
         r, t, turn = self._edges(x)
         n = np.column_stack([-t[:, 1], t[:, 0]])

@@ -136,7 +136,7 @@ class TwoStateRod:
 
     @property
     def bistable(self) -> bool:
-        """True if both states have the same clamps."""
+        """True if both states fit the same clamp positions."""
         return self.check.bistable
 
     @cached_property

@@ -277,8 +277,8 @@ class Splice:
                 pieces=pieces, lap=Mm(self.plates.lap), far=Mm(self.deviation), severity="warning",
             )  # fmt: skip
         text = (
-            "Cut in {count} pieces at {places}, joined by plates {lap:g} long, without the {lost} holes "
-            "under them. The plates stiffen the strip and move its shape by {far:.2g}."
+            "Cut in {count} pieces at {places}, joined by plates {lap:g} long. The plates stiffen the "
+            "strip and move its shape by {far:.2g}. Number of holes that are omitted under the plates: {lost}."
             if (lost := len(self.strip.holes) - len(self._holes))
             else "Cut in {count} pieces at {places}, joined by plates {lap:g} long. The plates stiffen the "
             "strip and move its shape by {far:.2g}."

@@ -41,7 +41,7 @@ class Hole:
         Distance of the centre from the centre line, mm; positive in the direction of y.
     """
 
-    at: Annotated[float, Option("Distance from the start of the tab.", "mm")]
+    at: Annotated[float, Option("Distance from the inner end of the tab.", "mm")]
     diameter: Annotated[float, Option("Diameter of the hole.", "mm", above=0)]
     across: Annotated[float, Option("Distance from the centre line.", "mm")] = 0.0
 

@@ -248,16 +248,16 @@ def _backing_message(mark: str) -> str:
     if not mark:
         return ""
     texts = {
-        "INSIDE": "When the strip is bent, the backing is on the inside. {mark} is engraved on the inner "
-        "face of both sheets.",
-        "OUTSIDE": "When the strip is bent, the backing is on the outside. {mark} is engraved on the outer "
-        "face of both sheets.",
+        "INSIDE": "When the strip is bent, the backing is on the inside. The word {mark} is engraved on "
+        "base and backing, on the face that points to the inside of the bend.",
+        "OUTSIDE": "When the strip is bent, the backing is on the outside. The word {mark} is engraved on "
+        "base and backing, on the face that points to the outside of the bend.",
         "INSIDE AT START": "When the strip is bent, the backing is on the inside at the start (x = 0 in the "
-        "cutting files) and changes sides at each inflection. {mark} is engraved on both "
-        "sheets.",
+        "cutting files) and changes sides at each inflection. The words {mark} are engraved on base and "
+        "backing.",
         "OUTSIDE AT START": "When the strip is bent, the backing is on the outside at the start (x = 0 in "
-        "the cutting files) and changes sides at each inflection. {mark} is engraved on "
-        "both sheets.",
+        "the cutting files) and changes sides at each inflection. The words {mark} are engraved on base and "
+        "backing.",
     }
     return note(texts[mark], mark=mark)
 

@@ -638,10 +638,10 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def rod_spec(self) -> RodSpec:
-        """Request for the rod.
+        """Request from which the rod of this strip is computed.
 
-        It does not depend on ends, slots and label. Widths have an effect only through loads, limits, a section
-        law or smoothing.
+        It does not depend on the ends, slots and label of the strip. Widths have an effect only through loads,
+        limits, a section law or smoothing.
         """
         gravity, share = self._pulled
         layers: LaminateLayers | None = None
@@ -758,7 +758,10 @@ class StripSpec(EqualByValue):
         return WidthLaw(self.material, self.min_width or 0.0, np.inf)
 
     def _section(self, share: float) -> BoundedLaw | None:
-        """Return the section law with a density that gives the weight acting in the plane."""
+        """Return the section law of the strip.
+
+        The density of its sheet is scaled, so that its weight is the part that acts in the plane of the curve.
+        """
         law: BoundedLaw | None = self.law
         felt = self.gravity_in_plane
         asks_for_margin = self.limits is not None and self.limits.margin is not None

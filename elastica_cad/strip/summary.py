@@ -133,9 +133,14 @@ def strain_rows(strip: Strip) -> Iterator[Row]:
 def stability_row(strip: Strip, verdict: Stability) -> Row:
     """Return the row on the stability of a strip in its plane and sideways."""
     sideways = strip.sideways
-    details = [note("The stability margin is {margin:.3g}; 5 is safe.", margin=verdict.margin)]
+    details = [note("The stability margin is {margin:.3g}; at least 5 is safe.", margin=verdict.margin)]
     if sideways.decided:
-        details.append(note("The sideways margin is {margin:.3g}; 5 is safe.", margin=sideways.margin))
+        details.append(
+            note(
+                "The margin against tipping sideways is {margin:.3g}; at least 5 is safe.",
+                margin=sideways.margin,
+            )
+        )
     if verdict.rating == "unstable":
         text = note("unstable: the strip snaps into another shape")
     elif verdict.rating == "close to snapping":

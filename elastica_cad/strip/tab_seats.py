@@ -571,8 +571,8 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
 
     Force and moment of the strip press the tab against some points of the holder. In the displaced holder, these
     points touch the tab in its designed position, and the play is on the other sides. Under the constant load, an
-    end without contact would move without limit. Springs hold the end, and their stiffness is reduced from step to
-    step.
+    end that touches no wall would move without limit. Therefore springs resist its motion. Each iteration uses
+    softer springs, until the displacement no longer changes.
 
     Parameters
     ----------

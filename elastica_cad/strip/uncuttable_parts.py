@@ -447,7 +447,8 @@ def find_strip_faults(
     if isinstance(style, Perforated) and style.least_ligament < ligament * (1 - SEEN_APART):
         allowed = style.least_ligament
         what = note(
-            "the limit for ligaments is {allowed}, but they must be at least {ligament} wide to be cut",
+            "ligaments (material between holes) may be as narrow as {allowed}, but only ligaments at least "
+            "{ligament} wide can be cut",
             allowed=Length(allowed),
             ligament=Length(ligament),
         )

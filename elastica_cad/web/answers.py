@@ -605,7 +605,11 @@ def _pair(request: Mapping[str, Any]) -> Record:
     rows = pair_rows(part, quick=True, live=bool(request.get("live")))
     together = Row(
         note("Hold"),
-        note("both states have the same clamps" if pair.bistable else "each state has its own clamps"),
+        note(
+            "both states fit the same clamp positions"
+            if pair.bistable
+            else "each state needs its own clamp positions"
+        ),
     )
     faults = [Row(note("Warning"), text, severity="warning") for text in part.rest_warnings]
     return {

@@ -50,7 +50,7 @@ def test_pull_is_known_for_each_gpa_without_a_sheet(arch):
         stiffness * (2 * ellipk(m) / bare["length_mm"]) ** 2, rel=2e-6
     )
     done = run("bow", "arch.json", "--rod", "5/16in", "--shorter", 7.5, "-o", "o", cwd=arch)
-    assert "N for each GPa of Young's modulus" in done.output
+    assert "N per GPa of Young's modulus" in done.output
     assert "740.0" in done.output
 
 

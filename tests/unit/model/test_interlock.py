@@ -254,10 +254,10 @@ def test_a_strip_that_runs_into_another_lengthwise_is_refused():
     strip = Strip(rod, CARD, max_width=20, label="A")
     wall = turned(np.pi / 2, at=(40, 0, 40), label="B")
     with pytest.raises(
-        InputError, match=r"A and B cross at .* mm of A, but one of these strips ends"
+        InputError, match=r"A and B cross .* mm from the start of A, but one of these strips ends"
     ) as refused:
         Model([Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1)), wall]).interlock()
-    place = float(re.search(r"at (\S+) mm", str(refused.value))[1])
+    place = float(re.search(r"cross (\S+) mm", str(refused.value))[1])
     assert rod.curve.at(place).position[0, 0] == pytest.approx(40.0, abs=0.5)
 
 
@@ -316,7 +316,7 @@ def test_arches_that_lie_on_each_other_at_the_top_touch():
         for name, x in (("A", (1, 0, 0)), ("B", (0, 1, 0)))
     ]
     with pytest.raises(
-        InputError, match=r"A and B touch along a line at .*: move the strips apart, or turn one"
+        InputError, match=r"A and B touch along a line .*: move the strips apart, or turn one"
     ):
         Model(arches).interlock()
 
@@ -358,13 +358,13 @@ def test_strips_that_run_through_each_other_are_told_and_neighbours_that_touch_a
 
 def test_shallow_angles_are_told():
     model = Model([flat(label="A"), turned(np.radians(10), label="B")]).interlock()
-    assert "A and B cross at 10 degrees at 50 mm of A" in model.reports[0]
+    assert "A and B cross at an angle of 10 degrees, 50 mm from the start of A" in model.reports[0]
 
 
 @pytest.mark.parametrize(
     ("placed", "options", "message"),
     [
-        ([flat(label="A"), flat(label="B")], {}, "A and B touch along a line at 0 mm of A"),
+        ([flat(label="A"), flat(label="B")], {}, "A and B touch along a line 0 mm from the start of A"),
         ([flat(label="A"), turned(np.radians(0.5), label="B")], {}, "A and B touch along a line"),
         (
             [flat(label="A"), turned(1.0, label="B")],

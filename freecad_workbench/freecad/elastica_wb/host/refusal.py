@@ -101,7 +101,7 @@ def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]
     """Return a function that calls `work` and raises the error that it returns, without a Python function in
     the traceback.
     """
-    # a call of the result with obj computes obj | _Worker | _Thrower
+    # with an argument obj, the returned function evaluates obj | worker | thrower
     return partial(reduce, or_, (_Worker(work), _Thrower()))
 
 
