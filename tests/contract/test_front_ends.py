@@ -146,7 +146,7 @@ SPELLED = {
         "max_width": "--max-width", "min_width": "--min-width", "ignore_limits": "--ignore-limits",
         "gravity": "--gravity", "loads": "--set loads", "shop.least_width": "--set shop.least_width",
         "style.hole_ratio": "--set style.hole_ratio", "limits": "--nearest",
-        "natural_curvature": "--natural-curvature",
+        "natural_curvature": "--natural-curvature", "seam_position": "--set seam_position",
     },
     "design file": {"ignore_limits": "--ignore-limits"},  # an option of `elastica model`
 }  # fmt: skip
