@@ -66,4 +66,4 @@ def test_rods_that_are_as_near_are_named():
     assert near.ties
     mirrored = [1, -1] * near.rod.position
     assert min(np.abs(other.position - mirrored).max() for other in near.ties) < 3.0
-    assert "equally near" in near.advice[0]
+    assert "as near to the drawn curve" in near.advice[0]

@@ -112,7 +112,7 @@ def _widened_as_told(made_up, model):
     for strip, before in zip(made_up.strips, model.strips, strict=True):
         wider = strip.width.extremes[1] > 1.001 * before.width.extremes[1]
         assert wider == any(
-            f"{strip.label} is " in text and "still locks" in text for text in made_up.reports
+            f"{strip.label} is " in text and "still lock into" in text for text in made_up.reports
         )
 
 

@@ -249,7 +249,7 @@ def test_bad_paths():
     for path, message in (
         ([(1.0, 2.0, 3.0)], "shape"),
         ([{"ends": (1.0, 2.0)}], "unknown entry 'ends'"),
-        ("nonsense", "sequence of"),
+        ("nonsense", "a path is a list of"),
     ):
         with pytest.raises(InputError, match=message):
             bend_path(STRAIGHT, path)

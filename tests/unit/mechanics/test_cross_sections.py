@@ -114,7 +114,7 @@ def test_infeasible_laminate_names_the_stations_and_the_ratio_that_would_do():
     section = LaminatedSection(base, sheet(2.0))
     found = section.scale_range(width, K)
     assert not found.feasible
-    with pytest.raises(InputError, match=r"station 0 needs .* station 1 takes at most"):
+    with pytest.raises(InputError, match=r"station 0 needs .* station 1 at most"):
         _ = found.scale
     # one material: the ratio of full to bare section is (1 + h2/h1)^3
     ratio = section.thickness_ratio(width, K)

@@ -150,8 +150,8 @@ class TestLoads:
     @pytest.mark.parametrize(
         ("fields", "match"),
         [
-            ({"gravity": None}, "loads need gravity"),
-            ({"gravity": (0, 0, -1), "frame": LEVEL}, "loads need gravity"),
+            ({"gravity": None}, "needs gravity"),
+            ({"gravity": (0, 0, -1), "frame": LEVEL}, "needs gravity"),
             ({"gravity": True, "limits": Limits(ratio=3)}, "can only be made for the drawn curve itself"),
         ],
     )
