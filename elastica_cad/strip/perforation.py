@@ -436,7 +436,7 @@ class Perforated:
         if slopes[i] > np.tan(STEEP_RAD):
             long = pattern.row_length + 2 * pattern.side_length * (slopes[i] / np.tan(STEEP_RAD) - 1)
             warnings.append(note(
-                ("the ligaments (bridges between holes) at {s} are inclined by {angle:.0f} degrees, too "
+                ("the ligaments (material between holes) at {s} are inclined by {angle:.0f} degrees, too "
                  "much for an exact stiffness: use fewer holes along the strip, each at least {long} long"),
                 angle=np.degrees(np.arctan(slopes[i])), s=Mm(s[i]), long=Mm(np.ceil(long)),
             ))  # fmt: skip
@@ -484,9 +484,9 @@ class _Fit:
         i = int(np.argmin(room))
         if room[i] <= style.ligaments * style.least_ligament:
             raise InputError(
-                "the outline is {w:.4g} wide at {s:.1f}, but {ligaments} ligaments of {least_ligament:g} "
-                "and {columns} columns of holes need more than {holes:.4g}. Widen the outline or use fewer "
-                "columns",
+                "the outline is {w:.4g} wide at {s:.1f}, but {ligaments} ligaments (material between holes) of "
+                "{least_ligament:g} and {columns} columns of holes need more than {holes:.4g}. Widen the outline "
+                "or use fewer columns",
                 w=Mm(self.w[i]),
                 s=Mm(self.s[i]),
                 ligaments=style.ligaments,
@@ -531,8 +531,8 @@ class _Fit:
             )
             needed, given = distinct_digits(self.lowest * high / rigidity, scale * high / rigidity, ".4g")
             raise InputError(
-                "{too_little}. At the widest place all ligaments together must be {needed:g} wide, but are "
-                "{given:g} wide: {way}",
+                "{too_little}. At the widest place all ligaments (material between holes) together must be "
+                "{needed:g} wide, but are {given:g} wide: {way}",
                 too_little=self._too_little(scale),
                 needed=Mm(needed),
                 given=Mm(given),
@@ -544,8 +544,8 @@ class _Fit:
         if min_width is not None and scale * low / rigidity < min_width * (1 - SEEN_APART):
             total, limit = distinct_digits(scale * low / rigidity, min_width, ".4g")
             raise InputError(
-                "all ligaments together are {ligaments:g} wide at the narrowest place, less than {field} "
-                "({min_width:g}): widen the outline or lower the stiffness ratio",
+                "all ligaments (material between holes) together are {ligaments:g} wide at the narrowest "
+                "place, less than {field} ({min_width:g}): widen the outline or lower the stiffness ratio",
                 field=FieldName("min_width"),
                 ligaments=Mm(total),
                 min_width=Mm(limit),
@@ -623,6 +623,6 @@ class _Fit:
         each = scale * self.K[i] / self.section.rigidity / self.style.ligaments
         shown, least = distinct_digits(each, self.style.least_ligament, ".3g")
         return note(
-            "ligaments would be {each:g} wide at {s}, below {least:g}",
+            "ligaments (material between holes) would be {each:g} wide at {s}, below {least:g}",
             each=Mm(shown), s=Mm(self.s[i]), least=Mm(least),
         )  # fmt: skip
