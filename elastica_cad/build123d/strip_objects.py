@@ -334,7 +334,7 @@ class Slider(_Travelled, bd.LinearJoint):
 
 
 class AngleSlider(_Travelled, bd.RevoluteJoint):
-    """Revolute joint "slider": the end of a strip rotates about its position.
+    """Revolute joint "slider": the end of a strip rotates in place.
 
     `connect_to(joint, angle=...)` rotates the part that is attached to the end, with the x axis of the part
     along the strip. `bent(angle)` returns the strip for this angle. Angles are in degrees from the initial

@@ -513,7 +513,7 @@ class KeepOut(Constraint):
     one_sided: bool = True
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the distances from the region (n+1,), in lengths of the target."""
+        """Return the distances from the region (n+1,), as fractions of the length of the target."""
         return self._clearance(rod)[0]
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
 
 
 SPANS = 1000  # number of spans of the interpolated target; the interpolation error is 1e-9 of its length
-_WINDOW_LENGTHS = 0.08  # half width of the window in which the nearest point is searched, in lengths
-_SYMMETRIC_LENGTHS = 1e-4  # largest distance of a symmetric curve from its image, in lengths
+_WINDOW_LENGTHS = 0.08  # half width of the window for the nearest point, as a fraction of the length
+_SYMMETRIC_LENGTHS = 1e-4  # largest distance of a symmetric curve from its image / its length
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,7 +141,7 @@ class Distance(Protocol):
     """Interface of a measure of the distance of a rod from the target."""
 
     def value(self, rod: MappedRod) -> float:
-        """Return the value to minimise, in lengths of the target or squares of lengths."""
+        """Return the value to minimise, for the length of the target as the unit of length."""
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Return a convex model (Gauss-Newton) for steps of the unknowns.
@@ -293,9 +293,9 @@ def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalMod
 
 
 def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
-    """Return the largest distance between the target and a smooth curve through `nodes` (n, 2), in lengths.
+    """Return the largest distance between the target and a smooth curve through `nodes` (n, 2).
 
-    It is the larger of the distances from either curve to the other.
+    The unit is the length of the target. The result is the larger of the distances from either curve to the other.
     """
     other = _through(nodes, target.position.shape[0])
     return max(_largest_distance(target.position, other), _largest_distance(other, target.position))

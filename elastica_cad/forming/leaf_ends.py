@@ -203,7 +203,10 @@ class _Search:
         return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
 
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
-        """Return the distances from the drawn points in lengths. They are large if the stack has no rest shape."""
+        """Return the offsets from the drawn points / (length of the rod * square root of the number of nodes).
+
+        They are large if the stack has no rest shape.
+        """
         try:
             rod = self._bent(x, shape[0])
         except (InputError, NotConvergedError):

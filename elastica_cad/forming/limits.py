@@ -17,7 +17,7 @@ Symmetry: TypeAlias = Literal["mirror", "turn"]
 Measure: TypeAlias = Literal["mean", "closest", "max"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
-MET = 1e-6  # largest violation of a limit that counts as met, in lengths, radians or fractions of the limit
+MET = 1e-6  # largest violation of a limit that counts as met; see `Binding.broken` for its units
 # distance, as a fraction of the diagonal of the drawn curve, above which a rod is a different curve
 FAR_SHARE = 0.03
 

@@ -89,7 +89,7 @@ class NearestRod:
         Limits and kept properties that are violated, followed by those that increase the distance, each with the
         largest effect first.
     violation : float
-        Largest violation of any limit, in lengths of the drawn curve, radians or fractions of the limit.
+        Largest violation of any limit; see `Binding.broken` for its units.
     iterations : int
         Number of steps from all initial guesses; a step is an accepted quadratic program.
     limits, keep

@@ -73,7 +73,8 @@ class SearchSettings(NamedTuple):
         A further result is reported if its distance is at most `tie_factor` times the least distance, and its rod
         is farther than `tie_distance` from the best rod.
     closed_gap : float
-        Least distance between the ends, in lengths, by which the chord of a nearly closed curve is divided.
+        Least distance between the ends, as a fraction of the length, by which the chord of a nearly closed curve
+        is divided.
     rescalings : int
         Largest number of repeated searches until the scale of the sections agrees with the rod.
     scale_reserve, scale_change : float

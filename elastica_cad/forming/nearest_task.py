@@ -170,7 +170,7 @@ class NearestTask:
         return float(np.sqrt(min(self.limits.largest_ratio, 16.0)))
 
     def off(self, mapped: MappedRod) -> float:
-        """Return the root mean square distance of a rod from the target, in lengths of the target."""
+        """Return the root mean square distance of a rod from the target / length of the target."""
         return float(np.sqrt(2 * self.mean_distance.value(mapped)))
 
     @property

@@ -275,7 +275,7 @@ class MappedRod(DiscreteRod):
     all_forces : (n+2, 2) array
         Force lambda before the first node, in the edges, and after the last node.
     length : float
-        Length in lengths of the target.
+        Length, as a multiple of the length of the target.
     memory : dict
         Cache of expensive results for this rod.
     """

@@ -155,7 +155,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
 _SAME_LENGTH = 1e-6  # reserve for rounding errors, as a fraction of the length range of a pre-bent strip
 # tolerance of the symmetry of a pre-bent strip, as a fraction of the typical curvature
 _SAME_CURVATURE = 1e-6
-_LENGTHS = (0.2, 5.0)  # default limits of the length, in lengths of the target
+_LENGTHS = (0.2, 5.0)  # default limits of the length, as multiples of the target's length
 
 RodOutcome: TypeAlias = Outcome[MappedRod]
 

@@ -96,7 +96,7 @@ def split(
     places : (k,) array_like, optional
         Possible arc lengths of supports, mm; by default any.
     tolerance : float
-        Distance below which inflections of a piece are on one line, in lengths of the whole curve.
+        Distance below which inflections of a piece are on one line, as a fraction of the whole curve's length.
 
     Raises
     ------
@@ -156,7 +156,7 @@ class _Cut:
             return np.inf
 
     def _held(self, start: float, end: float) -> tuple[PlaneCurve, Supports, float]:
-        """Return a piece, the supports of its ends, and the tolerance in lengths of the piece."""
+        """Return a piece, the supports of its ends, and the tolerance as a fraction of its length."""
         low, high = self.curve.domain
         first, last = self.supports.ends
         piece = self.piece(start, end)

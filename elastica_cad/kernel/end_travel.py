@@ -139,7 +139,7 @@ STATIONS = 24
 
 @dataclass(frozen=True, eq=False)
 class Travel:
-    """Path of the end of a strip: a translation along a line, or a rotation about its position.
+    """Path of the end of a strip: a translation along a line, or a rotation in place.
 
     Parameters
     ----------

@@ -395,7 +395,7 @@ def require_tolerance(tolerance: object) -> None:
     """Refuse a tolerance that is negative or not a number."""
     if not (is_number(tolerance) and tolerance >= 0):
         raise InputError(
-            f"tolerance is {tolerance!r}: it must be a number, 0 or more, in lengths of the curve"
+            f"tolerance is {tolerance!r}: it must be a fraction of the curve's length, 0 or more"
         )
 
 

@@ -23,7 +23,7 @@ ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
 
 LONGEST_STEP = 0.02  # largest step of the logarithm of the length for Newton's method
 NEWTON_STEPS = 20
-MET = 1e-13  # tolerance of Newton's method in lengths and rad
+MET = 1e-13  # tolerance of Newton's method, as a fraction of the length or in rad
 
 TANGENT_ERROR = 1e-9
 """Accuracy of the ends of the changed curve, as a fraction of the length."""

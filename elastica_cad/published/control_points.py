@@ -212,7 +212,7 @@ _ACCURACY = 1e-12
 _MARGIN_UNIT = 50.0  # typical error of the margin, used as its unit
 _COARSE = 3.0  # a step to more than this multiple of the present or permitted ratio is refused
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0  # targets of one step: factor of the ratio, and increase of the margin
-# initial, largest and smallest radius of the trust region, in lengths of the curve
+# initial, largest and smallest radius of the trust region, as a fraction of the curve's length
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
 _SETTLED = 1e-3  # the search ends if the predicted gain of a step is below this fraction of the distance
 _RESOLUTION = (
@@ -220,7 +220,9 @@ _RESOLUTION = (
     1e-12
 )
 _INSIDE = 1e-5  # relative distance from the bounds, so that they hold between the samples too
-_ENFORCED = 1e-11  # a constraint with a smaller error counts as satisfied, in lengths and radians
+_ENFORCED = 1e-11
+"""Error below which a constraint counts as satisfied, as a fraction of the curve's length or in rad."""
+
 _ROUNDS = 12  # samples are added where a step would violate the bounds, at most this number of times
 
 
