@@ -206,7 +206,10 @@ def use_nearest(document):
     answers["refused"] = live.session().card.answer.verdict.value
     picture("refused.png")
     refused = bad.Geometry[0].NbPoles
-    click(live.session().card.button)
+    card = live.session().card
+    if not card.button.isVisible():  # a small view folds the card
+        click(card.fold)
+    click(card.button)
     until(lambda: bad.Geometry[0].NbPoles != refused)
     until(lambda: live.session().card.answer.verdict.value != "cannot")
     live_at_rest()

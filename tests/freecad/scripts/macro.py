@@ -182,7 +182,10 @@ def reshape(document):
     until(lambda: live.session() is not None and live.session().near is not None)
     fit()
     refused = bad.Geometry[0].NbPoles
-    click(live.session().card.button)
+    card = live.session().card
+    if not card.button.isVisible():  # a small view folds the card
+        click(card.fold)
+    click(card.button)
     until(lambda: bad.Geometry[0].NbPoles != refused)
     live_at_rest()
     Gui.ActiveDocument.resetEdit()
