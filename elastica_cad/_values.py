@@ -199,6 +199,12 @@ def is_series(value: object) -> TypeGuard[Iterable[Any]]:
     return isinstance(value, Iterable) and not alone
 
 
+def require_executor(executor: object, method: str) -> None:
+    """Raise InputError unless the value is None or has the method of an executor that the caller uses."""
+    if not (executor is None or callable(getattr(executor, method, None))):
+        raise InputError(f"executor is {quoted(executor)}: give a concurrent.futures.Executor, or None")
+
+
 def require_record(value: object, record: type[Any] | UnionType, what: str, cure: str) -> None:
     """Raise InputError unless the value is a record of a class. In the message, `cure` is the instruction.
 

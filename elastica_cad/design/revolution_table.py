@@ -138,23 +138,21 @@ class RevolutionTable:
     @property
     def reports(self) -> tuple[str, ...]:
         """Messages on an assumed axis, and on the distance of the meridian from its points, if any."""
-        off = self.meridian.deviation
-        assumed = self.curve is not None and self.axis is None and self.axis_x is None
-        axis = note(
-            "The axis is x = 0 of the drawing, so the surface is {width} wide. "
-            "If the axis is elsewhere, set axis or axis_x.",
-            width=Length(2 * float(self.meridian.curve.bounds[1, 0])),
-        )
-        if off <= NEAR_MM:
-            return (axis,) if assumed else ()
-        return (
-            *((axis,) if assumed else ()),
-            note(
+        reports = []
+        if self.curve is not None and self.axis is None and self.axis_x is None:
+            width = Length(2 * float(self.meridian.curve.bounds[1, 0]))
+            reports.append(note(
+                "The axis is x = 0 of the drawing, so the surface is {width} wide. "
+                "If the axis is elsewhere, set axis or axis_x.",
+                width=width,
+            ))  # fmt: skip
+        if self.meridian.deviation > NEAR_MM:
+            reports.append(note(
                 "The meridian deviates from its points by up to {far}. Strips cannot cover the surface of a "
                 "nearer meridian without gaps.",
-                far=Length(off),
-            ),
-        )
+                far=Length(self.meridian.deviation),
+            ))  # fmt: skip
+        return tuple(reports)
 
 
 OWN_KEYS = ("a", "b", "start", "angle", "length")

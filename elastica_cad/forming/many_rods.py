@@ -5,7 +5,7 @@ from concurrent.futures import Executor, Future
 from queue import SimpleQueue
 from typing import Any, NamedTuple
 
-from elastica_cad._values import is_series
+from elastica_cad._values import is_series, require_executor
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod
@@ -67,7 +67,7 @@ def nearest_rods(
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
         raise InputError(f"nearest_rods takes a list of curves, not a {type(curves).__name__}")
-    _require_executor(executor)
+    require_executor(executor, "submit")
     if not (progress is None or callable(progress)):
         raise InputError(
             f"progress is {progress!r}: give a function of (curves done, curves in all), or None"
@@ -137,7 +137,7 @@ def stream_nearest_rods(
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
         raise InputError(f"stream_nearest_rods takes an iterable of curves, not a {type(curves).__name__}")
-    _require_executor(executor)
+    require_executor(executor, "submit")
     _require_options("stream_nearest_rods", options)
     whole_number(ahead, "ahead", 1)
     tasks = (_Task(curve, limits, keep, gravity, supports, options) for curve in curves)
@@ -218,11 +218,6 @@ def _spread(name: str, value: Any, count: int) -> list[Any]:
             f"{name} has {len(value)} values for {count} curves: give one value for all, or {count} values"
         )
     return list(value)
-
-
-def _require_executor(executor: object) -> None:
-    if not (executor is None or hasattr(executor, "submit")):
-        raise InputError(f"executor is {executor!r}: give a concurrent.futures.Executor, or None")
 
 
 def _require_options(function_name: str, options: dict[str, Any]) -> None:

@@ -5,7 +5,7 @@ from concurrent.futures import Executor
 from functools import partial
 from typing import Any
 
-from elastica_cad._values import is_series
+from elastica_cad._values import is_series, require_executor
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.least_ratio import optimal_rod
@@ -50,8 +50,7 @@ def optimal_rods(
     """
     if isinstance(curves, PlaneCurve) or not is_series(curves):
         raise InputError(f"optimal_rods takes a list of curves, not a {type(curves).__name__}")
-    if not (executor is None or callable(getattr(executor, "map", None))):
-        raise InputError(f"executor is {executor!r}: give a concurrent.futures.Executor, or None")
+    require_executor(executor, "map")
     attempt = partial(_attempted, options=options)
     curves = list(curves)
     return tuple(map(attempt, curves) if executor is None else executor.map(attempt, curves, chunksize=CHUNK))

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import is_whole, numbers, require_positive, require_record
+from elastica_cad._values import is_whole, numbers, require_executor, require_positive, require_record
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend, dead_loads, has_snapped, system_of
@@ -413,8 +413,7 @@ def tolerance_study(
         raise InputError(f"samples is {samples!r}: give a whole number from 1 to {MOST_SAMPLES}")
     if not (ranges is None or isinstance(ranges, ToleranceRanges)):
         raise InputError(f"ranges are {quoted(ranges)}: give a ToleranceRanges record, or None")
-    if not (executor is None or callable(getattr(executor, "map", None))):
-        raise InputError(f"executor is {quoted(executor)}: give a concurrent.futures.Executor, or None")
+    require_executor(executor, "map")
     if not (is_whole(seed) and seed >= 0):
         raise InputError(f"seed is {seed!r}: give a whole number from 0")
     varied = ranges or (ToleranceRanges.of(sheet) if sheet is not None else ToleranceRanges())

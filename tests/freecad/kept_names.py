@@ -4,11 +4,10 @@ Documents store the properties, macros type both. `test_kept_names.py` compares 
 """
 
 import ast
-import json
-import tomllib
 from importlib import import_module
 
 from tests.freecad.conftest import ROOT
+from tests.house.kept_names import write_list
 
 LISTS = ROOT / "tests" / "freecad" / "data" / "names"
 WORKBENCH = ROOT / "freecad_workbench" / "freecad" / "elastica_wb"
@@ -43,13 +42,5 @@ def names() -> dict[str, set[str]]:
     return {"properties": property_names(), "commands": command_names()}
 
 
-def main() -> None:
-    """Write the list of the version in pyproject.toml."""
-    version = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
-    LISTS.mkdir(exist_ok=True)
-    text = json.dumps({place: sorted(listed) for place, listed in names().items()}, indent=0)
-    (LISTS / f"{version}.json").write_text(text + "\n", encoding="utf-8")
-
-
 if __name__ == "__main__":
-    main()
+    write_list(LISTS, names())

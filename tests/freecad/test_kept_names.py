@@ -1,19 +1,14 @@
 """Properties and commands of earlier versions are still there, with their types."""
 
-import json
-
 import pytest
 
 from tests.freecad.kept_names import LISTS, names
+from tests.house.kept_names import lost_names
 
 
-@pytest.mark.parametrize("version", [path.stem for path in sorted(LISTS.glob("*.json"))])
-def test_names_of_a_version_are_kept(version):
-    earlier, now = json.loads((LISTS / f"{version}.json").read_text(encoding="utf-8")), names()
-    lost = [
-        f"{place}: {name}" for place, listed in earlier.items() for name in listed if name not in now[place]
-    ]
-    assert lost == []
+@pytest.mark.parametrize("path", sorted(LISTS.glob("*.json")), ids=lambda path: path.stem)
+def test_names_of_a_version_are_kept(path):
+    assert lost_names(path, names()) == []
 
 
 def test_each_place_is_listed():

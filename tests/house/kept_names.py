@@ -97,13 +97,23 @@ def names() -> dict[str, set[str]]:
     }
 
 
-def main() -> None:
-    """Write the list of the version in pyproject.toml."""
-    version = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"]
-    LISTS.mkdir(exist_ok=True)
-    text = json.dumps({place: sorted(found) for place, found in names().items()}, indent=0)
-    (LISTS / f"{version}.json").write_text(text + "\n", encoding="utf-8")
+def present_version() -> str:
+    """Version in pyproject.toml."""
+    return str(tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"])
+
+
+def write_list(folder: Path, listed: dict[str, set[str]]) -> None:
+    """Write the list of this version into a folder."""
+    folder.mkdir(exist_ok=True)
+    text = json.dumps({place: sorted(found) for place, found in listed.items()}, indent=0)
+    (folder / f"{present_version()}.json").write_text(text + "\n", encoding="utf-8")
+
+
+def lost_names(path: Path, now: dict[str, set[str]]) -> list[str]:
+    """Names in the list of an earlier version that are gone, with their place."""
+    earlier = json.loads(path.read_text(encoding="utf-8"))
+    return [f"{place}: {name}" for place, kept in earlier.items() for name in kept if name not in now[place]]
 
 
 if __name__ == "__main__":
-    main()
+    write_list(LISTS, names())

@@ -13,18 +13,13 @@ import zlib
 from pathlib import Path
 
 from tests.command_line import run
+from tests.house.kept_names import present_version
+from tests.studio.conftest import link
 
 ROOT = Path(__file__).resolve().parents[2]
 STORED = ROOT / "tests" / "data" / "stored"
 DESIGNS = ("arch", "lamp", "pavilion", "revolution")
 """Designs of `elastica new` without a mesh."""
-
-
-def linked(design: dict[str, object]) -> str:
-    """Return the fragment of the page's address that holds a design, as the page packs it."""
-    packed = zlib.compressobj(wbits=-15)
-    text = base64.urlsafe_b64encode(packed.compress(json.dumps(design).encode()) + packed.flush())
-    return text.decode().rstrip("=")
 
 
 def unlinked(fragment: str) -> dict[str, object]:
@@ -58,8 +53,8 @@ def write(folder: Path) -> None:
     shutil.copy(made / "arch.json", folder)
     shutil.rmtree(made)
     design = tomllib.loads((folder / "pavilion.toml").read_text(encoding="utf-8"))
-    (folder / "link.txt").write_text(linked(design) + "\n", encoding="utf-8")
+    (folder / "link.txt").write_text(link(design) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
-    write(STORED / tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"])
+    write(STORED / present_version())
