@@ -2,7 +2,7 @@
 changes.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextvars import ContextVar
 from dataclasses import dataclass
 from decimal import Decimal
@@ -352,6 +352,20 @@ def note(
     it rests 1.23 mm away 1.234
     """
     return Refusal("note", text, values, changes=changes, severity=severity)
+
+
+def one_of_each(messages: Iterable[str]) -> Iterator[str]:
+    """Yield messages.
+
+    If several messages differ only in numbers and names, yield the first, with the number of the others.
+    """
+    kinds: dict[str, list[str]] = {}
+    for message in dict.fromkeys(messages):
+        kinds.setdefault(getattr(message, "text", message), []).append(message)
+    for alike in kinds.values():
+        first = alike[0]
+        yield note("{first} (and {count} more like this)", first=first, count=len(alike) - 1,
+                   severity=getattr(first, "severity", "warning")) if alike[1:] else first  # fmt: skip
 
 
 def sentences(parts: Iterable[str], between: str = "; ", end: str = "") -> str:

@@ -1,7 +1,7 @@
 """`elastica model`: write a folder with everything that is needed to build the model of a design file."""
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 from itertools import count
@@ -26,7 +26,7 @@ from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_content
 from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
 from elastica_cad.model.model import Model
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import Length, Refusal, is_reported, note
+from elastica_cad.refusals import Length, Refusal, is_reported, note, one_of_each
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.pieces import EqualStrips
@@ -220,7 +220,7 @@ def _before_you_cut(contents: KitContents, kit: Kit, output: Path) -> None:
             f"{output} holds files of an earlier run that do not belong to this model "
             f"({old[0]}{' and others' if old[1:] else ''}). Delete them, or choose an empty folder."
         )
-    shown = messages if voice().verbose else list(_one_of_each(messages))[:MOST_SHOWN]
+    shown = messages if voice().verbose else list(one_of_each(messages))[:MOST_SHOWN]
     if messages:
         warn("Before you cut:", in_notes=False)
     for text in shown:
@@ -235,17 +235,3 @@ def _warnings(model: Model) -> Iterator[Refusal]:
             if voice().verbose or is_reported(text):
                 warning = text if isinstance(text, Refusal) else note(text, severity="warning")
                 yield warning.at(strip=part.name)
-
-
-def _one_of_each(messages: Iterable[str]) -> Iterator[str]:
-    """Yield messages.
-
-    If several messages differ only in numbers and names, yield the first, with the number of the others.
-    """
-    kinds: dict[str, list[str]] = {}
-    for message in dict.fromkeys(messages):
-        kinds.setdefault(getattr(message, "text", message), []).append(message)
-    for alike in kinds.values():
-        first = alike[0]
-        yield note("{first} (and {count} more like this)", first=first, count=len(alike) - 1,
-                   severity=getattr(first, "severity", "warning")) if alike[1:] else first  # fmt: skip

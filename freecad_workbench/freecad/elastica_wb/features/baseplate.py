@@ -11,7 +11,7 @@ import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.part_shapes import make_solid
 from freecad.elastica_wb.curves.sketch_curves import container, frame_of
-from freecad.elastica_wb.features.fixtures import show_plays, source_model
+from freecad.elastica_wb.features.fixtures import report_holders, source_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
 from freecad.elastica_wb.host.objects import is_rings
 from freecad.elastica_wb.host.property_table import Property, declared_property, values_of
@@ -59,7 +59,7 @@ class BasePlateFeature(Feature):
         solid = plate.solid
         lowered = Frame().shifted(z=-solid.thickness)
         obj.Shape = make_solid(FlatSolid(solid.outline, solid.holes, solid.thickness, lowered))
-        show_plays(obj, source_model(obj.Sources), [plate])
+        report_holders(obj, source_model(obj.Sources), [plate])
 
 
 class RingsFeature(Feature):
@@ -89,7 +89,7 @@ class RingsFeature(Feature):
         shape = Part.Compound([make_solid(ring.solid) for ring in rings])
         shape.Placement = container(obj).inverse()
         obj.Shape = shape
-        show_plays(obj, source_model(obj.Sources), rings)
+        report_holders(obj, source_model(obj.Sources), rings)
 
 
 def create(document: Any, sources: list[Any]) -> Any:

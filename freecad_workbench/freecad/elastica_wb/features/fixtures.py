@@ -25,6 +25,8 @@ from elastica_cad.errors import InputError
 from elastica_cad.model.fixtures import EndFixture, place_tabs
 from elastica_cad.model.held_tabs import holder_plays
 from elastica_cad.model.model import FIXTURE_COLOR, Model
+from elastica_cad.model.plates import BasePlate
+from elastica_cad.refusals import one_of_each
 
 SIZES = {option.name.title().replace("_", ""): option for option in declared(EndFixture)}
 """Options of blocks, by the names of their properties."""
@@ -52,7 +54,7 @@ class FixturesFeature(Feature):
         for block in shapes:
             block.Placement = inner * block.Placement
         obj.Shape = Part.Compound(shapes)
-        show_plays(obj, model, blocks)
+        report_holders(obj, model, sorted(blocks, key=lambda block: -abs(block.lean[1])))
 
 
 def _blocks(obj: Any, model: Model) -> tuple[EndFixture, ...]:
@@ -93,9 +95,10 @@ def create(document: Any, sources: list[Any]) -> Any:
     return obj
 
 
-def show_plays(obj: Any, model: Model, holders: Iterable[object]) -> None:
-    """Write into the results of a fixture how far tabs can shift and rotate in it."""
-    put(obj, Reports=list(holder_plays(model.placed, holders)))
+def report_holders(obj: Any, model: Model, holders: Iterable[EndFixture | BasePlate]) -> None:
+    """Write into the results of holders their warnings, and how far tabs can shift and rotate in them."""
+    warnings = one_of_each(text for holder in holders for text in holder.warnings)
+    put(obj, Reports=[*holder_plays(model.placed, holders), *warnings])
 
 
 def source_model(sources: list[Any], *, shown: bool = False) -> Model:
