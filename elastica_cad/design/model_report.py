@@ -93,6 +93,15 @@ def report_model(
         "pieces": cut_list.count,
         "cut_length": round_numbers(cut_list.cut_length),
         "mass": round_numbers(cut_list.mass),
+        "blocks": [
+            {
+                "name": row.part,
+                "size": round_numbers([row.length, row.width, row.thickness]),
+                "count": row.count,
+                "color": row.color,
+            }
+            for row in cut_list.printed
+        ],
         "reports": list(model.reports),
         "files": dict(files),
     }

@@ -221,8 +221,7 @@ def make_fixture_on(
     `floor` and `workplane` are planes of any CAD library, and `options` are `FixtureOptions`. Errors are the same
     as for `EndFixture` and `make_strip_on`.
     """
-    from elastica_cad.model.fixtures import EndFixture
-    from elastica_cad.model.model import FIXTURE_COLOR
+    from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture
 
     sizes = {name: options.pop(name) for name in FIXTURE_SIZES if name in options}
     _refuse_unknown(options, FIXTURE_SIZES)

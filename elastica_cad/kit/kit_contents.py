@@ -52,7 +52,12 @@ class KitContents:
     @cached_property
     def cut_list(self) -> CutList:
         """List of all parts to be cut. It is cached, because the search for parts of equal shape is slow."""
-        return cut_list(self.pieces)
+        return cut_list((*self.pieces, *self.blocks))
+
+    @property
+    def blocks(self) -> list[EndFixture]:
+        """Blocks to be printed."""
+        return [holder for holder in self.holders if isinstance(holder, EndFixture)]
 
     @cached_property
     def report(self) -> dict[str, Any]:

@@ -19,7 +19,6 @@ from elastica_cad.geometry.path import Path as ClosedPath
 from elastica_cad.kit.kit import Kit, can_draw, cutting_files, left_out, save_solid
 from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
 from elastica_cad.model.cut_rows import CutList
-from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces
 from elastica_cad.strip.drawing import CUT_OUTER, SHEET, Drawing, LayeredPath
@@ -108,6 +107,8 @@ def model_kit(
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
     name, files, taken = file_word(model.name), list[File](), set[str]()
     listed = contents.cut_list.in_files(_homes(contents, parts=parts))
+    blocks = (replace(row, file=f"{PARTS}/{row.file}" if step else "") for row in listed.printed)
+    listed = replace(listed, printed=tuple(blocks))
     csv, txt, json, page = _lists(name)
     if pictures:
         files.append(
@@ -327,7 +328,7 @@ def _taken(pieces: int) -> str:
 
 def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
     """Return a sentence with the number of printed blocks and their files."""
-    count = len(_printed(contents))
+    count = len(contents.blocks)
     if not count:
         return []
     files = [file for file in files if file.endswith(".stl")]
@@ -380,16 +381,12 @@ def _assemblies(contents: KitContents, stem: str) -> tuple[File, File]:
 
 def _blocks(contents: KitContents) -> list[File]:
     """Return the file of the block of each fixture, placed on the printer bed."""
-    blocks = _printed(contents)
+    blocks = contents.blocks
     stems = distinct(file_word(block.label) for block in blocks)
     return [
         File(f"{PARTS}/{stem}.stl", partial(save_solid, block.solid, bed=block.ground), "block to print")
         for stem, block in zip(stems, blocks, strict=True)
     ]
-
-
-def _printed(contents: KitContents) -> list[EndFixture]:
-    return [holder for holder in contents.holders if isinstance(holder, EndFixture)]
 
 
 def _draw_assembly(contents: KitContents, listed: CutList, path: Path) -> None:

@@ -1004,6 +1004,18 @@ def sheets_for_curve(
 Color: TypeAlias = tuple[float, float, float]
 """Red, green and blue, from 0 to 1."""
 
+
+def hex_color(color: Color) -> str:
+    """Return a colour as "#rrggbb".
+
+    Examples
+    --------
+    >>> hex_color((0.2, 0.4, 1.0))
+    '#3366ff'
+    """
+    return "#" + "".join(f"{round(255 * part):02x}" for part in color)
+
+
 _COLOR_BY_NAME = {
     "pom": (0.93, 0.93, 0.90),
     "polypropylene": (0.88, 0.91, 0.93),

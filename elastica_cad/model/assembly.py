@@ -9,9 +9,9 @@ from elastica_cad._values import several
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import sheet_color
-from elastica_cad.model.fixtures import EndFixture, PlacedTab, tab_name
+from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture, PlacedTab, tab_name
 from elastica_cad.model.frames import Rib, SlottedFrame
-from elastica_cad.model.model import FIXTURE_COLOR, Model
+from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate, Ring
 from elastica_cad.refusals import note
 from elastica_cad.strip.holding_template import held_ends

@@ -1,30 +1,40 @@
-"""Cut list with a row for every piece, as CSV and as a printed table."""
+"""Cut list with a row for every piece and every printed block, as CSV and as a printed table."""
 
 import csv
 import io
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from elastica_cad._values import require_record, several
+from elastica_cad.mechanics.sheets import hex_color, sheet_color
+from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER
 from elastica_cad.strip.layers import Layer
-from elastica_cad.strip.pieces import DistinctShapes, FlatShape, Piece
+from elastica_cad.strip.pieces import DistinctShapes, FlatShape, Piece, distinct, file_word
 
 CSV_COLUMNS = {
     "part": "{0.part}", "sheet": "{0.sheet}", "thickness_mm": "{0.thickness:g}", "length_mm": "{0.length:.2f}",
     "width_mm": "{0.width:.2f}", "count": "{0.count}", "file": "{0.file}", "cut_length_mm": "{0.cut_length:.1f}",
-    "mass_g": "{0.mass:.3f}", "grain": "{0.grain}", "same_shape_as": "{0.like}",
+    "mass_g": "{0.mass:.3f}", "grain": "{0.grain}", "same_shape_as": "{0.like}", "color": "{0.color}",
 }  # fmt: skip
 """Columns of the list in a file, with the format of each value."""
 
 TABLE_COLUMNS = {
     "part": "{0.part}", "sheet": "{0.sheet}", "mm": "{0.thickness:g}", "size mm": "{0.length:.1f} x {0.width:.1f}",
     "count": "{0.count}", "cut mm": "{0.cut_length:.0f}", "g": "{0.mass:.2f}", "grain": "{0.grain}",
-    "shape as": "{0.like}", "file": "{0.file}",
+    "shape as": "{0.like}", "color": "{0.color}", "file": "{0.file}",
 }  # fmt: skip
 """Columns of the printed table, with the format of each value."""
 
 SUMMED = ("count", "cut mm", "g")
+
+NOT_PRINTED = ("cut_length_mm", "mass_g", "cut mm", "g")
+"""Columns that are empty in the rows of printed blocks. Their mass depends on the printer."""
+
+PRINTED = "printed"
+"""Text in place of the sheet in the rows of printed blocks."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +43,8 @@ class CutListRow:
 
     `grain` is the direction of `length` relative to the grain; it is empty for a sheet without grain. `like`
     is the name of the first piece with the same shape, possibly turned or flipped, and different
-    engraving.
+    engraving. `color` is the colour of the piece in pictures and STEP files, as "#rrggbb". For a printed block,
+    `thickness` is the height; `cut_length` and `mass` are 0.
     """
 
     part: str
@@ -47,6 +58,7 @@ class CutListRow:
     file: str
     grain: str = ""
     like: str = ""
+    color: str = ""
 
 
 @dataclass(frozen=True)
@@ -56,13 +68,17 @@ class CutList:
     Attributes
     ----------
     rows : tuple of CutListRow
+        Pieces to be cut.
+    printed : tuple of CutListRow
+        Printed blocks. The sums do not include them.
     """
 
     rows: tuple[CutListRow, ...]
+    printed: tuple[CutListRow, ...] = ()
 
     @property
     def count(self) -> int:
-        """Number of all pieces."""
+        """Number of all pieces to be cut."""
         return sum(row.count for row in self.rows)
 
     @property
@@ -89,19 +105,33 @@ class CutList:
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(CSV_COLUMNS)
-        writer.writerows([_cell(text.format(row)) for text in CSV_COLUMNS.values()] for row in self.rows)
+        writer.writerows(map(_cell, row) for row in self._texts(CSV_COLUMNS))
         return stream.getvalue()
 
     def in_files(self, files: Mapping[str, str]) -> "CutList":
         """Return the list with new file names by part name; other parts keep their file names."""
         require_record(files, Mapping, "the names of files", "a mapping from part to file")
-        return CutList(tuple(replace(row, file=files.get(row.part, row.file)) for row in self.rows))
+        cut, printed = (
+            tuple(replace(row, file=files.get(row.part, row.file)) for row in rows)
+            for rows in (self.rows, self.printed)
+        )
+        return CutList(cut, printed)
 
     def __str__(self) -> str:
-        """Return the list as a table of text, with the sums in its last line."""
-        body = [[text.format(row) for text in TABLE_COLUMNS.values()] for row in self.rows]
+        """Return the list as a table of text. The sums are below the pieces and above the printed blocks."""
+        body = self._texts(TABLE_COLUMNS)
         sums = [TABLE_COLUMNS[name].format(self) if name in SUMMED else "" for name in TABLE_COLUMNS]
-        return _table([[*TABLE_COLUMNS], *body, ["in all", *sums[1:]]], right=(2, 3, 4, 5, 6))
+        body.insert(len(self.rows), ["in all", *sums[1:]])
+        return _table([[*TABLE_COLUMNS], *body], right=(2, 3, 4, 5, 6), sums=len(self.rows) + 1)
+
+    def _texts(self, columns: Mapping[str, str]) -> list[list[str]]:
+        """Return the texts of all rows, those of the printed blocks last."""
+        cut = [[text.format(row) for text in columns.values()] for row in self.rows]
+        printed = [
+            ["" if name in NOT_PRINTED else text.format(row) for name, text in columns.items()]
+            for row in self.printed
+        ]
+        return cut + printed
 
 
 def _cell(text: str) -> str:
@@ -109,18 +139,22 @@ def _cell(text: str) -> str:
     return f"'{text}" if text[:1] in tuple("=+-@\t\r") else text
 
 
-def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) -> CutList:
-    """Return the cut list of pieces, in their order.
+def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | None = None) -> CutList:
+    """Return the cut list of pieces, and of printed blocks, in their order.
 
     Parameters
     ----------
-    pieces : iterable of Piece
+    pieces : iterable of Piece or EndFixture
     files : mapping, optional
-        Mapping from the name of a piece to its file. The default file name is `file_stem` with .dxf.
+        Mapping from the name of a piece or block to its file. The default file names are `file_stem` with .dxf,
+        and the name of the block with .stl.
     """
-    rows, pieces = [], several("pieces", pieces, Piece, "Piece")
+    rows, pieces = [], several("pieces", pieces, Piece | EndFixture, "Piece")
+    blocks = [piece for piece in pieces if isinstance(piece, EndFixture)]
     shapes, first_names = DistinctShapes(), list[str]()
     for piece in pieces:
+        if isinstance(piece, EndFixture):
+            continue
         length, width = piece.size
         rows.append(
             CutListRow(
@@ -135,9 +169,25 @@ def cut_list(pieces: Iterable[Piece], files: Mapping[str, str] | None = None) ->
                 f"{piece.file_stem}.dxf",
                 "" if piece.sheet.grain == "none" else piece.sheet.grain,
                 _like(piece, shapes, first_names),
+                hex_color(sheet_color(piece.sheet)),
             )
         )
-    return CutList(tuple(rows)).in_files({} if files is None else files)
+    return CutList(tuple(rows), tuple(_printed(blocks))).in_files({} if files is None else files)
+
+
+def _printed(blocks: Sequence[EndFixture]) -> Iterator[CutListRow]:
+    """Yield a row for each printed block. Equal blocks have one row, with the file of the first."""
+    stems = distinct(file_word(block.label) for block in blocks)
+    same: dict[object, list[int]] = {}
+    for k, block in enumerate(blocks):
+        same.setdefault((block.label, *np.round([*block.size, *block.lean], 6)), []).append(k)
+    for first, *others in same.values():
+        block, color = blocks[first], hex_color(FIXTURE_COLOR)
+        length, width, height = block.size
+        yield CutListRow(
+            block.label, PRINTED, round(height, 2), length, width, 1 + len(others), 0.0, 0.0,
+            f"{stems[first]}.stl", color=color,
+        )  # fmt: skip
 
 
 def _like(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
@@ -154,7 +204,8 @@ def _like(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
     return ""
 
 
-def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int]) -> str:
+def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int], sums: int) -> str:
+    """Return rows as text, with lines below the headings and around the row of the sums."""
     widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
     lines = []
     for row in rows:
@@ -163,6 +214,8 @@ def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int]) -> str:
             for k, (cell, width) in enumerate(zip(row, widths, strict=True))
         ]
         lines.append("  ".join(cells).rstrip())
-    lines.insert(1, "-" * max(map(len, lines)))
-    lines.insert(-1, lines[1])
+    line = "-" * max(map(len, lines))
+    for k in (sums + 1, sums, 1):
+        if k < len(lines):
+            lines.insert(k, line)
     return "\n".join(lines) + "\n"

@@ -16,6 +16,7 @@ from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Arc, Segment
+from elastica_cad.mechanics.sheets import Color
 from elastica_cad.refusals import Length, Listed, Refusal, note
 from elastica_cad.strip.lettering import centred_text, text_strokes
 from elastica_cad.strip.outline import ENDS, Hole, StripEnd, TSlot
@@ -24,6 +25,9 @@ from elastica_cad.strip.strip import Placed, Strip, require_placed, strip_names
 from elastica_cad.strip.tab_seats import TabSeat, lean_against
 
 Key: TypeAlias = tuple[float, ...]
+
+FIXTURE_COLOR: Color = (0.30, 0.36, 0.42)
+"""Color of printed blocks, darker than any sheet."""
 
 
 def tab_name(strip: str, end: StripEnd) -> str:
@@ -302,6 +306,13 @@ class EndFixture(EqualByValue):
     def across(self) -> float:
         """Width of the block, across the strip, mm."""
         return self.tab.width + 2 * (self.clearance + self.wall)
+
+    @property
+    def size(self) -> tuple[float, float, float]:
+        """Length along the tab, width and height of the block with its foot, mm."""
+        up, along, height = self._up
+        corners = np.concatenate([prism.outline.points(1.0) for prism in self.solid.added])
+        return float(np.ptp(corners @ along)), self.across, float((corners @ up).max() - height)
 
     @cached_property
     def ground(self) -> Frame:

@@ -13,7 +13,7 @@ from elastica_cad._values import counted, direction, is_whole, several, three
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError, quoted, refuse_options_unlike
 from elastica_cad.geometry.frame import Frame
-from elastica_cad.mechanics.sheets import Color, Sheet, require_printable
+from elastica_cad.mechanics.sheets import Sheet, require_printable
 from elastica_cad.model.cut_rows import CutList, cut_list
 from elastica_cad.model.fixtures import EndFixture, end_fixtures
 from elastica_cad.model.frames import Rib, SlottedFrame, slotted_frame
@@ -34,9 +34,6 @@ from elastica_cad.strip.pieces import (
 )
 from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_placed, strip_names
 from elastica_cad.strip.uncuttable_parts import FabricationLimits
-
-FIXTURE_COLOR: Color = (0.30, 0.36, 0.42)
-"""Color of printed blocks, darker than any sheet."""
 
 LEAST_SPREAD = 0.2
 """Slots support a plate without tipping if the ratio of their spreads, across to along their main direction,
@@ -351,9 +348,13 @@ class Model:
         more = several("other pieces", others, Piece, "Piece")
         return nest_pieces((*self.pieces, *more), **{"name": f"{self.name}-nest", **options})
 
-    def cut_list(self, others: Iterable[Piece] = ()) -> CutList:
-        """Return the cut list of all pieces. Equal pieces are listed once, with their count."""
-        return cut_list((*self.pieces, *several("other pieces", others, Piece, "Piece")))
+    def cut_list(self, others: Iterable[Piece | EndFixture] = ()) -> CutList:
+        """Return the cut list of all pieces, and of other pieces and printed blocks.
+
+        Equal pieces are listed once, with their count.
+        """
+        more = several("other pieces", others, Piece | EndFixture, "Piece")
+        return cut_list((*self.pieces, *more))
 
     def held(self, *holders: object) -> tuple[HeldShape, ...]:
         """Return the shape of each strip as cut, held by the model's rings and these holders; see `Strip.held`."""

@@ -94,7 +94,17 @@ def _pages(
             (row.part, str(row.count), row.sheet, f"{row.length:.1f} x {row.width:.1f}", row.file)
             for row in cut_list.rows
         ]
-        yield from _tables(f"{model.name}: what is cut", ("part", "count", "sheet", "size, mm", "file"), cut)
+        cut += [
+            (
+                row.part,
+                str(row.count),
+                row.sheet,
+                f"{row.length:.1f} x {row.width:.1f} x {row.thickness:.1f}",
+                row.file,
+            )
+            for row in cut_list.printed
+        ]
+        yield from _tables(f"{model.name}: parts", ("part", "count", "sheet", "size, mm", "file"), cut)
 
 
 def _rows(steps: Sequence[AssemblyStep]) -> Iterator[tuple[str, ...]]:

@@ -18,9 +18,9 @@ from elastica_cad.geometry.segments import Line
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import Color, sheet_color
 from elastica_cad.model.assembly import HOLDERS, Holder, require_model, single_holders
-from elastica_cad.model.fixtures import EndFixture
+from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture
 from elastica_cad.model.frames import Rib
-from elastica_cad.model.model import FIXTURE_COLOR, Model
+from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page, paint_patches
 from elastica_cad.plot.strip_pictures import paint_flat

@@ -565,8 +565,12 @@ def _model(request: Mapping[str, Any]) -> Record:
             for plate in solids
         ],
         "text": note(
-            "{strips} strips, {pieces} pieces on {sheets} sheets, {cuts:.1f} m of cuts, {mass:.0f} g",
+            "{strips} strips, {pieces} pieces on {sheets} sheets, {cuts:.1f} m of cuts, {mass:.0f} g, {blocks} "
+            "printed blocks"
+            if kit.blocks
+            else "{strips} strips, {pieces} pieces on {sheets} sheets, {cuts:.1f} m of cuts, {mass:.0f} g",
             strips=len(places),
+            blocks=len(kit.blocks),
             pieces=listed.count,
             sheets=len(kit.nests),
             cuts=listed.cut_length / 1000,

@@ -1,5 +1,6 @@
 """Several strips: slotted into each other, held by fixtures and a base plate, laid on sheets."""
 
+import csv
 import math
 import re
 from dataclasses import replace
@@ -489,6 +490,21 @@ def test_the_step_file_of_a_model_is_its_bodies(document, standing, tmp_path):
     for found, shown in zip(written.Solids, made.Shape.Solids, strict=True):
         assert found.Volume == pytest.approx(shown.Volume, rel=1e-6)
         assert found.CenterOfMass.distanceToPoint(shown.CenterOfMass) < 1e-3
+
+
+def test_the_cut_list_has_the_printed_blocks(document, standing, tmp_path):
+    """Also those of a strip beside its model, which has the same blocks."""
+    made = model.create(document, standing)
+    blocks = new(fixtures.create, document, [made])
+    for kinds in (("csv",), ("csv", "step")):
+        write_cutting_files([made, standing[0]], tmp_path, kinds=kinds, force=True)
+        with (tmp_path / "cut-list.csv").open(encoding="utf-8") as file:
+            rows = [row for row in csv.DictReader(file) if row["sheet"] == "printed"]
+        assert [row["part"] for row in rows] == [f"fixture {end}" for end in ("A:1", "A:2", "B:1", "B:2")]
+        assert {row["file"] for row in rows} == {"Model.step" if "step" in kinds else ""}
+    for row, shape in zip(rows, blocks.Shape.Solids, strict=True):
+        assert float(row["thickness_mm"]) == pytest.approx(shape.BoundBox.ZLength, abs=0.006)
+        assert float(row["width_mm"]) == pytest.approx(shape.BoundBox.YLength, abs=0.006)
 
 
 LABELS = [

@@ -13,7 +13,7 @@ from dataclasses import replace
 from functools import partial
 from importlib import import_module
 from importlib.util import find_spec
-from itertools import count
+from itertools import count, zip_longest
 from pathlib import Path
 from typing import Any
 
@@ -41,7 +41,7 @@ from elastica_cad.formats.write_files import File, write_files, write_text
 from elastica_cad.kit.kit import cutting_files
 from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.model.cut_rows import cut_list
-from elastica_cad.model.model import FIXTURE_COLOR
+from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture
 from elastica_cad.model.nesting import nest_pieces
 from elastica_cad.strip.pieces import distinct, file_word
 from elastica_cad.strip.solids import FlatSolid, frame_beside
@@ -117,18 +117,23 @@ def write_cutting_files(
         for file in cutting_files(replace(drawing, name=stem), stem, cutting, sheet)
         if file.name.rpartition(".")[2] in kinds
     ]
-    bodies = list(counted(sources)) if "step" in kinds else []
-    steps = distinct(file_word(obj.Label) for obj in bodies)
-    files += [
-        File(f"{word}.step", partial(_write_step, obj)) for word, obj in zip(steps, bodies, strict=True)
-    ]
+    sources = list(counted(sources))
+    bodies = dict(zip(distinct(file_word(obj.Label) for obj in sources), sources, strict=True))
+    if "step" in kinds:
+        files += [File(f"{word}.step", partial(_write_step, obj)) for word, obj in bodies.items()]
     if "csv" in kinds:
         kind = flat[0] if flat else "dxf"
         cut_from = {
             piece.name: cutting.file_name(stem, kind) for stem, piece in zip(stems, pieces, strict=True)
         }
-        files.append(File("cut-list.csv", lambda path: write_text(path, _listed(cuts, cut_from))))
-        flexures = list(filter(is_flexure, counted(sources)))
+        # a strip and its model have the same blocks
+        blocks = {block.tab.key: (block, word) for word, obj in bodies.items() for block in blocks_for(obj)}
+        cut_from |= {
+            block.label: f"{word}.step" if "step" in kinds else "" for block, word in blocks.values()
+        }
+        printed = [block for block, _ in blocks.values()]
+        files.append(File("cut-list.csv", lambda path: write_text(path, _listed(cuts, printed, cut_from))))
+        flexures = list(filter(is_flexure, sources))
         words = distinct(file_word(obj.Label) for obj in flexures)
         files += [
             File(f"{word}-travel.csv", partial(write_text, text=flexure_of(obj).force_csv()))
@@ -139,15 +144,16 @@ def write_cutting_files(
     return list(write_files(files, folder, force=force, done=done))
 
 
-def _listed(cuts: Sequence[Cut], files: Mapping[str, str]) -> str:
+def _listed(cuts: Sequence[Cut], blocks: Sequence[EndFixture], files: Mapping[str, str]) -> str:
     """Return the cut list as CSV. If parts are pre-bent before assembly, a column contains the instructions."""
-    text = cut_list((cut.piece for cut in cuts), files).csv
+    text = cut_list((*(cut.piece for cut in cuts), *blocks), files).csv
     blanks = ["" if cut.strip is None else pre_bend_message(cut.strip) for cut in cuts]
     if not any(blanks):
         return text
     stream = io.StringIO()
     words = Words(user_language(), Unit("mm", 1.0), ".")
-    rows = zip(csv.reader(io.StringIO(text)), ["bent_beforehand", *map(words.sentence, blanks)], strict=True)
+    column = ["bent_beforehand", *map(words.sentence, blanks)]
+    rows = zip_longest(csv.reader(io.StringIO(text)), column, fillvalue="")
     csv.writer(stream, lineterminator="\n").writerows([*row, blank] for row, blank in rows)
     return stream.getvalue()
 

@@ -20,6 +20,11 @@ from elastica_cad.plot.drawing_process import drawing_process
 from elastica_cad.strip import CUT_OUTER
 from tests.command_line import run
 
+BASE = """
+[base]
+sheet = "mdf-3"
+height = 10
+"""
 DESIGN = """
 schema = 1
 name = "kit"
@@ -43,6 +48,8 @@ wall = 3
 kerf = "sheet"
 version = "R12"
 """
+
+TRIANGLE = [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("rest", "<u2")]
 
 
 @pytest.fixture
@@ -83,6 +90,30 @@ def test_a_model_becomes_one_folder(design, tmp_path):
     assert sorted(name for name in names if name.endswith(".stl")) == blocks
     told = f"{blocks[0]} to {blocks[-1]}, foot down" if blocks else "without STEP files they are left out"
     assert f"4 blocks to print: {told}" in (out / "index.html").read_text()
+
+
+@pytest.mark.campaign
+def test_printed_blocks_are_listed_with_the_sizes_of_their_meshes(tmp_path):
+    """Three equal arches: one row for each end, with the extents of the triangles in its file."""
+    path, out = tmp_path / "kit.toml", tmp_path / "out"
+    path.write_text(DESIGN.replace("K{i}", "K").replace("count = 2", "count = 3").replace(BASE, ""))
+    assert run("model", path, "-o", out, "--no-pictures").exit_code == 0
+    with (out / "kit-cut-list.csv").open() as file:
+        rows = [row for row in csv.DictReader(file) if row["sheet"] == "printed"]
+    assert [(row["part"], row["count"], row["mass_g"]) for row in rows] == [
+        ("fixture K:1", "3", ""),
+        ("fixture K:2", "3", ""),
+    ]
+    report = json.loads((out / "kit.json").read_text())
+    assert report["pieces"] == 3
+    for row, block in zip(rows, report["blocks"], strict=True):
+        data = np.frombuffer((out / row["file"]).read_bytes()[84:], TRIANGLE)
+        extents = sorted(np.ptp(data["corners"].reshape(-1, 3), axis=0))
+        listed = [float(row[name]) for name in ("length_mm", "width_mm", "thickness_mm")]
+        assert sorted(listed) == pytest.approx(extents, abs=0.006)
+        assert (block["size"], block["color"]) == (pytest.approx(listed, abs=0.006), row["color"])
+    table = (out / "kit-cut-list.txt").read_text().splitlines()
+    assert [line.split()[:3] for line in table[-2:]] == [["fixture", f"K:{k}", "printed"] for k in (1, 2)]
 
 
 def test_the_same_design_gives_the_same_files(design, tmp_path):

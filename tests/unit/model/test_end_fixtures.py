@@ -252,3 +252,15 @@ def test_convex_outlines_are_those_of_scipy():
         theirs = points[ConvexHull(points).vertices]
         first = int(np.abs(theirs - corners[0]).sum(axis=1).argmin())
         assert corners.tolist() == np.roll(theirs, -first, axis=0).tolist()
+
+
+def test_the_cut_list_counts_equal_blocks(arch):
+    model = standing(arch, 0.0, 1.0, 2.0)
+    listed = model.cut_list(model.fixtures(foot=0))
+    assert [(row.part, row.count) for row in listed.printed] == [("fixture A:1", 3), ("fixture A:2", 3)]
+    assert (listed.count, listed.csv.count("printed"), str(listed).count("printed")) == (3, 2, 2)
+    across = [tab.width + 2 * (0.15 + 4.0) for tab in (PlacedTab.of(arch, end) for end in ("start", "end"))]
+    assert [row.width for row in listed.printed] == pytest.approx(across)
+    wider = model.cut_list(model.fixtures(foot=5.0, screw=0)).printed
+    assert [row.length - 10 for row in wider] == pytest.approx([row.length for row in listed.printed])
+    assert [row.thickness for row in wider] == [row.thickness for row in listed.printed]

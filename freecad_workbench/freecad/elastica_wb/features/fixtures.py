@@ -22,9 +22,9 @@ from freecad.elastica_wb.solving.strip_cache import remembered
 
 from elastica_cad.declared import declared
 from elastica_cad.errors import InputError
-from elastica_cad.model.fixtures import EndFixture, place_tabs
+from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture, place_tabs
 from elastica_cad.model.held_tabs import holder_plays
-from elastica_cad.model.model import FIXTURE_COLOR, Model
+from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate
 from elastica_cad.refusals import one_of_each
 

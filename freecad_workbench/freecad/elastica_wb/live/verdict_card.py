@@ -19,6 +19,8 @@ from freecad.elastica_wb.live.overlay import COLORS, PARTS
 from freecad.elastica_wb.solving.verdicts import Answer, Verdict
 from pivy import coin
 
+from elastica_cad.mechanics.sheets import hex_color
+
 GAP_PX = 12  # distance, pixels, from the edges of the view, and from points that must stay visible
 CUBE_PX = 140  # space, pixels, for the navigation cube and the axes at the right edge
 WIDEST_PX, FOLDED_PX = 480, 240
@@ -235,7 +237,7 @@ PANELS, NOWHERE = "Gui::OverlayTabWidget", QtCore.QPoint(0, 0)
 
 def _legend(counts: Mapping[str, int]) -> str:
     return " &nbsp; ".join(
-        f'<span style="color: {hex_of(part.color)};">{part.sign}</span>'
+        f'<span style="color: {hex_color(part.color)};">{part.sign}</span>'
         f"&nbsp;{translate('Elastica', part.words).replace(' ', '&nbsp;')}"
         for name, part in PARTS.items()
         if counts[name]
@@ -244,12 +246,7 @@ def _legend(counts: Mapping[str, int]) -> str:
 
 def heading_style(verdict: Verdict) -> str:
     """Return the style sheet of a heading in the colour of a result."""
-    return f"background: {hex_of(COLORS[verdict])}; color: white; font-weight: bold; padding: 4px 8px;"
-
-
-def hex_of(color: tuple[float, float, float]) -> str:
-    """Return a colour as "#rrggbb" for style sheets."""
-    return "#" + "".join(f"{round(255 * part):02x}" for part in color)
+    return f"background: {hex_color(COLORS[verdict])}; color: white; font-weight: bold; padding: 4px 8px;"
 
 
 STYLE = """

@@ -33,13 +33,13 @@ from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
 from freecad.elastica_wb.host.words import report_error, together, worded
 from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.live.overlay import COLORS, Overlay
-from freecad.elastica_wb.live.verdict_card import hex_of
 from freecad.elastica_wb.panels.panel import Panel, active_view
 from freecad.elastica_wb.recording import record_call, record_value, recorded
 from freecad.elastica_wb.solving.strip_cache import changes_that_help
 from freecad.elastica_wb.solving.verdicts import Verdict
 
 from elastica_cad._text import html_text
+from elastica_cad.mechanics.sheets import hex_color
 from elastica_cad.report_rows import Row
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.suggestions import Suggestion
@@ -47,7 +47,7 @@ from elastica_cad.strip.suggestions import Suggestion
 IDLE_MS = 400  # time, ms, after the last change, until the search for suggestions begins
 PEEK_MS = 60  # interval, ms, between checks whether the search has ended
 STYLES = {
-    severity: f' style="color: {hex_of(COLORS[verdict])};"'
+    severity: f' style="color: {hex_color(COLORS[verdict])};"'
     for severity, verdict in (("error", Verdict.CANNOT), ("warning", Verdict.BREAKS))
 }
 """Style of rows by their severity: red if a result is beyond its limit, orange for other warnings."""
