@@ -19,9 +19,10 @@ from elastica_cad.model.assembly import Holder, unheld_ends
 from elastica_cad.model.collisions import missing_slots
 from elastica_cad.model.cut_rows import CutList, cut_list
 from elastica_cad.model.fixtures import EndFixture, crowded_blocks
-from elastica_cad.model.held_tabs import hold_each, holder_plays, rocking_tabs
+from elastica_cad.model.held_tabs import hold_each, holder_plays
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, widened_by
+from elastica_cad.model.rocking import rocking_tabs
 from elastica_cad.refusals import Length, Listed, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced

@@ -14,7 +14,6 @@ from elastica_cad.model.frames import (
 from elastica_cad.model.held_tabs import (
     held_shapes as held_shapes,
     holder_plays as holder_plays,
-    rocking_tabs as rocking_tabs,
     tab_seats as tab_seats,
 )
 from elastica_cad.model.interlocking import interlock as interlock, Joint as Joint, slot_width as slot_width
@@ -31,6 +30,7 @@ from elastica_cad.model.plates import (
     ring_plate as ring_plate,
     RingOptions as RingOptions,
 )
+from elastica_cad.model.rocking import rocking_tabs as rocking_tabs
 from elastica_cad.model.revolution_model import (
     revolution as revolution,
     revolve as revolve,

@@ -52,6 +52,8 @@ class PlacedTab:
         Part number: the strip's name with 1 for the start and 2 for the end, as in the engraved label.
     t_slot : TSlot or None
         Slot for a screw that is inserted at the tip.
+    end_width : float
+        Width of the strip where the tab begins, mm.
     """
 
     frame: Frame
@@ -61,6 +63,7 @@ class PlacedTab:
     holes: tuple[Hole, ...]
     name: str
     t_slot: TSlot | None = None
+    end_width: float = 0.0
 
     @classmethod
     def of(
@@ -86,6 +89,7 @@ class PlacedTab:
             tab.holes,
             tab_name(called, end),
             tab.t_slot,
+            end_width,
         )
 
     @cached_property

@@ -1,19 +1,19 @@
-"""Play of tabs in pockets and slots, its effect on the shapes of strips, and tabs that rock."""
+"""Play of tabs in pockets and slots, and its effect on the shapes of strips."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import and_more, is_series
+from elastica_cad._values import is_series
 from elastica_cad.errors import InputError, NotConvergedError, quoted
 from elastica_cad.model.fixtures import EndFixture, Key, PlacedTab
-from elastica_cad.model.plates import GAP_MM, BasePlate, Ring, needed_length
-from elastica_cad.refusals import FieldName, Length, note
+from elastica_cad.model.plates import BasePlate, Ring
+from elastica_cad.refusals import Length, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
-from elastica_cad.strip.strip import Placed, distinct_names, require_placed
+from elastica_cad.strip.strip import Placed, require_placed
 from elastica_cad.strip.tab_seats import WALL_PLACES, TabSeat
 
 
@@ -66,16 +66,16 @@ def tab_seats(holders: Iterable[object]) -> dict[Key, TabSeat]:
 
 
 def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
-    holders = _require_holders(holders)
+    holders = require_holders(holders)
     for holder in holders:
         if isinstance(holder, EndFixture):
             yield holder.tab, holder.seat
-    for plate in _plates_of(holders):
+    for plate in plates_with_play(holders):
         for _, tab, walls in slot_walls(plate):
             yield tab, _seat_between(walls, tab, plate)
 
 
-def _require_holders(holders: object) -> tuple[object, ...]:
+def require_holders(holders: object) -> tuple[object, ...]:
     """Return the holders as a tuple, or raise InputError if they are not iterable."""
     if not is_series(holders):
         raise InputError(
@@ -84,7 +84,7 @@ def _require_holders(holders: object) -> tuple[object, ...]:
     return tuple(holders)
 
 
-def _plates_of(holders: Iterable[object]) -> Iterator[BasePlate]:
+def plates_with_play(holders: Iterable[object]) -> Iterator[BasePlate]:
     """Yield the plates and the rails of frames whose tabs are not glued, so that they have play."""
     for holder in holders:
         # frames are recognized by their attribute `rails`, because their module imports this module
@@ -119,7 +119,7 @@ def hold_each(
     placed = require_placed(placed)
     seats, known = tab_seats(holders), dict[object, HeldShape | NotConvergedError]()
     for member in placed:
-        start, end = (_seat_of(seats, member, k) for k in ENDS)
+        start, end = (seat_of(seats, member, k) for k in ENDS)
         alike = cut_key(member.strip), *(None if seat is None else seat.places for seat in (start, end))
         if alike not in known:
             try:
@@ -129,16 +129,10 @@ def hold_each(
         yield known[alike]
 
 
-def _seat_of(seats: Mapping[Key, TabSeat], member: Placed, end: StripEnd) -> TabSeat | None:
+def seat_of(seats: Mapping[Key, TabSeat], member: Placed, end: StripEnd) -> TabSeat | None:
     """Return the seat of an end of a placed strip, or None if the end has no holder."""
     return seats.get(PlacedTab.of(member.strip, end, member.frame).key)
 
-
-ROCKING_RAD = np.radians(3.0)
-"""Largest rotation, rad, of a tab in its holder that is not reported.
-
-A larger rotation changes the shape by some percent.
-"""
 
 NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
 """Smaller play, in mm and degrees, is reported as no play."""
@@ -146,8 +140,8 @@ NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
     """Return a sentence for each holder, with the largest shift and rotation of its tabs."""
-    placed, holders, messages = require_placed(placed), _require_holders(holders), []
-    for name, held in _by_holder(placed, holders).items():
+    placed, holders, messages = require_placed(placed), require_holders(holders), []
+    for name, held in seats_by_holder(placed, holders).items():
         turn = max(np.degrees(np.ptp(seat.turning)) for _, _, seat in held)
         room = max(seat.room for _, _, seat in held)
         if room < NO_PLAY_MM and turn < NO_PLAY_DEGREES:
@@ -171,83 +165,14 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
     return tuple(messages)
 
 
-def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
-    """Return a sentence for each holder in which tabs can rock.
-
-    It states the tab with the largest rotation, the shape of its strip, and a suggestion.
-    """
-    placed, holders, messages = require_placed(placed), _require_holders(holders), []
-    names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
-    for holder, held in _by_holder(placed, holders).items():
-        rocking = [place for place in held if np.ptp(place[2].turning) > 2 * ROCKING_RAD]
-        if rocking:
-            strip, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
-            toward, away = _tipping(strip, end, seat)
-            messages.append(note(
-                "{strip}{more}: in the {holder}, the tab at the {end} of the strip can tip by {toward:.0f} "
-                "degrees towards the other end and by {away:.0f} degrees in the opposite direction. The tab "
-                "does not keep the drawn angle; {shape}. {cure}",
-                strip=names[id(strip)], more=and_more(rocking), holder=holder, end=end, toward=toward, away=away,
-                shape=_shape(strip, tab_seats(holders)), cure=_cure(strip, end, holders), severity="warning",
-            ))  # fmt: skip
-    return tuple(messages)
-
-
-def _tipping(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
-    """Return the angles, degrees, by which a strip can tip in a seat: towards its other end, and away from
-    its other end.
-    """
-    here, other = (
-        PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
-    )
-    right, left = np.abs(np.degrees(seat.turning))
-    # if the tab rotates to the left of the curve, the strip tips to the right, in the direction of the z axis
-    lies_right = (other.origin - here.origin) @ here.z_axis > 0
-    return (left, right) if lies_right else (right, left)
-
-
-def _by_holder(
+def seats_by_holder(
     placed: Sequence[Placed], holders: Iterable[object]
 ) -> dict[str, list[tuple[Placed, StripEnd, TabSeat]]]:
     """Return a mapping from the name of each holder to its strips, ends and seats."""
     seats, groups = tab_seats(holders), dict[str, list[tuple[Placed, StripEnd, TabSeat]]]()
     for strip in placed:
         for end in ENDS:
-            seat = _seat_of(seats, strip, end)
+            seat = seat_of(seats, strip, end)
             if seat is not None:
                 groups.setdefault(seat.name, []).append((strip, end, seat))
     return groups
-
-
-def _shape(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
-    """Return a sentence on how a strip in its seats differs from its design."""
-    try:
-        strayed = member.strip.held(*(_seat_of(seats, member, end) for end in ENDS)).deviation
-    except NotConvergedError:
-        return note("no stable shape of the strip was found with the tabs in it")
-    return note(
-        "the strip then deviates by up to {far:.2g} ({percent:.2g} % of its length)",
-        far=Length(strayed),
-        percent=100 * strayed / member.strip.rod.length,
-    )
-
-
-def _cure(member: Placed, end: StripEnd, holders: Sequence[object]) -> str:
-    """Return a suggestion for holding a tab: two plates instead of a single plate, or another fixture."""
-    key = PlacedTab.of(member.strip, end, member.frame).key
-    others = note(
-        "end fixtures, or feet ({field} = 10) glued at the angle of the tab", field=FieldName("feet")
-    )
-    lengths = [
-        needed_length(slot.tab, plate, GAP_MM)
-        for plate in _plates_of(holders)
-        for slot in plate.slots
-        if slot.tab is not None and slot.tab.key == key
-    ]
-    if len(lengths) != 1:
-        return note("Use {others}", others=others)
-    long = max(*lengths, *(tab.length for tab in member.strip.ends))
-    return note(
-        "Use two plates ({field} = {gap:g}) and tabs of {length:.0f}, or {others}",
-        field=FieldName("gap"), gap=GAP_MM, length=Length(long), others=others,
-    )  # fmt: skip

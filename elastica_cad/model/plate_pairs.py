@@ -27,13 +27,16 @@ from elastica_cad.model.plates import (
     options_by_name,
     plate_with,
     ring_plate,
+    shoulder_faults,
     tab_slot,
 )
-from elastica_cad.refusals import Length
+from elastica_cad.refusals import Length, note, sentences
+from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.pieces import cut_key
-from elastica_cad.strip.strip import Placed
+from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.strip.tab_seats import Lean, TabSeat, lean_against
+from elastica_cad.strip.uncuttable_parts import accept_faults, find_strip_faults
 
 LEAN_ROUNDS = 6
 """Largest number of rounds in which slots are moved; three are usually enough."""
@@ -140,23 +143,105 @@ def _add_second(
     Raises
     ------
     InputError
-        A tab is too short; the message states the length that it needs.
+        A tab is too short. The message states the length that it needs, or the gap that it permits, if two
+        plates can be made with this length or gap.
     """
-    sheet, ground = first.sheet, first.frame.shifted(z=-first.sheet.thickness - gap)
     tabs = [slot.tab for slot in first.slots if slot.tab is not None]
     short = [tab for tab in tabs if tab.length < needed_length(tab, first, gap)]
     if short:
-        needed = max(needed_length(tab, first, gap) for tab in short)
         raise InputError(
-            "{name}: the tab of {name_2} does not reach through the second plate: make the tab {needed:.0f} "
-            "long, or reduce the gap",
-            name=first.name,
-            name_2=short[0].name,
-            needed=Length(needed),
-        )
+            "{name}: the tab of {name_2} does not reach through the second plate: {cures}",
+            name=first.name, name_2=short[0].name, cures=_cures_of_short_tabs(placed, first, tabs, gap),
+        )  # fmt: skip
+    return lean_pair(placed, (first, _second(first, options, gap)))
+
+
+def _second(first: Plate, options: PlateOptions, gap: float) -> Plate:
+    """Return a second plate, `gap` mm behind the first, with slots for the same tabs and tongues."""
+    sheet, ground = first.sheet, first.frame.shifted(z=-first.sheet.thickness - gap)
     named = replace(options, name=first.name)
-    slots = [tab_slot(tab, ground, sheet.thickness, named) for tab in tabs]
-    return lean_pair(placed, (first, plate_with(slots, sheet, ground, options, type(first))))
+    slots = [
+        slot if slot.tab is None else tab_slot(slot.tab, ground, sheet.thickness, named)
+        for slot in first.slots
+    ]
+    return plate_with(slots, sheet, ground, options, type(first))
+
+
+def _cures_of_short_tabs(
+    placed: Sequence[Placed], first: BasePlate, tabs: Sequence[PlacedTab], gap: float
+) -> str:
+    """Return the tested suggestions for tabs that do not reach through the second plate."""
+    length = max(needed_length(tab, first, gap) for tab in tabs)
+    width = fitting_width(placed, [first], gap, length)
+    reach = min(-float(first.frame.local(tab.tip)[2]) for tab in tabs)
+    nearer = float(np.floor(reach - 2 * first.sheet.thickness))
+    cures = []
+    if width == np.inf:
+        cures.append(note("make the tab {needed:.0f} long", needed=Length(length)))
+    elif width is not None:
+        text = "make the tab {needed:.0f} long and {width:.0f} wide"
+        cures.append(note(text, needed=Length(length), width=Length(width)))
+    if nearer >= 1 and pair_with_tabs(first, nearer, {tab.key: tab for tab in tabs}):
+        cures.append(note("reduce the gap to {nearer:g}", nearer=Length(nearer)))
+    return sentences(cures, note(", or ")) or note("hold the strips by single plates")
+
+
+WIDTHS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
+"""Widths of tabs that are tested, as fractions of the width of the narrowest tab."""
+
+
+def fitting_width(
+    placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, *, keep: bool = True
+) -> float | None:
+    """Return the largest tested width of tabs, mm, with which two plates can replace each of the plates, or None.
+
+    All tabs get this length and at most this width. With `keep`, their widths are tested first; the result is
+    then infinite.
+    """
+    tabs = [slot.tab for plate in plates for slot in plate.slots if slot.tab is not None]
+    narrowest, strips = min(tab.width for tab in tabs), {member.strip: None for member in placed}
+    for fraction in WIDTHS:
+        width = np.inf if keep and fraction == 1 else float(np.floor(fraction * narrowest))
+        sized = {tab.key: replace(tab, length=length, width=min(width, tab.width)) for tab in tabs}
+        if all(pair_with_tabs(plate, gap, sized) for plate in plates) and all(
+            _takes_tabs(strip, plates[0].options, length, width) for strip in strips
+        ):
+            return width
+    return None
+
+
+def _takes_tabs(strip: Strip, options: PlateOptions | None, length: float, width: float) -> bool:
+    """Return True if a strip can be made with tabs of this length and, if it is finite, this width."""
+    shop, ignore_limits = (None, False) if options is None else (options.shop, options.ignore_limits)
+    ends = (replace(tab, length=length, width=tab.width if width == np.inf else width) for tab in strip.ends)
+    try:
+        longer = replace(strip, ends=tuple(ends))
+        refuse_broken(longer, ignore_limits)
+        accept_faults(find_strip_faults(longer, shop), ignore_limits)
+    except InputError:
+        return False
+    return True
+
+
+def pair_with_tabs(first: Plate, gap: float, tabs: Mapping[Key, PlacedTab]) -> tuple[Plate, ...]:
+    """Return two plates in place of one, with other tabs by their position, or an empty tuple if they cannot be
+    made.
+    """
+    options = first.options
+    if options is None:
+        return ()
+    try:
+        slots = [
+            slot
+            if slot.tab is None
+            else tab_slot(tabs[slot.tab.key], first.frame, first.sheet.thickness, options)
+            for slot in first.slots
+        ]
+        inner = plate_with(slots, first.sheet, first.frame, options, type(first))
+        accept_faults(shoulder_faults([*tabs.values()], first.frame, options), options.ignore_limits)
+        return inner, _second(inner, options, gap)
+    except InputError:
+        return ()
 
 
 def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Plate, Plate]:

@@ -28,6 +28,7 @@ from elastica_cad.strip.solids import FlatSolid, convex_corners
 from elastica_cad.strip.strip import Placed, require_placed
 from elastica_cad.strip.uncuttable_parts import (
     FabricationLimits,
+    Fault,
     accept_faults,
     find_plate_faults,
     find_shoulder_faults,
@@ -167,6 +168,8 @@ class BasePlate:
         Closed loop of the opening in the middle, or None.
     glued : bool
         True if the tabs are glued at their angle, with feet (gussets).
+    options : PlateOptions or None
+        Options with which the plate was checked.
     """
 
     sheet: Sheet
@@ -177,6 +180,7 @@ class BasePlate:
     warnings: tuple[str, ...] = ()
     opening: Path | None = None
     glued: bool = False
+    options: PlateOptions | None = None
 
     @property
     def _inner(self) -> tuple[Path, ...]:
@@ -199,7 +203,7 @@ class BasePlate:
             *find_slot_faults(self.name, [(slot.name, slot.size[1], slot.through) for slot in self.slots]),
             *find_plate_faults(self.name, self.sheet, self.outline, self._inner, options.shop, called),
         )
-        return replace(self, warnings=accept_faults(faults, options.ignore_limits))
+        return replace(self, warnings=accept_faults(faults, options.ignore_limits), options=options)
 
     @property
     def solid(self) -> FlatSolid:
@@ -280,11 +284,10 @@ def base_plate(
     name, ends, sheet = plate_options.name, plate_options.ends, Sheet.of(sheet)
     placed, ground = require_placed(placed), frame_or_plain(frame)
     require_ends(ends)
-    widths = [member.strip.end_widths[ENDS.index(end)] for member in placed for end in ends]
     tabs = tabs_to_hold(placed, ends)
     if not tabs:
         raise InputError("{name} has no strip to hold: give other strips or ends", name=name)
-    standing = [(tab, wide) for tab, wide in zip(tabs, widths, strict=True) if _stands_in(tab, ground)]
+    standing = [tab for tab in tabs if _stands_in(tab, ground)]
     if not standing:
         heights = [float(ground.local(tab.tip)[2]) for tab in tabs]
         raise InputError(
@@ -292,21 +295,22 @@ def base_plate(
             f"{Mm(max(heights)):.0f} above its upper face. Move the plate to the ends of the strips, give the "
             "strips longer tabs, or hold ends that come from below by rings"
         )
-    slots = [tab_slot(tab, ground, sheet.thickness, plate_options) for tab, _ in standing]
-    deep = [
-        (tab.name, _shoulder_depth(tab, wide, ground), tab.thickness)
-        for tab, wide in standing
-        if wide > tab.width + 2 * plate_options.play
-    ]
-    warnings = accept_faults(find_shoulder_faults(name, deep), plate_options.ignore_limits)
+    slots = [tab_slot(tab, ground, sheet.thickness, plate_options) for tab in standing]
+    faults = shoulder_faults(standing, ground, plate_options)
+    warnings = accept_faults(faults, plate_options.ignore_limits)
     plate = plate_with(slots, sheet, ground, plate_options, BasePlate)
     return replace(plate, warnings=(*warnings, *plate.warnings)) if warnings else plate
 
 
-def _shoulder_depth(tab: PlacedTab, wide: float, ground: Frame) -> float:
-    """Return the depth, mm, by which a strip of width `wide` would overlap the plate at the start of its tab."""
-    height = float(ground.local(tab.frame.origin)[2])
-    return wide / 2 * abs(float(ground.z_axis @ tab.frame.y_axis)) - height
+def shoulder_faults(tabs: Sequence[PlacedTab], ground: Frame, options: PlateOptions) -> tuple[Fault, ...]:
+    """Return the faults of strips that are wider than their tabs and would run into a base plate."""
+
+    def depth(tab: PlacedTab) -> float:
+        height = float(ground.local(tab.frame.origin)[2])
+        return tab.end_width / 2 * abs(float(ground.z_axis @ tab.frame.y_axis)) - height
+
+    wide = [tab for tab in tabs if tab.end_width > tab.width + 2 * options.play]
+    return find_shoulder_faults(options.name, [(tab.name, depth(tab), tab.thickness) for tab in wide])
 
 
 def plate_with(

@@ -229,8 +229,8 @@ def test_an_inclined_tab_rocks_in_one_plate_and_not_in_two():
     assert not rocking_tabs(placed, pair)
     (held,) = held_shapes(placed, pair)
     assert held.deviation < 5e-4 * bow.length
-    assert "two plates (gap = 20) and tabs of " in told
-    long = float(told.split("tabs of ")[1].split(" mm")[0])
+    assert "two plates (gap = 20) and tabs " in told
+    long = float(told.split("plates (gap = 20) and tabs ")[1].split(" mm")[0])
     longer = inclined(replace(strip, ends=(Tab(long), Tab(long))))
     assert not rocking_tabs(longer, plate_pair(longer, MDF, gap=20))
     (seat,) = {seat.name for seat in tab_seats(pair).values()}

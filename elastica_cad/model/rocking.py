@@ -1,0 +1,188 @@
+"""Tabs that can tip in their holders, and tested suggestions for holding them at their angle."""
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from functools import cache, partial
+
+import numpy as np
+
+from elastica_cad._values import and_more
+from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.model.fixtures import PlacedTab, crowded_blocks, end_fixtures
+from elastica_cad.model.frames import add_feet
+from elastica_cad.model.held_tabs import (
+    plates_with_play,
+    require_holders,
+    seat_of,
+    seats_by_holder,
+    tab_seats,
+)
+from elastica_cad.model.plate_pairs import fitting_width, pair_with_tabs
+from elastica_cad.model.plates import GAP_MM, BasePlate, Ring, needed_length
+from elastica_cad.refusals import FieldName, Length, note, sentences
+from elastica_cad.strip.outline import ENDS, StripEnd
+from elastica_cad.strip.strip import Placed, distinct_names, require_placed
+from elastica_cad.strip.tab_seats import TabSeat
+
+ROCKING_RAD = np.radians(3.0)
+"""Largest rotation, rad, of a tab in its holder that is not reported.
+
+A larger rotation changes the shape by some percent.
+"""
+
+GAPS_MM = (GAP_MM, 15.0, 10.0, 6.0)
+"""Distances of two plates, mm, in the order in which they are tested."""
+
+FEET_MM = 10.0
+"""Suggested size of feet, mm."""
+
+
+def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
+    """Return a sentence for each holder in which tabs can rock.
+
+    It states the tab with the largest rotation, the shape of its strip, and a suggestion. Suggestions are
+    tested with the plates that hold the strips.
+    """
+    placed, holders, messages = require_placed(placed), require_holders(holders), []
+    names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
+    two_plates = cache(partial(_two_plates, placed, holders))
+    for holder, held in seats_by_holder(placed, holders).items():
+        rocking = [place for place in held if np.ptp(place[2].turning) > 2 * ROCKING_RAD]
+        if rocking:
+            strip, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
+            toward, away = _tipping(strip, end, seat)
+            messages.append(note(
+                "{strip}{more}: in the {holder}, the tab at the {end} of the strip can tip by {toward:.0f} "
+                "degrees towards the other end and by {away:.0f} degrees in the opposite direction. The tab "
+                "does not keep the drawn angle; {shape}. {cure}",
+                strip=names[id(strip)], more=and_more(rocking), holder=holder, end=end, toward=toward, away=away,
+                shape=_shape(strip, tab_seats(holders)), severity="warning",
+                cure=_cure(strip, end, placed, holders, two_plates),
+            ))  # fmt: skip
+    return tuple(messages)
+
+
+def _tipping(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
+    """Return the angles, degrees, by which a strip can tip in a seat: towards its other end, and away from
+    its other end.
+    """
+    here, other = (
+        PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
+    )
+    right, left = np.abs(np.degrees(seat.turning))
+    # if the tab rotates to the left of the curve, the strip tips to the right, in the direction of the z axis
+    lies_right = (other.origin - here.origin) @ here.z_axis > 0
+    return (left, right) if lies_right else (right, left)
+
+
+def _shape(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
+    """Return a sentence on how a strip in its seats differs from its design."""
+    try:
+        strayed = member.strip.held(*(seat_of(seats, member, end) for end in ENDS)).deviation
+    except NotConvergedError:
+        return note("no stable shape of the strip was found with the tabs in it")
+    return note(
+        "the strip then deviates by up to {far:.2g} ({percent:.2g} % of its length)",
+        far=Length(strayed),
+        percent=100 * strayed / member.strip.rod.length,
+    )
+
+
+def _cure(
+    member: Placed,
+    end: StripEnd,
+    placed: Sequence[Placed],
+    holders: Sequence[object],
+    two_plates: Callable[[], str],
+) -> str:
+    """Return the tested suggestions for holding a tab at its angle: two plates, end fixtures or feet."""
+    here = PlacedTab.of(member.strip, end, member.frame)
+    plates = [
+        plate
+        for plate in plates_with_play(holders)
+        if any(slot.tab is not None and slot.tab.key == here.key for slot in plate.slots)
+    ]
+    ways = [
+        two_plates() if len(plates) == 1 else "",
+        note("end fixtures") if _blocks_fit(here, placed) else "",
+        note("feet ({field} = {size:g}) glued at the angle of the tab", field=FieldName("feet"), size=FEET_MM)
+        if _feet_fit(plates)
+        else "",
+    ]
+    if not any(ways):
+        return note("Let the strip meet the plate more steeply")
+    return note("Use {ways}", ways=sentences([way for way in ways if way], note(", or ")))
+
+
+def _feet_fit(plates: Sequence[BasePlate]) -> bool:
+    """Return True if feet can be glued to the tabs of plates; the rings of a surface of revolution have no feet."""
+    try:
+        add_feet(plates, FEET_MM)
+    except InputError:
+        return False
+    return bool(plates) and not any(isinstance(plate, Ring) for plate in plates)
+
+
+def _blocks_fit(tab: PlacedTab, placed: Sequence[Placed]) -> bool:
+    """Return True if printed blocks fit at the strip of a tab and its two nearest neighbours."""
+
+    def distance(member: Placed) -> float:
+        origins = [PlacedTab.of(member.strip, end, member.frame).frame.origin for end in ENDS]
+        return min(float(np.linalg.norm(origin - tab.frame.origin)) for origin in origins)
+
+    near = sorted(placed, key=distance)[:3]
+    try:
+        return not crowded_blocks(end_fixtures(near), near)
+    except InputError:
+        return False
+
+
+def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
+    """Return the widest gap and the tabs with which two plates can replace each plate, or an empty text."""
+    plates = [
+        plate for plate in plates_with_play(holders) if any(slot.tab is not None for slot in plate.slots)
+    ]
+    held = [slot.tab for plate in plates for slot in plate.slots if slot.tab is not None]
+    keys = {tab.key for tab in held}
+    if len(keys) < len(held):  # tabs that two plates hold already
+        return ""
+    ends = {
+        PlacedTab.of(member.strip, end, member.frame).key: (member, k)
+        for member in placed
+        for k, end in enumerate(ENDS)
+    }
+    mine = [ends[key] for key in keys if key in ends]
+    keep = all(member.strip.ends[k].width is None for member, k in mine)
+    longest = max(tab.length for member, _ in mine for tab in member.strip.ends)
+    for gap in GAPS_MM:
+        needed = (needed_length(slot.tab, plate, gap) for plate in plates for slot in plate.slots if slot.tab)
+        length = max(longest, *needed)
+        width = fitting_width(placed, plates, gap, length, keep=keep)
+        if width is not None and not _rocks(plates, gap, length, width):
+            return _pair_text(gap, length, width)
+    return ""
+
+
+def _pair_text(gap: float, length: float, width: float) -> str:
+    """Return the suggestion of two plates with tabs of a length and, if it is finite, a width."""
+    if width == np.inf:
+        return note(
+            "two plates ({field} = {gap:g}) and tabs {length:.0f} long",
+            field=FieldName("gap"), gap=gap, length=Length(length),
+        )  # fmt: skip
+    return note(
+        "two plates ({field} = {gap:g}) and tabs {length:.0f} long and {width:.0f} wide",
+        field=FieldName("gap"), gap=gap, length=Length(length), width=Length(width),
+    )  # fmt: skip
+
+
+def _rocks(plates: Sequence[BasePlate], gap: float, length: float, width: float) -> bool:
+    """Return True if a tab of this length and width rocks in two plates."""
+    sized = {
+        slot.tab.key: replace(slot.tab, length=length, width=min(width, slot.tab.width))
+        for plate in plates
+        for slot in plate.slots
+        if slot.tab is not None
+    }
+    pairs = [plate for first in plates for plate in pair_with_tabs(first, gap, sized)]
+    return any(np.ptp(seat.turning) > 2 * ROCKING_RAD for seat in tab_seats(pairs).values())

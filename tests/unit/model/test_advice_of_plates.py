@@ -1,0 +1,84 @@
+"""Suggestions of two plates are followed: gap, length and width of the tabs are used as the message states them."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from elastica_cad import InputError
+from elastica_cad.model import revolve, rocking_tabs
+from elastica_cad.model.plate_pairs import end_plates
+from elastica_cad.strip.outline import Tab
+from elastica_cad.strip.strip import Placed
+
+LAMP = [(60, 0), (85, 40), (100, 90), (85, 140), (60, 180)]
+POT = [(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)]
+CONE = [(60, 0), (80, 60), (95, 120), (105, 180)]
+PLATES = r"plates \(gap = (\d+)\) and tabs (\d+) mm long(?: and (\d+) mm wide)?"
+
+
+def suggested_tab(found):
+    length, width = found.groups()[-2:]
+    return Tab(float(length), width=width and float(width))
+
+
+LAMPS = [
+    (LAMP, 1.0, 12, "polypropylene-0.8", "mdf-3"),
+    (LAMP, 1.6, 9, "birch-plywood-0.8", "birch-plywood-4"),
+    (POT, 0.6, 20, "card-200gsm", "hdf-1.5"),
+    (POT, 1.8, 8, "polypropylene-0.8", "mdf-3"),
+    (CONE, 0.6, 15, "card-200gsm", "hdf-1.5"),
+    (CONE, 1.3, 12, "birch-plywood-0.8", "mdf-3"),
+]
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize(("points", "scale", "count", "sheet", "rings"), LAMPS)
+def test_rings_hold_the_tabs_that_the_message_suggests(points, scale, count, sheet, rings):
+    meridian = ec.meridian_through([(scale * x, scale * y) for x, y in points])
+    single = revolve(meridian, count, sheet=sheet, rings=rings)
+    found = re.search(PLATES, rocking_tabs(single.placed, single.plates)[0])
+    tab = suggested_tab(found)
+    double = revolve(meridian, count, sheet=sheet, rings=rings, gap=float(found[1]), ends=(tab, tab))
+    assert not rocking_tabs(double.placed, double.plates)
+
+
+@pytest.mark.campaign
+def test_a_strip_that_would_break_at_a_narrow_tab_gets_no_such_suggestion():
+    small = ec.meridian_through([(0.6 * x, 0.6 * y) for x, y in LAMP])
+    single = revolve(small, 12, sheet="birch-plywood-0.8", rings="birch-plywood-4")
+    with pytest.raises(InputError, match="strain across the tab"):
+        revolve(small, 12, sheet="birch-plywood-0.8", ends=(Tab(32, width=7), Tab(32, width=7)))
+    assert not re.search(PLATES, rocking_tabs(single.placed, single.plates)[0])
+
+
+def ribs(tab, count=8):
+    """Strips around an axis, whose tabs lean inwards."""
+    bow = ec.PlaneCurve.spline([(60, 0), (90, 60), (90, 120), (60, 180)], degree=3)
+    rib = ec.make_strip(bow, "birch-plywood-0.8", max_width=20)
+    rib = replace(rib, ends=(tab, tab))
+    turn = 2 * np.pi * np.arange(count) / count
+    return [Placed(rib, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn]
+
+
+@pytest.mark.parametrize("gap", [7.0, 12.0, 25.0])
+def test_a_tab_too_short_for_two_plates_follows_either_suggestion(gap):
+    with pytest.raises(InputError, match="does not reach") as refused:
+        end_plates(ribs(Tab(12)), "mdf-3", gap=gap)
+    found = re.search(r"make the tab (\d+) mm long(?: and (\d+) mm wide)?", str(refused.value))
+    assert len(end_plates(ribs(suggested_tab(found)), "mdf-3", gap=gap)) == 4
+    nearer = re.search(r"reduce the gap to (\d+) mm", str(refused.value))
+    assert len(end_plates(ribs(Tab(12)), "mdf-3", gap=float(nearer[1]))) == 4
+
+
+def test_no_longer_tab_is_suggested_where_the_second_ring_has_no_room_for_it():
+    """The tabs lean inwards, so that slots of tabs as wide as the strips would meet in the second ring."""
+    placed = ribs(Tab(12), count=15)
+    with pytest.raises(InputError, match="does not reach") as refused:
+        end_plates(placed, "mdf-3", gap=40.0)
+    tab = suggested_tab(re.search(r"make the tab (\d+) mm long(?: and (\d+) mm wide)?", str(refused.value)))
+    with pytest.raises(InputError):
+        end_plates(ribs(Tab(tab.length), count=15), "mdf-3", gap=40.0)
+    assert len(end_plates(ribs(tab, count=15), "mdf-3", gap=40.0)) == 4
