@@ -75,6 +75,7 @@ def test_a_file_of_an_earlier_version(document, tmp_path: Path):
         # what later versions ask for is there, with the meaning that the file had
         assert feature.Follow == "Exactly"
         assert feature.KeepTangents is False
+        assert feature.SheetTitle == "Birch plywood 0.8 mm"
         assert feature.Anticlastic is False  # a sheet's nu was never asked for then
         feature.touch()
         old.recompute()
@@ -514,6 +515,7 @@ def test_a_sheet_of_the_users_own(document, sketch, tmp_path: Path):
         assert library.sheet_list()[0] == "my-board"
         feature.Sheet = "my-board"
         assert feature.Thickness.Value == 1.1
+        assert feature.SheetTitle == "my-board"
         document.recompute()
         file = tmp_path / "own.FCStd"
         document.saveAs(str(file))
@@ -528,6 +530,8 @@ def test_a_sheet_of_the_users_own(document, sketch, tmp_path: Path):
         again.recompute()
         assert loaded.State == ["Up-to-date"], "the numbers travel with the document"
         assert strip.strip_of(loaded).sheet.youngs_modulus == 4000
+        loaded.Sheet = "card-200gsm"
+        assert (loaded.SheetTitle, loaded.BackingTitle) == ("Card 200 g/m2", "Birch plywood 0.8 mm")
     finally:
         App.closeDocument(again.Name)
 

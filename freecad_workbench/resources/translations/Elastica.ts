@@ -80,6 +80,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Full name of the sheet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Thickness of the sheet; measure yours</source>
         <translation type="unfinished"></translation>
     </message>

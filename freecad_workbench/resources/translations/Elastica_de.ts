@@ -76,6 +76,10 @@
         <translation>Material, aus dem der Streifen geschnitten wird</translation>
     </message>
     <message>
+        <source>Full name of the sheet</source>
+        <translation>Voller Name der Platte</translation>
+    </message>
+    <message>
         <source>Thickness of the sheet; measure yours</source>
         <translation>Dicke der Platte; messen Sie Ihre</translation>
     </message>

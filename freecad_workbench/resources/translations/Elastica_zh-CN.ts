@@ -76,6 +76,10 @@
         <translation>切割条带所用的材料</translation>
     </message>
     <message>
+        <source>Full name of the sheet</source>
+        <translation>板材的全名</translation>
+    </message>
+    <message>
         <source>Thickness of the sheet; measure yours</source>
         <translation>板材厚度；请实测</translation>
     </message>

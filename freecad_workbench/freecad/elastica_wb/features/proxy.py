@@ -36,8 +36,9 @@ from freecad.elastica_wb.host.sheet_store import (
     sheet_from_text,
     sheet_list,
     text_of,
+    title_of,
 )
-from freecad.elastica_wb.host.words import report_error
+from freecad.elastica_wb.host.words import report_error, worded
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.mechanics.sheets import sheet_color
@@ -91,6 +92,12 @@ class Feature(Unsaved):
     """Choice before the current change, or None if a formula had set an invalid choice."""
 
     def __init_subclass__(cls) -> None:
+        groups = {entry.name: entry.group for entry in cls.properties}
+        titles = [
+            Property("String", f"{name}Title", groups[name], "Full name of the sheet", result=True)
+            for name in cls.sheets
+        ]
+        cls.properties = (*cls.properties, *titles)
         cls.choices = frozenset(entry.name for entry in cls.properties if entry.kind == "Enumeration")
 
     def __init__(self, obj: Any) -> None:
@@ -111,6 +118,7 @@ class Feature(Unsaved):
             chosen = known.get(name) or default_sheet()
             setattr(obj, name, list(dict.fromkeys([*sheet_list(), chosen])))
             setattr(obj, name, chosen)
+            _show_title(obj, name)
 
     def onBeforeChange(self, obj: Any, name: str) -> None:
         """Store the current choice, because a formula may set an invalid choice."""
@@ -128,6 +136,8 @@ class Feature(Unsaved):
             return
         if name in FOLLOWED and CONTAINERS.name in obj.PropertiesList:
             put(obj, Containers=_containers(obj))
+        if f"{name}Title" in obj.PropertiesList:
+            _show_title(obj, name)
         numbers_name = self.sheets.get(name)
         # after an invalid formula (`chosen` is None), the restored sheet is the same, so nothing is updated
         if numbers_name in obj.PropertiesList and self.chosen is not None:
@@ -217,6 +227,11 @@ def added(
     for prop, value in properties.items():
         setattr(obj, prop, value)
     return obj
+
+
+def _show_title(obj: Any, name: str) -> None:
+    """Write the full name of a sheet beside its name, in the language of the user."""
+    put(obj, **{f"{name}Title": worded(title_of(getattr(obj, name)))})
 
 
 def _recolor(obj: Any, before: str) -> None:

@@ -17,6 +17,7 @@ from elastica_cad.mechanics.sheets import (
     KINDS,
     Sheet,
     built_in_figures,
+    built_in_titles,
     load_sheets,
     sheet_names,
     sheets_from_table,
@@ -94,16 +95,19 @@ def titled_sheets(names: Iterable[str]) -> Iterator[tuple[str, str | None]]:
     groups: dict[str, list[tuple[str, str]]] = {}
     built_in = built_in_figures().keys() - own_sheets().keys()
     for name in names:
-        title, text = (
-            (KINDS[_built_in(name).kind], _built_in(name).full_name) if name in built_in else (OWN, name)
-        )
-        groups.setdefault(title, []).append((text, name))
+        title = KINDS[_built_in(name).kind] if name in built_in else OWN
+        groups.setdefault(title, []).append((title_of(name), name))
     for title in sorted(groups, key=lambda title: title != OWN):
         yield title, None
         yield from groups[title]
 
 
 OWN = note("Own sheets")
+
+
+def title_of(name: str) -> str:
+    """Return the full name of a built-in sheet, or the name of any other sheet."""
+    return name if name in own_sheets() else built_in_titles().get(name, name)
 
 
 def default_sheet() -> str:
