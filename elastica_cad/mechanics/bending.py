@@ -182,21 +182,20 @@ def bend(
     )
     wanted.supports.require_held(between=bool(elements))
     if not (isinstance(loads, str) and loads == "keep"):
-        wanted = _loaded(wanted, loads)
+        wanted = _with_loads(wanted, loads)
     system = system_of(wanted, rod, start, end, angles, force=force, moment=moment)
     require_flag(settle, "settle")
     if elements:
-        _require_reach(elements, system)
+        _refuse_pins_out_of_reach(elements, system)
         return _bent_on_elements(wanted, rod, system, guess, settle=settle)
     state = state_of(rod, system) if guess is None else _guess_state(guess, system)
-    rest, at = _rest(reach(state, side, mode), settle=settle)
+    rest, at = _rest_or_snapped_state(reach(state, side, mode), settle=settle)
     return replace(rest.rod(wanted), warnings=_warnings(rest, at))
 
 
-def _rest(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
-    """Return the rest shape that a continuation reached, or the shape into which the rod snapped.
-
-    The second value is the completed fraction of the continuation at the snap, or None without a snap.
+def _rest_or_snapped_state(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
+    """Return the rest state, and the completed fraction of the continuation at a snap, or None without a
+    snap.
     """
     balanced = reached.arrived and is_balanced(reached.state)
     if balanced and not (settle and reached.state.discrete.unstable_modes):
@@ -215,8 +214,7 @@ def _warnings(state: RodState, snaps_at: float | None) -> tuple[str, ...]:
     return (*(() if snaps_at is None else (_snap_warning(100 * snaps_at),)), *_too_coarse(state))
 
 
-def _loaded(rod: Rod, loads: object) -> Rod:
-    """Return the rod with other masses and point forces, before a new equilibrium is computed."""
+def _with_loads(rod: Rod, loads: object) -> Rod:
     plain = None if rod.weight is None else replace(rod.weight, masses=())
     if plain is None and rod.gravity is not None and rod.bending_stiffness is not None:
         plain = Weight(beta=rod.bending_stiffness / rod.gravity.length**3)
@@ -250,7 +248,7 @@ def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, 
         goal, present = (mounted(rod, require_elements(step["between"])), mounted(rod, None))
         partners = [*present, *goal[len(present) :]]
         entry["between"] = tuple(
-            _on_the_way(before, after, part) for before, after in zip(partners, goal, strict=False)
+            _interpolated_element(before, after, part) for before, after in zip(partners, goal, strict=False)
         )
     return entry
 
@@ -266,8 +264,7 @@ def _scaled(loads: Sequence[PointMass | PointForce], factor: float) -> tuple[Poi
     )
 
 
-def _on_the_way(before: ElementForce, after: ElementForce, part: float) -> Element:
-    """Return an element after the fraction `part` of its change; points and lengths are interpolated linearly."""
+def _interpolated_element(before: ElementForce, after: ElementForce, part: float) -> Element:
     element, first, last = after.element, before.mounting, after.mounting
     assert isinstance(element, Rail | Pin | Tie)
     if type(before.element) is not type(element) or first == last:
@@ -279,8 +276,7 @@ def _on_the_way(before: ElementForce, after: ElementForce, part: float) -> Eleme
     return replace(element, at=(x, y))
 
 
-def _require_reach(elements: Sequence[ElementForce], system: RodSystem) -> None:
-    """Refuse pins that are farther from an end, or from each other, than the length of strip between them."""
+def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSystem) -> None:
     held = [
         (s, np.asarray(place))
         for s, place, end in zip(
@@ -324,10 +320,7 @@ ROUNDS = 12
 def _bent_on_elements(
     wanted: Rod, present: Rod, system: RodSystem, guess: "Rod | ArrayLike | None", *, settle: bool
 ) -> Rod:
-    """Return the rest shape on elements between the ends.
-
-    One-sided elements become slack or taut until the force or gap of every element agrees with its state.
-    """
+    """One-sided elements become slack or taut until the force or gap of every element agrees with its state."""
     elements = list(wanted.between)
     shape = ShapeOfRod.of(present)
     reach_of_rail = MEETS_SHARE * shape.length
@@ -348,35 +341,34 @@ def _bent_on_elements(
             _refuse_straight(elements, state)
         reached = reach(state, None, 1, partial(_needs_change, elements, taut))
         state = reached.state
-        changed = None if reached.arrived else _other_set(elements, taut, state)
+        changed = None if reached.arrived else _changed_taut_set(elements, taut, state)
         # if the strip lifts off and returns at once, it is unstable without the element, so it snaps away
         leaps = changed == last and changed is not None and sum(taut) < sum(changed)
         if changed is None or (leaps and reached.fraction <= STOP_SHARE):
-            state, at = _rest(reached, settle=settle)
+            state, at = _rest_or_snapped_state(reached, settle=settle)
             snaps_at = snaps_at if at is None else 1 - left * (1 - at)
-            changed = _other_set(elements, taut, state)
+            changed = _changed_taut_set(elements, taut, state)
         if changed is None:
             return replace(
                 state.rod(wanted),
-                between=_settled(elements, taut, state),
+                between=_with_present_forces(elements, taut, state),
                 warnings=_warnings(state, snaps_at),
             )
         left *= 1 - reached.fraction
-        elements, taut, last = list(_settled(elements, taut, state)), changed, taut
+        elements, taut, last = list(_with_present_forces(elements, taut, state)), changed, taut
     raise NotConvergedError(
         "No set of taut elements was found for this rest shape. Move the ends or change the loads in smaller steps."
     )
 
 
 def shape_of(state: RodState) -> ShapeOfRod:
-    """Return the shape of a state, from which the positions of elements are computed."""
+    """Return the shape of the rod in a state."""
     return ShapeOfRod(state.discrete.tangents, state.system.edge_length, state.position[0])
 
 
-def _settled(
+def _with_present_forces(
     elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState
 ) -> tuple[ElementForce, ...]:
-    """Return the elements with their present forces and positions."""
     shape, acting = shape_of(state), iter(state.actions)
     return tuple(
         with_side(next(acting), shape) if is_taut else touching(action, shape)
@@ -385,11 +377,13 @@ def _settled(
 
 
 def _needs_change(elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState) -> bool:
-    return _other_set(elements, taut, state) is not None
+    return _changed_taut_set(elements, taut, state) is not None
 
 
-def _other_set(elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState) -> list[bool] | None:
-    """Return the most necessary change of which elements are taut, or None if no change is needed."""
+def _changed_taut_set(
+    elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState
+) -> list[bool] | None:
+    """Return the taut flags after the most necessary change, or None if no change is needed."""
     shape, acting = shape_of(state), iter(state.actions)
     largest = float(np.abs(state.discrete.force).max(initial=0.0))
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
@@ -478,12 +472,12 @@ def bend_path(
         rods.append(bent)
     progress = Movement.of(rods).progress
     return tuple(
-        _snapped_at(bent, *shares) for bent, shares in zip(rods[1:], pairwise(progress), strict=True)
+        _with_rescaled_snap(bent, *shares) for bent, shares in zip(rods[1:], pairwise(progress), strict=True)
     )
 
 
-def _snapped_at(rod: Rod, start: float, end: float) -> Rod:
-    """Return the rod with its snap warning converted from a fraction of one step to one of the whole movement."""
+def _with_rescaled_snap(rod: Rod, start: float, end: float) -> Rod:
+    """Convert the fraction in the snap warning from one step to the whole movement."""
     if not has_snapped(rod):
         return rod
     warning = next(
@@ -532,10 +526,8 @@ class Movement:
 
     @property
     def progress(self) -> FloatArray:
-        """Completed fraction (k,) of the movement at each rod.
-
-        The movement is the travel of the end. It is the rotation if nothing travels, and the steps if nothing
-        moves.
+        """Completed fraction (k,) of the movement at each rod: of the travel, else of the rotation, else of
+        the steps.
         """
         way = self.turn if self.is_turn else self.travel
         return way / way[-1] if way[-1] > 0 else np.linspace(0.0, 1.0, way.size)
@@ -636,7 +628,6 @@ def reach(
 
 
 def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
-    """Return the state with the guessed angles and the reactions with the least imbalance of moments."""
     n = system.edges
     if isinstance(guess, Rod):
         edges = guess.discrete.angles

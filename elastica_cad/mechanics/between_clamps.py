@@ -155,7 +155,7 @@ def elastica_between(
             raise InputError(
                 "a strip with a free end would turn about its start: give the angle of a clamp at the start"
             )
-        bent = _led_by_loads(
+        bent = _bent_by_loads(
             Rod.straight(
                 length, stiffness, samples=samples, start=first, angle=near, gravity=None,
                 supports=Supports("clamped", End(x=False, y=False, angle=far is not None)),
@@ -187,7 +187,7 @@ def elastica_between(
     return ElasticaBetween(bent, _side(bent), mode)
 
 
-def _led_by_loads(
+def _bent_by_loads(
     rod: Rod,
     far: float | None,
     gravity: Gravity | None,
@@ -196,15 +196,14 @@ def _led_by_loads(
     side: int,
     mode: int,
 ) -> Rod:
-    """Return the bent shape of a straight rod under a load on its free end; a large force is increased in steps."""
-    load = np.zeros(2) if force is None else _pair(force)
+    """Increase a large force in steps."""
+    load = np.zeros(2) if force is None else _plane_point(force)
     if load is None:
         raise InputError(f"force must be two numbers, 1/mm2, got {force!r}")
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
     bent = rod
-    for share in _load_shares(float(np.hypot(*load)) * rod.length**2):
-        # after a push along the strip, it is still straight, and minimising the energy could bend it to
-        # either side
+    for share in _load_fractions(float(np.hypot(*load)) * rod.length**2):
+        # a straight rod is not settled, because minimising the energy could bend it to either side
         settle = is_one_of(mode, [1]) and bool(np.ptp(bent.angle) > 0)
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
         next_rod = step()
@@ -219,7 +218,7 @@ def _led_by_loads(
     return bent
 
 
-def _load_shares(load: float) -> list[float]:
+def _load_fractions(load: float) -> list[float]:
     """Return increasing fractions of a load, in small steps near buckling; `load` is force length^2 / stiffness."""
     steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
     grown = LAST_EVEN_LOAD
@@ -230,14 +229,14 @@ def _load_shares(load: float) -> list[float]:
 
 
 def _point(point: object, name: str) -> FloatArray:
-    place = _pair(point)
+    place = _plane_point(point)
     if place is None:
         raise InputError(f"{name} must be a point (x, y), two numbers in mm, got {point!r}")
     return place
 
 
-def _pair(point: object) -> FloatArray | None:
-    """Return the coordinates of a pair, or of a point of a CAD library with z = 0; None for other objects."""
+def _plane_point(point: object) -> FloatArray | None:
+    """Return the coordinates of a pair, or of a point of a CAD library with z = 0, else None."""
     given = point.toTuple() if hasattr(point, "toTuple") else point
     try:
         place = np.array(list(given) if is_series(given) else (), dtype=float)
@@ -272,7 +271,6 @@ def _nearest_turn(angle: float, near: float) -> float:
 
 
 def _is_free(rod: Rod) -> bool:
-    """Return True if the end of the rod is free to move in x and y."""
     return not (rod.supports.ends[1].x or rod.supports.ends[1].y)
 
 

@@ -83,8 +83,6 @@ class _Brace:
 
 @dataclass(frozen=True, eq=False)
 class _Edges:
-    """Edges of a discrete rod; `bracing_of` describes its attributes."""
-
     tangents: FloatArray
     edge_length: float
     supports: Supports
@@ -104,7 +102,6 @@ class _Edges:
 
     @property
     def free(self) -> FloatArray:
-        """Flags for x and y: True if no end holds this coordinate."""
         return np.array(self.supports.free_axes)
 
     def moves(self, s: float) -> FloatArray:

@@ -15,7 +15,6 @@ from elastica_cad.mechanics.sheets import USUAL_RATIO, Grain, Range, Sheet
 from elastica_cad.refusals import Length, Listed, note, sentences
 
 _NODES = 201
-"""Number of nodes of the bent cantilever."""
 
 _STEEPEST_DROOP = 0.95  # largest usable ratio of droop to overhang; beyond it, the strip hangs like a rope
 _FLATTEST_DROOP = 1e-4
@@ -117,7 +116,6 @@ class Calibration:
         )
 
     def __str__(self) -> str:
-        """Return the results with their uncertainty."""
         length, off = self.elasto_gravity_length, Length(self.uncertainty)
         lines = [note("elasto-gravity length {length:.2f} +- {off:.2f}", length=length, off=off)]
         if len(self.readings) > 1:
@@ -285,9 +283,8 @@ def _length_for(part: float) -> float:
 
 
 def _weighted_mean(values: FloatArray, errors: FloatArray) -> tuple[float, float]:
-    """Return the mean with weights 1/error^2, and its standard deviation.
-
-    The deviation is computed from the errors and from the scatter; the larger value is returned.
+    """Return the mean with weights 1/error^2, and the larger of its standard deviations from errors and
+    scatter.
     """
     weights = np.ones(values.shape) if np.any(errors == 0) else errors**-2
     mean = float(np.average(values, weights=weights))

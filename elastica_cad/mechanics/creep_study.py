@@ -183,10 +183,7 @@ def require_creep(factor: object) -> float:
 
 
 def _is_linear(law: MaterialLaw | None) -> bool:
-    """Return True if the material obeys Hooke's law.
-
-    A law for the curl of the cross-section alone counts as linear.
-    """
+    """A law for the curl of the cross-section alone counts as linear."""
     return law is None or (isinstance(law, CurlingLaw) and law.below is None)
 
 

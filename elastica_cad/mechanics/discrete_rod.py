@@ -120,10 +120,9 @@ Terms: TypeAlias = tuple[FloatArray, FloatArray]
 """Linear forms G (r, n) and a symmetric, invertible matrix C (r, r); G^t C G is added to a matrix (n, n)."""
 
 
-def _bordered(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
-    """Return constraints and terms as rows (k + r, n) beside a matrix, and the block in the corner between them.
-
-    The block is 0 for constraints and -C^-1 for terms, with their coefficients C.
+def _border_of(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
+    """Return the border rows (k + r, n) of constraints and terms, and the corner: 0 for constraints, -C^-1
+    for terms.
     """
     k = len(basis)
     if terms is None:
@@ -144,7 +143,7 @@ def constrained_inertia(
     are added to A become more rows of the border, with minus their inverse coefficients in the corner.
     """
     constraints = orthonormal_rows(rows)
-    basis, corner = _bordered(constraints, terms)
+    basis, corner = _border_of(constraints, terms)
     if basis.shape[0] == 0:
         return count_negative(diagonal, off, shift)
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
@@ -207,7 +206,7 @@ def largest_of_inverse(
     """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
-    border, corner = _bordered(basis, terms)
+    border, corner = _border_of(basis, terms)
     solved = solve(border.T) if len(border) else border.T
     inner = np.linalg.inv(border @ solved - corner)
 
@@ -223,9 +222,7 @@ def largest_of_inverse(
 
 
 def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[FloatArray, FloatArray, float]:
-    """Return D and L of the factors L D L^T of a tridiagonal matrix minus a shift, and the shift.
-
-    The shift is less than the lowest eigenvalue by a distance that depends on the spread of the first `last`
+    """Return D, L and the shift of the factors L D L^T of a tridiagonal matrix minus a shift below its
     eigenvalues.
     """
     reach = _reach(diagonal, off)
@@ -291,10 +288,7 @@ def lowest_weighted(
 
 @lru_cache(maxsize=4)
 def _polynomials(n: int) -> FloatArray:
-    """Return orthonormal polynomials (n, _SMOOTH) on n equal steps.
-
-    The result is cached, because its computation is slow.
-    """
+    """Return orthonormal polynomials (n, _SMOOTH) on n equal steps, cached because their computation is slow."""
     powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, n), _SMOOTH - 1)
     return np.asarray(np.linalg.qr(powers)[0])
 
@@ -588,7 +582,7 @@ class DiscreteRod:
         term of the end node is omitted.
         """
         spring = self.stiffness / self.node_lengths
-        self._drop_free(spring)
+        self._zero_free_ends(spring)
         return spring[:-1] + spring[1:] - self.edge_length * self.pull, -spring[1:-1]
 
     @cached_property
@@ -645,7 +639,7 @@ class DiscreteRod:
         per_stiffness *= per_stiffness
         per_stiffness *= total**2
         per_stiffness /= self.node_lengths
-        self._drop_free(per_stiffness)
+        self._zero_free_ends(per_stiffness)
         per_force = -square[:, None] * self.tangents
         per_angle = -square * self.shear + 2 * total**2 * lengths * v * (self.tangents @ nu)
         per_length = 2 / total * float((per_force * self.force).sum())
@@ -681,8 +675,7 @@ class DiscreteRod:
             self.supports.reversed(), self.position[-1],
         )  # fmt: skip
 
-    def _drop_free(self, per_node: FloatArray) -> None:
-        """Set the values of end nodes to zero if the angle of this end is free."""
+    def _zero_free_ends(self, per_node: FloatArray) -> None:
         for node, held in zip((0, -1), self.held_angles, strict=True):
             if not held:
                 per_node[node] = 0.0

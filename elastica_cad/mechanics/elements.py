@@ -148,7 +148,6 @@ class PointForce:
 
 
 def _require_cut(element: "Pin | Tie") -> None:
-    """Refuse negative sizes of cuts, and a hole and notches at the same point."""
     require_declared(type(element), vars(element), NOUNS[type(element)])
     if element.hole and element.notch:
         raise InputError(
@@ -158,7 +157,6 @@ def _require_cut(element: "Pin | Tie") -> None:
 
 
 NOUNS = {Rail: "rail", Pin: "pin", Tie: "tie", PointForce: "point force", PointMass: "point mass"}
-"""Names of elements and loads in messages."""
 
 
 def noun_of(element: Element | PointForce | PointMass) -> Refusal:
@@ -196,7 +194,7 @@ NEAR_SHARE = 0.05
 AT_END_SHARE = 1e-6
 """Distance from an end, as a fraction of the length, below which a position counts as at the end."""
 
-_FOOT_STEPS = 20  # largest number of Newton steps from the nearest sample of a curve to its nearest point
+_NEWTON_STEPS = 20  # largest number of Newton steps from the nearest sample of a curve to its nearest point
 
 
 @dataclass(frozen=True, eq=False)
@@ -241,7 +239,7 @@ class PlacedElement:
         assert isinstance(element, Rail | Pin)
         s = np.array([_station(element.at, drawn, element)])
         if curve is not drawn:
-            s = np.array([_foot(curve, drawn.at(s).position[0])])
+            s = np.array([_nearest_arc_length(curve, drawn.at(s).position[0])])
         if isinstance(element, Pin):
             return cls(element, s, np.eye(2)[:, None, :])
         angle = curve.at(s).angle
@@ -287,9 +285,9 @@ def with_placed_masses(weight: Weight, curve: PlaneCurve) -> Weight:
 
 
 def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | PointMass) -> float:
-    """Return a position on the drawn curve, an arc length or a point, as arc length, mm; refuse other positions."""
+    """Return the arc length, mm, of a position on the drawn curve; refuse positions off the curve."""
     if isinstance(at, tuple):
-        s = _foot(curve, np.array(at))
+        s = _nearest_arc_length(curve, np.array(at))
         off = float(np.hypot(*(curve.at(np.array([s])).position[0] - at)))
         if off > NEAR_SHARE * curve.length:
             raise InputError(
@@ -309,11 +307,10 @@ def _station(at: Place, curve: PlaneCurve, element: Element | PointForce | Point
     return at if at < curve.length - near else curve.length
 
 
-def _foot(curve: PlaneCurve, point: FloatArray) -> float:
-    """Return the arc length, mm, of the point of the curve that is nearest to a given point (2,)."""
+def _nearest_arc_length(curve: PlaneCurve, point: FloatArray) -> float:
     nodes = curve.survey
     s = float(nodes.s[np.hypot(*(nodes.position - point).T).argmin()])
-    for _ in range(_FOOT_STEPS):
+    for _ in range(_NEWTON_STEPS):
         here = curve.at(np.array([s]))
         off, tangent = point - here.position[0], np.array([np.cos(here.angle[0]), np.sin(here.angle[0])])
         # at least 0.3, because Newton steps diverge near the evolute

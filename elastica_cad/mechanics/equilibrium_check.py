@@ -56,26 +56,18 @@ ADDED_INFLECTIONS = 2
 def _compare_fits(
     check: EquilibriumCheck, drawn: PlaneCurve, judge: Callable[[PlaneCurve], EquilibriumCheck]
 ) -> Undecided | None:
-    """Return both results if another fit of the measured points has a different result, or None.
-
-    Parameters
-    ----------
-    check : EquilibriumCheck
-        Result for the `drawn` curve.
-    judge : callable
-        Function that checks another curve.
-    """
+    """Return both results if another fit of the measured points has a different result, else None."""
     points = None if drawn.provenance is None else drawn.provenance.measured
     if (
         points is None or check.any_stiffness or (points.is_noisy and points.outlier)
     ):  # an outlier must be corrected before fits are compared
         return None
-    distance = _distance(points, drawn)
+    distance = _largest_distance(points, drawn)
     for curve in _other_curves(points, distance):
         with suppress(ElasticaError):
             other = judge(curve)
             if other.realizable != check.realizable or _has_loose_inflections(check, other, points):
-                fits = ((check, distance), (other, _distance(points, curve)))
+                fits = ((check, distance), (other, _largest_distance(points, curve)))
                 return Undecided(points.resolution, *(
                     FittedVerdict(verdict.realizable, far, len(verdict.inflections)) for verdict, far in fits
                 ))  # fmt: skip
@@ -83,11 +75,7 @@ def _compare_fits(
 
 
 def _has_loose_inflections(check: EquilibriumCheck, other: EquilibriumCheck, points: MeasuredPoints) -> bool:
-    """Return True if a curve is refused only because of inflections that the measured points do not require.
-
-    The points require at most two inflections, which are always on a common line. The refused curve has at least
-    two inflections more, and another fit has fewer inflections than the refused curve.
-    """
+    """Return True if a curve is refused only because of inflections that the measured points do not require."""
     count, required = len(check.off_line), points.bend_changes
     if check.realizable or check.bent_beforehand or len(other.inflections) >= count:
         return False
@@ -95,10 +83,7 @@ def _has_loose_inflections(check: EquilibriumCheck, other: EquilibriumCheck, poi
 
 
 def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurve]:
-    """Yield two fits within the resolution of the points, a fit to every other point, and a smoother fit.
-
-    The smoother fit deviates from the points by at most half as much as the fit to every other point.
-    """
+    """Yield two fits within the resolution of the points, a fit to every other point, and a smoother fit."""
     step = -(-len(points.points) // MOST_POINTS)
     some, half = _thinned(points.points, step), _thinned(points.points, 2 * step)
     for degree in (3, 5):
@@ -108,7 +93,7 @@ def _other_curves(points: MeasuredPoints, distance: float) -> Iterator[PlaneCurv
     smoother = max(points.reach, loose)
     with suppress(ElasticaError):
         coarse = PlaneCurve(*fit_spline(half, 4, loose), 4)
-        smoother = max(smoother, _distance(points, coarse) / 2)
+        smoother = max(smoother, _largest_distance(points, coarse) / 2)
         yield coarse
     with suppress(ElasticaError):
         yield PlaneCurve(*smoothest_spline(some, 4, smoother), 4)
@@ -118,8 +103,7 @@ def _thinned(points: FloatArray, step: int) -> FloatArray:
     return np.concatenate([points[:-1:step], points[-1:]])
 
 
-def _distance(points: MeasuredPoints, curve: PlaneCurve) -> float:
-    """Return the largest distance of the points from a curve, mm."""
+def _largest_distance(points: MeasuredPoints, curve: PlaneCurve) -> float:
     return float(distances(Spline(curve), points.points).max())
 
 
@@ -156,7 +140,6 @@ def _examine_curve(
     *,
     heavy: bool,
 ) -> EquilibriumCheck:
-    """Check the conditions of Theorem 1 on one curve, without other fits."""
     check = examine_curvature(curve, supports, natural_curvature)
     check = _with_unbent_ends(check, supports, natural_curvature, tolerance)
     if heavy or check.any_stiffness or not check.zeros:
@@ -168,26 +151,25 @@ def _examine_curve(
 UNBENT_SHARE = 1e-12
 
 MEANT_SHARE = 0.01
-"""Largest distance of a curvature zero from an end, as a fraction of the length, for which the end is unbent.
-
-It applies to ends that are free to turn, and is the accuracy of a drawing. The zero may be beyond the end.
+"""An end that is free to turn is unbent if a curvature zero is at most this fraction of the length away,
+because drawings are not more accurate.
 """
 
 
 def _with_unbent_ends(
     check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature, tolerance: float
 ) -> EquilibriumCheck:
-    """Check the curve again after its control points are moved so that almost unbent ends are exactly unbent.
+    """Check the curve again with almost unbent ends made exactly unbent, at the same end positions and
+    tangents.
 
-    An end is almost unbent if it counts as a zero of the curvature but its curvature is above rounding errors. An
-    end that is free to turn is also almost unbent if a zero of the curvature is near. Positions and tangents of
-    both ends do not change. The original result is returned if the curve would move farther than `tolerance` times
-    its length.
+    The original result is returned if the curve would move farther than `tolerance` times its length.
     """
     if check.curve.is_closed or check.any_stiffness:
         return check
     excess = ExcessCurvature(check.curve, natural_curvature)
-    ends = np.array([*_traces(excess, check), *_meant(excess, check, supports)])
+    ends = np.array(
+        [*_ends_with_small_curvature(excess, check), *_free_ends_near_zeros(excess, check, supports)]
+    )
     if not ends.size:
         return check
     try:
@@ -203,7 +185,7 @@ def _with_unbent_ends(
 
 def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> bool:
     """Return True if the curvature at an end is above rounding errors although the end counts as a zero."""
-    return bool(list(_traces(ExcessCurvature(check.curve, natural_curvature), check)))
+    return bool(list(_ends_with_small_curvature(ExcessCurvature(check.curve, natural_curvature), check)))
 
 
 def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
@@ -212,7 +194,7 @@ def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
     return float(np.hypot(*np.moveaxis(np.asarray(after.evaluate(t)) - before.evaluate(t), -1, 0)).max())
 
 
-def _traces(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
+def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
     """Yield the parameters of ends that count as zeros although their curvature is above rounding errors."""
     ends = np.array([z.t for z in check.zeros if z.kind == "end"])
     if ends.size:
@@ -220,7 +202,9 @@ def _traces(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]
         yield from ends[np.abs(excess.at(ends)) > UNBENT_SHARE * size].tolist()
 
 
-def _meant(excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports) -> Iterable[float]:
+def _free_ends_near_zeros(
+    excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports
+) -> Iterable[float]:
     """Yield the parameters of ends that are free to turn and almost unbent."""
     unbent = {z.t for z in check.zeros if z.kind == "end"}
     for t, support in zip(check.curve.domain, supports.ends, strict=True):
@@ -232,7 +216,6 @@ def _meant(excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports)
 
 
 def _ends_near_zeros(check: EquilibriumCheck) -> set[float]:
-    """Return the parameters of ends that are near a zero of the curvature inside the curve."""
     (start, end), near = check.curve.domain, MEANT_SHARE * check.length
     inner = [z.s for z in check.zeros if z.kind != "end"]
     return {start for s in inner if s < near} | {end for s in inner if s > check.length - near}
@@ -318,7 +301,7 @@ def _with_one_zero(check: EquilibriumCheck, natural_curvature: NaturalCurvature)
     lines = find_separating_line(check.curve, zero, zero.after or -zero.before)
     checked = replace(check, line=lines.line, off_line=((zero.s, 0.0),))
     if lines.line is not None:
-        return _off_the_border(checked, natural_curvature, (np.pi - lines.spread) / 2)
+        return _refuse_extreme_ratio(checked, natural_curvature, (np.pi - lines.spread) / 2)
     near = tuple(s for s in lines.places if abs(s - zero.s) > AT_END_SHARE * check.length)
     reason = note(
         "Every line through the inflection at {s} meets the curve again (near {places}), or is tangent to it "
@@ -352,7 +335,7 @@ def _with_line(
         check = moved
     meetings = _line_meetings(check.curve, line, check.zeros)
     if not meetings:
-        return _off_the_border(check, natural_curvature)
+        return _refuse_extreme_ratio(check, natural_curvature)
     crossings = tuple(m.s for m in meetings if m.kind == "crossing")
     tangents = tuple(m.s for m in meetings if m.kind == "tangent")
     touches = tuple(m.s for m in meetings if m.kind == "touch")
@@ -391,13 +374,14 @@ def _moved_onto(
     return replace(moved_check, line=line, off_line=check.off_line, moved=move)
 
 
-def _off_the_border(
+def _refuse_extreme_ratio(
     check: EquilibriumCheck, natural_curvature: NaturalCurvature, spare: float = 0.0
 ) -> EquilibriumCheck:
-    """Return the check, refused if the curve needs a larger stiffness ratio than a strip can have."""
     if check.line is None or not check.realizable:
         return check
-    at = _widest_place(ExcessCurvature(check.curve, natural_curvature), check.line, check.zeros, spare)
+    at = _place_of_extreme_ratio(
+        ExcessCurvature(check.curve, natural_curvature), check.line, check.zeros, spare
+    )
     if at is None:
         return check
     reason = note(
@@ -444,9 +428,7 @@ def _line_meetings(
 ) -> tuple[LineMeeting, ...]:
     """Return the points of the curve at which the line violates condition (1) of Theorem 1.
 
-    A violation is a crossing or touching point that is not at a zero of the curvature. A zero is a violation if
-    the curve is tangent to the line there, or crosses it in the wrong direction. By the condition, moment a + <b,
-    gamma> and curvature of the curve gamma must have the same sign everywhere, or opposite signs everywhere.
+    The moment a + <b, gamma> must have the sign of the curvature everywhere, or the opposite sign everywhere.
     """
     near = _SAME_PLACE_SHARE * curve.length
     bad: list[LineMeeting] = []
@@ -469,7 +451,7 @@ def _line_meetings(
     return tuple(sorted(set(bad), key=lambda m: m.s))
 
 
-def _widest_place(
+def _place_of_extreme_ratio(
     excess: ExcessCurvature, line: InflectionLine, zeros: Sequence[CurvatureZero], spare: float
 ) -> float | None:
     """Return the arc length, mm, at which the stiffness ratio would exceed `_WIDEST_RATIO`, or None.
@@ -577,8 +559,8 @@ def project_inflections(
     ----------
     Paper, Appendix C.
     """
-    needed = [*_on_line(curve, zeros, line, natural_curvature), SmoothJoints.of(curve)]
-    for kept in _kept_ends(curve, zeros):
+    needed = [*_line_constraints(curve, zeros, line, natural_curvature), SmoothJoints.of(curve)]
+    for kept in _end_constraints(curve, zeros):
         try:
             moved, _ = least_norm_newton(
                 curve, [*needed, *kept], tolerance=ON_LINE_SHARE, max_steps=MOST_STEPS
@@ -590,10 +572,9 @@ def project_inflections(
     raise NotConvergedError("no small move of the control points brings the inflections onto one line")
 
 
-def _on_line(
+def _line_constraints(
     curve: PlaneCurve, zeros: Sequence[CurvatureZero], line: InflectionLine, kappa_0: float
 ) -> list[Constraint]:
-    """Return the constraints that all zeros, inside the curve and at its ends, are on the line."""
     inner = np.array([z.t for z in zeros if z.kind != "end"])
     ends = np.array([z.t for z in zeros if z.kind == "end"])
     wanted: list[Constraint] = []
@@ -604,8 +585,8 @@ def _on_line(
     return wanted
 
 
-def _kept_ends(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:
-    """Return sets of constraints on ends that are not on the line; the caller tries the strictest set first."""
+def _end_constraints(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:
+    """Return sets of constraints on ends that are not on the line, strictest set first."""
     pinned = {z.t for z in zeros if z.kind == "end"}
     place, turn = EndPositions.of(curve), EndTangents.of(curve)
     start, end = (t not in pinned for t in curve.domain)

@@ -87,7 +87,7 @@ class LaminatedSection:
             EI,
             "more than two full layers have: widen the base or lower the scale",
         )
-        A1, _ = self._axial(w1, 0.0 * w1)
+        A1, _ = self._axial_stiffness(w1, 0.0 * w1)
         _, h2, d = self._heights
         p = h2**2 / 12
         # the unknown x = A2 solves p x^2 + q x - D A1 = 0, where D is the stiffness that the backing must
@@ -103,7 +103,7 @@ class LaminatedSection:
     def stiffening(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
         """Return the derivative (n,) of E I by the width of the backing, N mm; always positive."""
         w1, w2 = self._widths(base_width, backing_width)
-        A1, A2 = self._axial(w1, w2)
+        A1, A2 = self._axial_stiffness(w1, w2)
         _, h2, d = self._heights
         per_width = self.backing.youngs_modulus * h2
         return np.asarray(per_width * (h2**2 / 12 + (d * A1 / (A1 + A2)) ** 2))
@@ -111,7 +111,7 @@ class LaminatedSection:
     def neutral_axis(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
         """Return the height (n,) of the neutral axis above the free face of the base, mm."""
         w1, w2 = self._widths(base_width, backing_width)
-        A1, A2 = self._axial(w1, w2)
+        A1, A2 = self._axial_stiffness(w1, w2)
         h1, _, d = self._heights
         return np.asarray(h1 / 2 + d * A2 / (A1 + A2))
 
@@ -254,13 +254,12 @@ class LaminatedSection:
         return self.base.thickness, self.backing.thickness, self.thickness / 2
 
     def _stiffness(self, w1: FloatArray, w2: FloatArray) -> FloatArray:
-        """Return E I (n,), N mm2, for widths w1, w2 (n,), mm, that were checked before."""
-        A1, A2 = self._axial(w1, w2)
+        """Return E I (n,), N mm2, without a check of the widths (n,), mm."""
+        A1, A2 = self._axial_stiffness(w1, w2)
         h1, h2, d = self._heights
         return np.asarray((A1 * h1**2 + A2 * h2**2) / 12 + d**2 * A1 * A2 / (A1 + A2))
 
-    def _axial(self, w1: FloatArray, w2: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the axial stiffness E w h of both layers, N."""
+    def _axial_stiffness(self, w1: FloatArray, w2: FloatArray) -> tuple[FloatArray, FloatArray]:
         return (
             self.base.youngs_modulus * self.base.thickness * w1,
             self.backing.youngs_modulus * self.backing.thickness * w2,

@@ -124,7 +124,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     knots = K.knots([s for s, _ in breaks], SPARE * tolerance)
     fitted = Profile.fit(stiffness, length, breaks=breaks, knots=knots, tolerance=tolerance)
     for i, foot in enumerate(feet):
-        fitted = _joined(fitted, foot, keep_left=i % 2 == 0)
+        fitted = _without_jump(fitted, foot, keep_left=i % 2 == 0)
     return _with_extremes(fitted, stiffness(np.array(fitted.extreme_places)), tolerance)
 
 
@@ -153,9 +153,8 @@ class _AlongArc:
         return float(self.series.in_every_panel(_CELL_ENDS).max())
 
     def noise(self, steps: Sequence[float]) -> float:
-        """Return the largest jump of the stiffness between panels where the stiffness is continuous.
-
-        Such jumps are rounding errors that the weight amplifies.
+        """Return the largest jump of the stiffness between panels where it is continuous, a rounding error
+        under weight.
         """
         before, after = self.series.where_panels_meet
         # omit jumps within the length of a ramp that replaces a step
@@ -166,9 +165,8 @@ class _AlongArc:
         return float(jumps.max(initial=0.0))
 
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
-        """Return knots between the breaks for which a cubic spline has the error `tolerance` everywhere.
-
-        Their spacing h solves `BEST_CUBIC` h^4 K'''' = tolerance.
+        """Return knots at which a cubic spline has the error `tolerance`: their spacing h solves `BEST_CUBIC`
+        h^4 K'''' = tolerance.
         """
         width = self.edges[1:] - self.edges[:-1]
         fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
@@ -187,18 +185,15 @@ class _AlongArc:
 
 
 def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
-    """Return the profile, scaled slightly so that its extremes equal those of the stiffness.
-
-    The positions of the extremes need not be exact, because the derivative of the stiffness is zero there.
-    """
+    """Scale the profile slightly so that its extremes equal those of the stiffness."""
     low, high = profile.extremes
     if high - low <= tolerance:
         return profile
     return profile.stretched(float(exact[0]), float(exact[1]))
 
 
-def _joined(profile: Profile, place: float, *, keep_left: bool) -> Profile:
-    """Return the profile without its jump at `place`: both sides get the left (`keep_left`) or right value."""
+def _without_jump(profile: Profile, place: float, *, keep_left: bool) -> Profile:
+    """Give both sides of the jump its left (`keep_left`) or right value."""
     first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
     coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
     return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
@@ -434,7 +429,6 @@ def _require_load_at_free_end(request: RodRequest) -> None:
 def _rod_of(
     request: RodRequest, check: EquilibriumCheck, moment: FloatArray, force: FloatArray, **fields: Any
 ) -> Rod:
-    """Return the rod whose shape is the curve, with moments (n,) and forces (n, 2) at its nodes."""
     nodes, B = request.nodes, fields.get("bending_stiffness")
     loads = tuple(
         ElementForce(placed_force.element, placed_force.s, placed_force.units[0] / (B or 1.0))
@@ -449,10 +443,7 @@ def _rod_of(
 
 
 def _unbent_rod(request: RodRequest) -> Rod:
-    """Return the rod of a curve that has the natural curvature everywhere; its moments are zero.
-
-    Under weight the curve must be vertical.
-    """
+    """Under weight the curve must be vertical."""
     check, nodes = request.check, request.nodes
     n = nodes.s.size
     B, weight = request.bending_stiffness or request.largest_stiffness, request.weight
@@ -468,7 +459,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
         reason = "Under a point force a straight strip bends. Draw the shape into which it bends."
         raise NotRealizable(replace(check, realizable=False, any_stiffness=False, reasons=(reason,)))
     if request.section is not None:
-        rod = _even_rod(rod, request.section)
+        rod = _uniform_rod(rod, request.section)
     if request.gravity is None:
         return rod
     down = np.asarray(request.gravity.direction)
@@ -491,8 +482,8 @@ def _unbent_rod(request: RodRequest) -> Rod:
     return replace(rod, force=force if lower.x and lower.y else force - load.sum(axis=0))
 
 
-def _even_rod(rod: Rod, section: BoundedLaw) -> Rod:
-    """Return a straight rod that has the largest allowed cross-section everywhere."""
+def _uniform_rod(rod: Rod, section: BoundedLaw) -> Rod:
+    """Return a straight rod with the largest allowed cross-section everywhere."""
     law = section.bent(0.0)
     size = next(limit for limit in reversed(section.limits) if np.isfinite(limit))
     scale, newtons = float(law.bending_stiffness(size)), float(law.weight_per_length(size))
@@ -541,7 +532,6 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
 
 
 def _is_near(s: float, places: Sequence[float], distance: float) -> bool:
-    """Return True if a place is within a distance of one of the places."""
     return any(abs(s - place) <= distance for place in places)
 
 
@@ -550,7 +540,7 @@ KINK_SHARE = 0.005
 
 
 def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) -> tuple[str, ...]:
-    """Return the warnings about a curve, except those about kinks at elements, whose forces cause these kinks."""
+    """Return the warnings about a curve, except those about kinks that the forces of elements cause."""
     near = KINK_SHARE * check.curve.length
     stations = [s for action in actions for s in action.s]
     jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]  # the width jumps there
@@ -567,7 +557,6 @@ def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) 
 
 
 def _slack_warnings(balance: BalancedStiffness) -> tuple[str, ...]:
-    """Return warnings about one-sided elements with a small force, from which the strip may lift off."""
     force = left_of(balance.force.nodal.reshape(-1, 2))
     return tuple(
         note(
@@ -747,7 +736,6 @@ class _Base:
 
     @classmethod
     def under(cls, rod: Rod, layers: LaminateLayers) -> "_Base":
-        """Return the base for a rod of the same length as the curve."""
         width = layers.base_width
         at_nodes = _along(width, rod.s)
         places = np.union1d(np.linspace(0.0, rod.length, _DENSE), rod.s)
@@ -773,7 +761,6 @@ class _Base:
         return scales.scale
 
     def laminate(self, rod: Rod, scale: float, rounds: int) -> Laminate:
-        """Return the laminate of a rod with the bending stiffness `scale` K, N mm2, after `rounds` optimal rods."""
         K, section = np.asarray(rod.stiffness), self.layers.section
         return Laminate(
             rod=replace(rod, bending_stiffness=scale),
@@ -837,7 +824,7 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return the relative stiffness (n,) at arc lengths s, at least 1 in spite of errors of the profile."""
+    """Return at least 1 in spite of errors of the profile."""
     return np.maximum(rod.profile(s), 1.0)
 
 

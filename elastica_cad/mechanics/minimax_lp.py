@@ -20,11 +20,12 @@ class Exchange(NamedTuple):
     first_rows : int
         Number of uniform samples of a long curve from which a program starts.
     first_step : int
-        Every so many samples of the curve are rows of the first program for a smooth stiffness.
+        Spacing, in samples of the curve, of the rows of the first program for a smooth stiffness.
     box : float
         Bound of the scaled unknowns, which are of order 1; the bounds define the first vertex.
     feasible : float
-        Largest violation of a condition that counts as a rounding error. It is relative to 1, or to the ratio R if
+        Largest violation of a condition that counts as a rounding error. It is relative to 1, or to
+        the ratio R if
         the condition contains R.
     pivot : float
         Least coefficient, as a fraction of the largest, of a condition that may become inactive.
@@ -107,7 +108,7 @@ def minimax_ratio(
         fits = allowed and bool(offset.min() >= 1 - METHOD.feasible)
         return MinimaxSolution(np.zeros(0), float(offset.max()), offset) if fits else None
     if m == 1 and side_rows is None and not offset.any():
-        return _single(rows[:, 0])
+        return _solution_of_one_unknown(rows[:, 0])
     program = MinimaxProgram(rows, side_rows=side_rows, side_offset=side_offset)
     step = max(1, n // METHOD.first_rows)
     new: Any = slice(None, None, step)
@@ -228,8 +229,7 @@ class MinimaxProgram:
         return None
 
 
-def _single(row: FloatArray) -> MinimaxSolution | None:
-    """Return the solution for a single unknown, which only scales the stiffness."""
+def _solution_of_one_unknown(row: FloatArray) -> MinimaxSolution | None:
     low, high = row.min(), row.max()
     if low > 0:
         return MinimaxSolution(np.array([1 / low]), float(high / low), row / low)
@@ -247,10 +247,8 @@ def _conditioned(rows: FloatArray) -> FloatArray:
 
 
 def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
-    """Return (x, R) with the least R subject to rows @ (x, R) >= limits, or None if there is none.
-
-    The solver is HiGHS; in FreeCAD it is the HiGHS of SciPy. It solves the program again with presolve if it cannot
-    decide whether there is a solution.
+    """Return (x, R) with the least R subject to rows @ (x, R) >= limits, or None if there is none; HiGHS is
+    the solver.
     """
     tolerances = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
     count, columns = rows.shape

@@ -268,7 +268,7 @@ BOUNDED = 1e-7
 """Largest relative excess of a smooth stiffness over its bounds; it is the accuracy of the linear program."""
 
 CHOSEN = 1e-5
-"""Largest relative excess over bounds that a choice has widened by `SMOOTHING_SHARE`."""
+"""Largest relative excess of a smooth stiffness over a ratio limit that is widened by `SMOOTHING_SHARE`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -361,10 +361,7 @@ def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> M
 
 
 def _continuous_ratio(family: StiffnessFamily, tolerance: float) -> tuple[FloatArray, float] | None:
-    """Return the numbers of the least ratio on the continuous curve, and this ratio.
-
-    Each iteration adds all local extremes beyond the bounds.
-    """
+    """Add all local extremes beyond the bounds in each iteration."""
     rows, offset = family.dense
     sides = [side.dense for side in family.sides]
     program = MinimaxProgram(
@@ -728,10 +725,7 @@ class ConditionedRows:
         )  # fmt: skip
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return the rows `sides` of `columns`, each divided by the order of magnitude of its unknown number.
-
-        The unknown numbers with these indices may not be negative.
-        """
+        """Return the conditions that the unknown numbers `sides` are not negative, scaled to order 1."""
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:
@@ -903,14 +897,12 @@ def null_space(matrix: FloatArray) -> FloatArray:
 
 
 def _rank(sigma: FloatArray) -> int:
-    """Return the number of linearly independent conditions from sorted singular values."""
     return int(np.count_nonzero(sigma > RANK_SHARE * max(1.0, sigma[0])))
 
 
 def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-    """Return the null space (m, d) of matrix (k, m), and a solution x of matrix @ x = right.
-
-    The solution is None if the equations contradict each other.
+    """Return the null space (m, d) of matrix (k, m), and a solution of matrix @ x = right, or None without a
+    solution.
     """
     count = matrix.shape[1]
     size = np.abs(matrix).max(axis=1, initial=0.0)

@@ -49,11 +49,10 @@ def is_balanced(state: RodState) -> bool:
 
 def newton_step(state: RodState, residual: Residual) -> Step:
     """Return the Newton step that cancels `residual` to first order."""
-    return _solved(state, *state.discrete.hessian, residual)
+    return _step_with_hessian(state, *state.discrete.hessian, residual)
 
 
-def _solved(state: RodState, diagonal: FloatArray, off: FloatArray, residual: Residual) -> Step:
-    """Return the Newton step that cancels `residual` to first order, for a given tridiagonal Hessian."""
+def _step_with_hessian(state: RodState, diagonal: FloatArray, off: FloatArray, residual: Residual) -> Step:
     rows, below = state.rows, -residual.miss
     if state.system.elements is None:
         return Step(*solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=below))
@@ -95,7 +94,7 @@ def correct(
     state, iterations
     """
     current = state
-    step = newton_step(current, _remaining(current, kept))
+    step = newton_step(current, _residual_beyond(current, kept))
     turned = _turned(step)
     for iteration in range(most):
         if not turned <= turn:
@@ -103,7 +102,7 @@ def correct(
         factor = 1.0
         while True:
             trial = current.moved(step, factor)
-            next_step = newton_step(trial, _remaining(trial, kept))
+            next_step = newton_step(trial, _residual_beyond(trial, kept))
             next_turned = _turned(next_step)
             settled = next_turned < max(CONVERGED_RAD, min(SMALL_TURN_RAD / 4, 2 * turned))
             if settled or next_turned <= (1 - factor / 2) * turned:
@@ -116,7 +115,7 @@ def correct(
             return None
         if turned < CONVERGED_RAD:
             current = current.moved(step)
-            size = _size(current, _remaining(current, kept))
+            size = _relative_error(current, _residual_beyond(current, kept))
             return (current, iteration + 1) if size < TOLERANCE else None
     return None
 
@@ -186,12 +185,12 @@ def trace(
 
 def _polish(state: RodState) -> RodState:
     """Return the state after Newton steps that reduce the error, down to rounding errors."""
-    size = _size(state, state.residual)
+    size = _relative_error(state, state.residual)
     for _ in range(6):
         if size == 0:
             break
         trial = state.moved(newton_step(state, state.residual))
-        trial_size = _size(trial, trial.residual)
+        trial_size = _relative_error(trial, trial.residual)
         if not trial_size < 0.5 * size:
             break
         state, size = trial, trial_size
@@ -203,15 +202,14 @@ def relax(state: RodState) -> RodState | None:
     start = _place_ends(state)
     if start is None:
         return None
-    rest = _come_to_rest(start, np.inf)
+    rest = _minimise_energy(start, np.inf)
     # near a kink, where a hardening material is a thousand times as stiff, Newton's method may diverge
-    return _come_to_rest(start, ASTRAY_RAD) if rest is None else rest
+    return _minimise_energy(start, ASTRAY_RAD) if rest is None else rest
 
 
-def _come_to_rest(state: RodState, astray: float) -> RodState | None:
-    """Return the result of the minimisation, or None.
-
-    `astray` is the largest rotation of an edge in a step before the line search.
+def _minimise_energy(state: RodState, astray: float) -> RodState | None:
+    """Return None if the minimisation fails; `astray` is the largest rotation of an edge in a step before
+    line search.
     """
     system = state.system
     softest = 1e-3 * system.edge_length / system.length**2
@@ -223,9 +221,9 @@ def _come_to_rest(state: RodState, astray: float) -> RodState | None:
             values, vectors = rod.lowest_modes()
             convex = diagonal + 2 * abs(values[0]) + softest
             push = vectors[0] / np.abs(vectors[0]).max()
-        step, lift = _solved(state, convex, off, residual), softest
+        step, lift = _step_with_hessian(state, convex, off, residual), softest
         while _turned(step) > astray:
-            step, lift = _solved(state, convex + lift, off, residual), 10 * lift
+            step, lift = _step_with_hessian(state, convex + lift, off, residual), 10 * lift
         turned = _turned(step)
         if not np.isfinite(turned):
             return None
@@ -283,17 +281,15 @@ def _turned(step: Step) -> float:
     return float(np.abs(step.angles).max())
 
 
-def _remaining(state: RodState, kept: Residual | None) -> Residual:
-    """Return the residual of a state minus the residual `kept` that its solution may have."""
+def _residual_beyond(state: RodState, kept: Residual | None) -> Residual:
     imbalance, miss = state.residual
     return state.residual if kept is None else Residual(imbalance - kept.imbalance, miss - kept.miss)
 
 
-def _size(state: RodState, residual: Residual) -> float:
-    """Return the relative error of a state.
+def _relative_error(state: RodState, residual: Residual) -> float:
+    """Return the larger of the relative errors of moments and positions.
 
-    It is the larger of the imbalance of moments and the position errors. Moments are relative to the moments of
-    the rod, but at least to those of a bend of 1e-3 rad. Positions are relative to its length.
+    Moments are relative to the moments of the rod, but at least to those of a bend of 1e-3 rad.
     """
     length = state.system.length
     unit = max(state.scale, 1e-3 / length)
@@ -319,7 +315,7 @@ def stretch(state: RodState) -> RodState:
     """Return the straight, unloaded state along the line between the ends, or along the only held coordinate."""
     system, chord = state.system, np.zeros(2)
     chord[list(system.held)] = system.chord
-    angle = _on_turn_of(_direction(state), chord)
+    angle = _nearest_angle(_direction(state), chord)
     return system.state(np.full(system.edges, angle))
 
 
@@ -354,12 +350,12 @@ def _direction(state: RodState) -> float:
     chord, present = system.end - system.start, float(state.angles.mean())
     if len(system.held) < 2 or float(np.hypot(*chord)) < 1e-9 * system.length:
         return present
-    angle = _on_turn_of(present, chord)
+    angle = _nearest_angle(present, chord)
     # if the end must move to the other side of the start, the rod keeps its direction
     return angle if abs(angle - present) < np.pi / 2 else present
 
 
-def _on_turn_of(near: float, chord: FloatArray) -> float:
+def _nearest_angle(near: float, chord: FloatArray) -> float:
     """Return the angle of the vector `chord` that is within half a turn of the angle `near`."""
     angle = float(np.arctan2(chord[1], chord[0]))
     return angle + 2 * np.pi * float(np.round((near - angle) / (2 * np.pi)))

@@ -224,7 +224,7 @@ def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
 
 
 def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """Return tau as in `_least_compliance`, by a search, because the weight of the strip depends on tau."""
+    """By a search, because the weight of the strip depends on tau."""
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
@@ -253,7 +253,7 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
 
 
 def _ratio_at(load: WeightedPanels, tau: float) -> float:
-    """Return the least ratio of a rod with bending stiffness B = 1 / tau; infinity if none carries the weight."""
+    """Return infinity if no stiffness carries the weight."""
     try:
         problem = load.against(tau)
         optimum = problem.ratio(problem.at_compliance(tau))
@@ -263,10 +263,10 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
 
 
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
-    """Return the stiffness in equilibrium whose largest value is `most`, N mm2, and its compliance tau.
+    """Return the stiffness with the largest value `most`, N mm2, and the greatest least value, and its
+    compliance tau.
 
-    Among all such stiffnesses, its least value is the largest. If the weight is proportional to the stiffness K,
-    iterations are needed, because it depends on tau.
+    Iterate if the weight is proportional to the stiffness K, because the weight then depends on tau.
     """
     least = max(load.request.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
     most /= 1 + BOUNDED
@@ -284,23 +284,21 @@ def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tupl
 
 
 def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most: float) -> OverloadError:
-    """Return the error for a weight that no bending stiffness from `least` to `most`, N mm2, carries."""
     bound = max(least, LEAST_SHARE * problem.load_stiffness)
     numbers = problem.at_compliance(1 / bound)
     needed = problem.ratio(numbers)
     if needed is None:
         problem.refuse(numbers.family)
     try:
-        thickening = _thickening(load, least, most)
+        thickening = _thickening_factor(load, least, most)
     except NotConvergedError:  # the message then states only the width
         thickening = None
     return OverloadError(bound * needed[1], most, thickening)
 
 
-def _thickening(load: WeightedPanels, least: float, most: float) -> float | None:
-    """Return the least factor on the sheet thickness for which a strip of limited width carries the weight.
-
-    Stiffness is proportional to the cube of the thickness, and weight over stiffness to its inverse square.
+def _thickening_factor(load: WeightedPanels, least: float, most: float) -> float | None:
+    """Stiffness is proportional to the cube of the thickness, and weight over stiffness to its inverse
+    square.
     """
     factor = 1.0
     for _ in range(MOST_ROUNDS):
@@ -359,38 +357,31 @@ SLOWEST_RATE = 0.99
 def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness:
     """Return the stiffness of least ratio in equilibrium, as large as the limits of a section allow.
 
-    The rod carries its own weight and masses. The scale B and the weight depend on the unknown stiffness. Each
-    iteration linearises the weight at the last E I, solves the resulting linear program in the relative stiffness
-    K (paper, Eq. 6), and updates the scale. When the iteration converges, the rod is in equilibrium under the
-    exact weight, and no other K has a smaller ratio under the linearised weight. This is a local optimum, because
-    the full problem is not linear.
-
-    Raises
-    ------
-    InputError
-        The stiffness does not fit within the limits of the section.
-    NotConvergedError
-        The iteration for weight and stiffness does not converge.
+    Each iteration linearises the weight at the last E I, solves the linear program in the relative stiffness
+    K (paper, Eq. 6), and updates the scale. The result is a local optimum, because the full problem is not
+    linear.
     """
     excess, gravity = ExcessCurvature(request.check.curve, request.natural_curvature), request.gravity
     if gravity is None:
         balance = balance_without_weight(request)
         law = _bent(section, balance.panels, excess)
-        return _within_limits(replace(balance, bending_stiffness=_scale(law, balance.stiffness)), law)
+        return _refuse_below_limits(
+            replace(balance, bending_stiffness=_fitting_scale(law, balance.stiffness)), law
+        )
     request = replace(request, weight=Weight(masses=request.masses))
     law = section.bent(0.0)
-    full = float(law.bending_stiffness(_deciding(law)) / law.weight_per_length(_deciding(law)))
+    full = float(law.bending_stiffness(_deciding_limit(law)) / law.weight_per_length(_deciding_limit(law)))
     heavy = replace(gravity, length=full ** (1 / 3))
     cut = request.cut.for_weight(heavy)
     for _ in range(REFINEMENTS):
         load = WeightedPanels(request, cut.panels, heavy, request.weight)
         law = _bent(section, cut.panels, excess)
-        balance = _settled(load, law)
+        balance = _converged_balance(load, law)
         finer = cut.for_stiffness(balance.stiffness)
         if finer is None:
             break
         cut = finer
-    return replace(_within_limits(balance, law), kinks=cut.kinks)
+    return replace(_refuse_below_limits(balance, law), kinks=cut.kinks)
 
 
 def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> BoundedLaw:
@@ -418,14 +409,13 @@ class TangentWeight:
         return cls(at - slope * bending_stiffness, slope)
 
 
-def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
-    """Return the stiffness of least ratio in equilibrium under the weight of the section, on given panels."""
+def _converged_balance(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
     points = load.points
     assert load.gravity is not None
     proportional_weight = np.full(load.panels.t.shape, load.gravity.length**-3)
     light = load.carrying(proportional_weight, np.zeros(proportional_weight.shape), 0.0 * points)
     balance = light.balance(light.least(light.homogeneous(loaded=False)))
-    scale = _scale(law, balance.stiffness)
+    scale = _fitting_scale(law, balance.stiffness)
     EI = scale * balance.stiffness.nodal
     change = np.inf
     history: list[float] = []
@@ -438,31 +428,30 @@ def _settled(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffness:
             raise _unsettled(law, change) from error
         balance = problem.balance(state)
         next_EI = scale * balance.stiffness.nodal
-        tried, scale = scale, _scale(law, balance.stiffness)
+        tried, scale = scale, _fitting_scale(law, balance.stiffness)
         change, EI = max(float(np.abs(next_EI / EI - 1).max()), abs(scale / tried - 1)), next_EI
         if change < SETTLED_SHARE:
             weight = _weight(load, tangent, tried)
             return replace(balance, bending_stiffness=tried, weight=weight)
-        if _spare(law, EI) < HOPELESS_SHARE:
+        if _ratio_to_least_section(law, EI) < HOPELESS_SHARE:
             raise _unsettled(law, change)
         history.append(np.log(scale))
         if len(history) == 3:
             scale = float(np.exp(extrapolated(*history)))
             history.clear()
-    return _descended(load, law, tried * state[:3], EI)
+    return _balance_by_descent(load, law, tried * state[:3], EI)
 
 
-def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray) -> BalancedStiffness:
+def _balance_by_descent(
+    load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray
+) -> BalancedStiffness:
     """Return the stiffness in equilibrium whose least E I is largest within the limits, in short steps.
 
-    Without an upper limit, the largest E I is least.
-
-    This search is used if the linear programs oscillate. The optimum is then not a vertex of the linearised
-    program, so successive solutions are far apart. The change of the moments is therefore limited in each step,
-    and the limit is reduced after each reversal. `state` is the moment and force (3,) at the end of the curve, N
-    mm and N.
+    Without an upper limit, the largest E I is least. The steps are short because the linear programs
+    oscillate if the optimum is not a vertex of the linearised program. The limit of the steps is reduced
+    after each reversal. `state` is the moment and force (3,) at the end of the curve, N mm and N.
     """
-    deciding, points = _deciding(law), load.points
+    deciding, points = _deciding_limit(law), load.points
     limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
     # -1: E I must be at most that of the largest section; 1: at least that of the least section
     sense = -1.0 if np.isfinite(law.limits[1]) else 1.0
@@ -479,7 +468,7 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
             PanelFunction.through(rows * share[..., None]),
             PanelFunction.through(offset * share + (1.0 - sense)),
         )
-        optimum = _beside(family, here, reach, problem.places)
+        optimum = _best_numbers_near(family, here, reach, problem.places)
         if optimum is None:
             break
         moved = scale * problem.rows.stiffness @ (numbers.fixed + numbers.basis @ optimum)
@@ -495,20 +484,23 @@ def _descended(load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: Flo
     raise _unsettled(law, np.inf)
 
 
-def _beside(
+def _best_numbers_near(
     family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
 ) -> FloatArray | None:
-    """Return the free numbers near `here` for which the largest value of the family is least.
+    """Return the free numbers near `here` with the least maximum of the family; the mean change is at most
+    `reach`.
 
-    The mean change of the values is at most `reach`. This limit is increased if no numbers within it satisfy the
-    conditions.
+    This limit is increased if no numbers within it satisfy the conditions.
     """
     rows, _ = family.dense
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
     # rows are directions of the free numbers, multiplied by the root mean square change of the values
     moves = sizes[:, None] * ways / np.sqrt(len(rows))
-    for room in reach * np.array([1.0, 4.0, 16.0, 64.0]):
-        side = np.concatenate([moves, -moves]), np.concatenate([room - moves @ here, room + moves @ here])
+    for limit_of_change in reach * np.array([1.0, 4.0, 16.0, 64.0]):
+        side = (
+            np.concatenate([moves, -moves]),
+            np.concatenate([limit_of_change - moves @ here, limit_of_change + moves @ here]),
+        )
         solution = least_ratio(replace(family, side_rows=side[0], side_offset=side[1]), places)
         if solution is not None:
             return solution[0]
@@ -548,19 +540,19 @@ def extrapolated(first: float, second: float, third: float) -> float:
     return third + float(np.clip(jump, -LONGEST_JUMP, LONGEST_JUMP))
 
 
-def _deciding(law: BoundedLaw) -> float:
+def _deciding_limit(law: BoundedLaw) -> float:
     """Return the limit of the section that determines the scale: the upper limit, else the lower limit."""
     least, largest = law.limits
     return largest if np.isfinite(largest) else least
 
 
-def _scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
+def _fitting_scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
     """Return the factor B, N mm2, for which a rod of bending stiffness B K just fits the limits of a section.
 
     K is the relative stiffness. At one point the rod needs the largest section, and nowhere a larger section.
     Without an upper limit, it needs the least section at one point, and nowhere a smaller section.
     """
-    share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding(law)))
+    share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding_limit(law)))
     extremes = share.extremes
     return 1 / float(extremes.max() if np.isfinite(law.limits[1]) else extremes.min())
 
@@ -576,11 +568,10 @@ def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weigh
     return Weight(Profile.interpolate(s, fixed), Profile.interpolate(s, scale * slope), load.request.masses)
 
 
-def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
-    """Return the stiffness, or refuse it if it is below that of the least section."""
+def _refuse_below_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiffness:
     EI = (balance.bending_stiffness or 1.0) * balance.stiffness.nodal
     least, largest = law.limits
-    if _spare(law, EI) < 1 - FIT_SHARE:
+    if _ratio_to_least_section(law, EI) < 1 - FIT_SHARE:
         sizes = law.parameter(EI)
         s = float(balance.panels.s.flat[int(sizes.argmin())])
         raise InputError(
@@ -597,7 +588,7 @@ def _within_limits(balance: BalancedStiffness, law: BoundedLaw) -> BalancedStiff
     return balance
 
 
-def _spare(law: BoundedLaw, bending_stiffness: FloatArray) -> float:
+def _ratio_to_least_section(law: BoundedLaw, bending_stiffness: FloatArray) -> float:
     """Return the least ratio of E I (N, p), N mm2, to the E I of the least section."""
     least, _ = law.limits
     return float((bending_stiffness / law.bending_stiffness(least)).min()) if least > 0 else np.inf

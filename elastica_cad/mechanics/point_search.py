@@ -175,7 +175,6 @@ class _Move:
     natural_curvature: NaturalCurvature
 
     def at(self, share: float) -> PlaneCurve:
-        """Return the curve with the control point moved by `share` times the step and rounded."""
         points = self.curve.control_points.copy()
         unit = 10 ** np.floor(np.log10(ROUNDING * self.curve.length))
         points[self.index] = np.round((points[self.index] + share * self.step) / unit) * unit

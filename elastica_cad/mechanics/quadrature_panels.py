@@ -146,14 +146,16 @@ def cut_into_panels(
     narrow = NARROWEST_SHARE * (high - low)
     others = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
     others += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
-    away = _distances(np.array([t for t, _ in others]), fixed).tolist()
+    away = _distances_from_nearest(np.array([t for t, _ in others]), fixed).tolist()
     places = sorted(fixed + [t for (t, apart), far in zip(others, away, strict=True) if far > apart])
     # panels on which the speed is resolved
     smooth = curve.smooth_panels
     between, widths = smooth[1:-1], smooth[1:] - smooth[:-1]
-    finer = between[_distances(between, places) > APART_SHARE * np.minimum(widths[:-1], widths[1:])]
-    edges = np.array(_distinct(sorted(places + finer.tolist()), close))
-    flags = _distances(edges, vanishing) <= close
+    finer = between[
+        _distances_from_nearest(between, places) > APART_SHARE * np.minimum(widths[:-1], widths[1:])
+    ]
+    edges = np.array(_without_close_neighbours(sorted(places + finer.tolist()), close))
+    flags = _distances_from_nearest(edges, vanishing) <= close
     cut = _Cut(edges[:-1], edges[1:], flags[:-1], flags[1:], np.full(edges.size - 1, np.inf))
     both = cut.zero_left & cut.zero_right
     if both.any():
@@ -168,7 +170,7 @@ def cut_into_panels(
         settled |= cut.right - cut.left < narrow
         rough = (~settled).nonzero()[0]
         if rough.size:
-            parts = _parts(tail[rough])
+            parts = _parts_per_panel(tail[rough])
         if not rough.size or count + cut.left.size + parts.sum() > MAX_PANELS:
             done.append(nodes)
             return _panels(curve, done)
@@ -177,13 +179,11 @@ def cut_into_panels(
         cut = cut.chosen(rough, tail[rough]).into(parts)
 
 
-def _distances(t: FloatArray, places: list[float]) -> FloatArray:
-    """Return the distance (n,) of each parameter `t` (n,) from the nearest of `places`."""
+def _distances_from_nearest(t: FloatArray, places: list[float]) -> FloatArray:
     return np.asarray(np.abs(t - np.array(places)[:, None]).min(axis=0, initial=np.inf))
 
 
-def _distinct(places: list[float], close: float) -> list[float]:
-    """Return the sorted parameters without those within `close` of the previous parameter."""
+def _without_close_neighbours(places: list[float], close: float) -> list[float]:
     kept = places[:1]
     for place in places[1:]:
         if place - kept[-1] > close:
@@ -206,11 +206,9 @@ class _Cut:
     tail: FloatArray
 
     def chosen(self, which: IntArray, tail: FloatArray) -> "_Cut":
-        """Return some of the panels, with new values of `tail`."""
         return _Cut(self.left[which], self.right[which], self.zero_left[which], self.zero_right[which], tail)
 
     def into(self, parts: IntArray) -> "_Cut":
-        """Cut every panel into the given number of equal parts."""
         whole, count, part = (
             np.arange(parts.size).repeat(parts),
             parts.repeat(parts),
@@ -227,11 +225,8 @@ class _Cut:
         )
 
 
-def _parts(tail: FloatArray) -> IntArray:
-    """Return the number of parts (2, 4 or 8) into which a panel is cut.
-
-    Halving a panel divides the last coefficient by about 2^p, where p is the number of nodes.
-    """
+def _parts_per_panel(tail: FloatArray) -> IntArray:
+    """Halving a panel divides its last Legendre coefficient by about 2^p, where p is the number of nodes."""
     halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
     return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
 
@@ -256,7 +251,6 @@ class _Nodes:
 
     @classmethod
     def joined(cls, parts: Sequence["_Nodes"]) -> "_Nodes":
-        """Join panels in their order along the curve."""
         if len(parts) == 1:
             return parts[0]
         nodes = cls(*map(np.concatenate, zip(*(vars(part).values() for part in parts), strict=True)))
@@ -327,7 +321,7 @@ REFINEMENTS = 6
 """Largest number of times that a linear program is solved again on finer panels."""
 
 _ROUGH = 1e-9  # last Legendre coefficients of K in a panel, relative to K, above which the panel is cut
-_SMOOTH = 4  # least number of continuous derivatives of K at a knot of the load that is not an end of a panel
+_SMOOTH = 4  # a panel ends at a knot of the load if K has fewer continuous derivatives there
 _MOST_PARTS = 50  # largest number of parts of a panel under a large weight
 
 
@@ -373,7 +367,7 @@ class CutCurve:
         bend = _bend_kinks(check, natural_curvature, law)
         zeros = np.array([zero.s for zero in check.zeros])
         kinks = [*_load_kinks(check.length, weight), *((s, 0) for s in stations if 0 < s < check.length)]
-        hung = [(_at_zero(s, zeros, check.length), c) for s, c in kinks]
+        hung = [(_moved_to_zero(s, zeros, check.length), c) for s, c in kinks]
         hung = [(s, c) for s, c in hung if 0 < s < check.length]
         places = [place for s, _ in hung for place in (s, *_away_from_zero(s, zeros, check.length))]
         cuts = (*(t for t, _, _ in bend), *check.curve.parameter(np.array(places)).tolist())
@@ -414,9 +408,8 @@ class CutCurve:
 def _bend_kinks(
     check: EquilibriumCheck, natural_curvature: NaturalCurvature, law: MaterialLaw | None
 ) -> list[tuple[float, float, int]]:
-    """Return the kinks of the natural curvature and of the material law.
-
-    Each kink has a parameter t, an arc length s (mm), and the number of continuous derivatives of the stiffness.
+    """Return parameter t, arc length s (mm) and number of continuous derivatives of the stiffness for each
+    kink.
     """
     excess = ExcessCurvature(check.curve, natural_curvature)
     return [*excess.kinks] + [
@@ -427,11 +420,8 @@ def _bend_kinks(
     ]
 
 
-def _at_zero(s: float, zeros: FloatArray, length: float) -> float:
-    """Return the zero of the curvature that is near the arc length s, mm, or s itself.
-
-    Near means within the length of the ramp that replaces a jump of the stiffness.
-    """
+def _moved_to_zero(s: float, zeros: FloatArray, length: float) -> float:
+    """Return the zero of the curvature within the length of a ramp from arc length s, mm, or s itself."""
     near = zeros[np.abs(zeros - s) < STEP_LENGTH * length]
     return float(near[0]) if near.size else s
 
@@ -439,8 +429,7 @@ def _at_zero(s: float, zeros: FloatArray, length: float) -> float:
 def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
     """Return arc lengths, mm, beyond a mass near a zero of the curvature, at which panels end.
 
-    Each is twice as far from the zero as the previous one. Beyond the mass, the stiffness has a term that is
-    inversely proportional to the distance from the zero.
+    Beyond the mass, the stiffness has a term that is inversely proportional to the distance from the zero.
     """
     if not zeros.size:
         return []
@@ -453,9 +442,8 @@ def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
 
 
 def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]:
-    """Return the arc lengths, mm, of masses and of kinks of the load.
-
-    Each comes with the number of continuous derivatives of the stiffness there.
+    """Return arc lengths, mm, of masses and load kinks, with the number of continuous derivatives of the
+    stiffness.
     """
     if weight is None:
         return []

@@ -85,11 +85,10 @@ MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
 
 
 def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
-    """Return the stiffness (n,) at uniform arc lengths (n,), mm.
+    """Return the stiffness (n,) at uniform arc lengths (n,), mm; in a cell with a jump, the inverse mean
+    compliance.
 
-    The value in a cell in which the stiffness jumps is the inverse of the mean compliance. The turn of the rod in
-    a cell is the integral of moment over stiffness. The shape is therefore a continuous function of the position
-    of the jump.
+    The shape is then a continuous function of the position of the jump.
     """
     K = profile(s)
     steps = np.array([place for place, continuity in profile.breaks if continuity < 0])
@@ -128,20 +127,7 @@ def _stiffness_profile_of(
 ) -> tuple[Profile, int]:
     """Return the stiffness as a profile over [0, length], and the number of nodes.
 
-    Parameters
-    ----------
-    stiffness : float, (n,) array_like or Profile
-        Stiffness: one value, values at n uniform stations, or a profile over [0, length].
-    length : float
-        Length of the rod, mm.
-    samples : int or None
-        Number of nodes. None means the number of values in `stiffness`; for one value or a profile, it means the
-        default number.
-
-    Raises
-    ------
-    InputError
-        The length of the profile differs from `length`, or the values are not positive and finite.
+    The default number is the number of values in an array, and `DEFAULT_SAMPLES` otherwise.
     """
     if isinstance(stiffness, Profile):
         if not isclose(stiffness.length, length, rel_tol=1e-9, abs_tol=1e-8):
@@ -318,8 +304,8 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
     places = (s[:-1, None] + s[1] * (1 + x) / 2).ravel()
     weight, turns, end_turns = (
         np.tile(s[1] / 2 * weight, s.size - 1),
-        _turns(places / length),
-        _turns(ends / length),
+        _angle_corrections(places / length),
+        _angle_corrections(ends / length),
     )
     c = np.zeros(turns.shape[1])
     for _ in range(NEWTON_STEPS):
@@ -329,14 +315,16 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
         missed = np.concatenate([angle[[0, -1]] - through(ends) - end_turns @ c, gap / length])
         c += np.linalg.lstsq(rows, missed, rcond=1e-13)[0]
     return integrate_tangents(
-        lambda at: tangents(through(at) + _turns(at / length) @ c), length, position[0], tolerance=TANGENT_RAD
+        lambda at: tangents(through(at) + _angle_corrections(at / length) @ c),
+        length,
+        position[0],
+        tolerance=TANGENT_RAD,
     )
 
 
-def _turns(x: FloatArray) -> FloatArray:
-    """Return 18 smooth functions (n, 18) for corrections of an angle, at x (n,) from 0 to 1.
-
-    Two of them have the mean 0 and differ from 0 near the ends only. The others are sine waves.
+def _angle_corrections(x: FloatArray) -> FloatArray:
+    """Return smooth corrections (n, 18) of an angle at x (n,) from 0 to 1: two beside the ends, and 16 sine
+    waves.
     """
     y, m = 1 - x, TURN_POWER
     beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])

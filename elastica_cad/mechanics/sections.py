@@ -98,11 +98,11 @@ def anticlastic_factor(
     x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
     ratio, slope = _curl(x)
     flat = -x * slope / 2  # value for a strip that is flat before bending
-    kept = _kept_of_bent(flat, ratio, kappa, rest, nu) if rest.ndim or rest else flat
+    kept = _limited_curl(flat, ratio, kappa, rest, nu) if rest.ndim or rest else flat
     return np.asarray((1 + nu**2 * (kept - 2 * ratio)) / (1 - nu**2))
 
 
-def _kept_of_bent(
+def _limited_curl(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
     """Return the value that replaces `flat` in `anticlastic_factor` for a natural curvature `rest` (n,)."""
@@ -111,14 +111,15 @@ def _kept_of_bent(
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
     return np.asarray(
-        np.clip(scaled, 0, flat) + _eased(above, 1 + 2 * ratio - flat) - _eased(below, 2 - nu**2 - 2 * ratio)
+        np.clip(scaled, 0, flat)
+        + _smoothly_limited(above, 1 + 2 * ratio - flat)
+        - _smoothly_limited(below, 2 - nu**2 - 2 * ratio)
     )
 
 
-def _eased(excess: FloatArray, room: FloatArray) -> FloatArray:
-    """Limit `excess` smoothly to `room`.
-
-    It is unchanged up to half of `room`, so that computed widths have no corner.
+def _smoothly_limited(excess: FloatArray, room: FloatArray) -> FloatArray:
+    """Limit `excess` smoothly; it is unchanged up to half of the limit, so that computed widths have no
+    corner.
     """
     half = room / 2
     late = np.maximum(excess / half - 1, 0)

@@ -112,7 +112,6 @@ def even_shear_ratio(poisson_ratio: float) -> float:
 
 
 def _finite_number(value: Any, where: str) -> float:
-    """Return the number, or refuse it if it is not finite."""
     if isinstance(value, bool | str | bytes) or value is None:
         raise InputError(f"{where} is {value!r}; it must be a number")
     try:
@@ -132,7 +131,6 @@ def toml_text(text: str) -> str:
 
 
 def _toml_value(value: str | float | tuple[float, float]) -> str:
-    """Return the value of a key as TOML: a text, a number or a range."""
     if isinstance(value, tuple):
         return f"[{value[0]!r}, {value[1]!r}]"
     return toml_text(value) if isinstance(value, str) else repr(float(value))
@@ -160,13 +158,6 @@ USUAL_RATIO = NominalRatio(0.3)
 
 
 def _checked_poisson_ratio(value: Any, where: str) -> float:
-    """Return Poisson's ratio as a float, or as a `NominalRatio` if `value` is nominal.
-
-    Raises
-    ------
-    InputError
-        The value is not a number from 0 to below 1.
-    """
     nu = _finite_number(value, f"{where}: poisson_ratio")
     if not 0 <= nu < 1:
         raise InputError(f"{where}: poisson_ratio is {nu:g}; it must be between 0 and 1")
@@ -222,7 +213,6 @@ def built_in_titles() -> Mapping[str, str]:
 
 @lru_cache(maxsize=1)
 def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
-    """Return name, attributes and title of each built-in sheet, in the order of the file."""
     import tomllib
 
     text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
@@ -234,14 +224,13 @@ def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
 
 
 def _title(entry: Mapping[str, Any], fields: Mapping[str, Any]) -> str:
-    """Return the title of a sheet as a template with values, which front ends translate."""
+    """Return a template with values, which front ends translate."""
     if "name" in entry:
         return note(entry["title"])
     return note("{title} {thickness:g} mm", title=entry["title"], thickness=fields["thickness"])
 
 
 def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Yield name and attributes of a sheet for each thickness of an entry in the file of built-in sheets."""
     thicknesses = entry["thickness_mm"]["value"]
     for i, thickness in enumerate(thicknesses if isinstance(thicknesses, list) else [thicknesses]):
         fields: dict[str, Any] = {key: entry[key] for key in _WORDS if key in entry}
@@ -309,13 +298,6 @@ def library_files() -> tuple[Path, ...]:
 
 
 def _read_table(path: str | Path) -> object:
-    """Return the table ``sheets`` of a user's file; see `load_sheets`.
-
-    Raises
-    ------
-    InputError
-        The file does not exist, is not TOML, or has another schema.
-    """
     import tomllib
 
     path = require_path(path)
@@ -351,7 +333,6 @@ def _read_table(path: str | Path) -> object:
 
 
 def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
-    """Return the attributes of a sheet from its table in a file."""
     where = f"{file}: sheet {name!r}"
     if not isinstance(entry, Mapping):
         raise InputError(f"{where} must be a table [sheets.{name}], got {quoted(entry)}")
@@ -599,7 +580,7 @@ class Sheet:
             )
 
     def _checked(self, field_name: str, given: Any, unit: str) -> float:
-        """Return the number, or refuse it if it is not positive; a kerf may be 0."""
+        """Refuse values that are not positive; a kerf may be 0."""
         value = _finite_number(given, f"sheet {self.name!r}: {field_name}")
         if value < 0 or (value == 0 and field_name != "kerf"):
             raise InputError(
@@ -625,7 +606,6 @@ class Sheet:
                 plausible_number(figure, key, f"sheet {self.name!r}", entry.name)
 
     def _grain_at(self, degrees: float) -> Grain:
-        """Return "along" or "across" for an angle to the grain of 0 or 90 degrees; refuse other angles."""
         turned: dict[float, Grain] = {0.0: "along", 90.0: "across"}
         if degrees % 180 not in turned:
             raise InputError(
@@ -887,7 +867,7 @@ def sheet_keys() -> Mapping[str, Field]:
 
 @lru_cache(maxsize=64)
 def _library_file(path: Path, *_state: int) -> Mapping[str, Sheet]:
-    """Return the sheets of a file; the result is cached until the file changes."""
+    """Cached until the file changes."""
     return load_sheets(path)
 
 

@@ -57,7 +57,7 @@ class SidewaysSection:
         cls, stiffness: FloatArray, width: FloatArray, thickness: FloatArray, shear_ratio: float
     ) -> "SidewaysSection":
         """Return the sections of a solid strip with in-plane bending stiffness (n,); `shear_ratio` is G / E."""
-        torsion = 4 * shear_ratio * stiffness * _held_back(thickness, width)
+        torsion = 4 * shear_ratio * stiffness * _torsion_factor(thickness, width)
         return cls(width, thickness, stiffness * (width / thickness) ** 2, torsion)
 
     @classmethod
@@ -106,7 +106,7 @@ class SidewaysSection:
             width,
             h,
             stiffness * cos2**1.5 * (ligament / h) ** 2,
-            twist * leaning * _held_back(h, ligament * np.sqrt(cos2)),
+            twist * leaning * _torsion_factor(h, ligament * np.sqrt(cos2)),
         )
         most = cls(width, h, stiffness * (width**3 - (width - material) ** 3) / (material * h**2), twist)
         return least, most
@@ -143,11 +143,11 @@ class SidewaysSection:
         h1, h2 = (sheet.thickness for sheet in sheets)
         G1, G2 = (sheet.youngs_modulus * sheet.shear_ratio for sheet in sheets)
         both = G1 * h1**3 / 3 + G2 * h2**3 / 3 + G1 * h1 * G2 * h2 / (G1 * h1 + G2 * h2) * (h1 + h2) ** 2
-        apart = G1 * h1**3 / 3 * base_width * _held_back(h1, base_width) + np.where(
-            backing_width > 0, G2 * h2**3 / 3 * backing_width * _held_back(h2, backing_width), 0.0
+        apart = G1 * h1**3 / 3 * base_width * _torsion_factor(h1, base_width) + np.where(
+            backing_width > 0, G2 * h2**3 / 3 * backing_width * _torsion_factor(h2, backing_width), 0.0
         )
         beside = G1 * h1**3 / 3 * (base_width - backing_width)
-        together = beside * _held_back(h1, base_width) + both * backing_width * _held_back(
+        together = beside * _torsion_factor(h1, base_width) + both * backing_width * _torsion_factor(
             h1 + h2, backing_width
         )
         edgewise, axial = (
@@ -177,7 +177,7 @@ class SidewaysSection:
 
 
 def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> float:
-    """Return G / E, by default that of an isotropic sheet; refuse an impossible value."""
+    """By default that of an isotropic sheet; refuse an impossible value."""
     nu = require_number(poisson_ratio, "poisson_ratio")
     if not -1 < nu < 1:
         raise InputError(
@@ -189,7 +189,7 @@ def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> flo
     return ratio
 
 
-def _held_back(thickness: FloatArray | float, width: FloatArray) -> FloatArray:
+def _torsion_factor(thickness: FloatArray | float, width: FloatArray) -> FloatArray:
     """Return the torsional stiffness (n,) of rectangles, divided by G w h^3/3; see `EDGE_LOSS` for the symbols."""
     return np.asarray(np.maximum(1 - EDGE_LOSS * thickness / np.maximum(width, 1e-12), LEAST_TORSION))
 
@@ -528,10 +528,7 @@ def _band(
     angle: FloatArray, nodal_angle: FloatArray, force: FloatArray, moment: FloatArray, edge: float,
     edgewise: FloatArray, torsion: FloatArray, free: list[bool],
 ) -> FloatArray:  # fmt: skip
-    """Return the second variation for rotations about x and y of every edge.
-
-    The result is the lower band (4, 2 n) of a symmetric matrix.
-    """
+    """Return the second variation for rotations about x and y of every edge, as lower band (4, 2 n)."""
     n = angle.size
     weight = node_weights(edge, n)
     T = tangents(nodal_angle)
@@ -591,7 +588,6 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
 
 
 def _two_lowest(lower: FloatArray) -> tuple[float, float]:
-    """Return the two lowest eigenvalues of the band matrix."""
     if not np.all(np.isfinite(lower)):
         raise NotConvergedError(
             "The stability is undecided, because the second variation of the rod has "

@@ -357,9 +357,10 @@ class Stability:
 def stability(rod: Rod) -> Stability:
     """Return the stability of a rest shape with its weight, supports and elements between its ends.
 
-    The computation takes O(n) operations. Two independent methods must agree. The first counts the negative
-    eigenvalues of the second variation with the end constraints (LDL^t). The second computes its lowest
-    eigenvalue (inverse iteration). The result also contains the stability determinant of the Jacobi equation
+    The computation takes O(n) operations. Two independent methods must agree. They are the number of
+    negative eigenvalues of the second variation with the end constraints (LDL^t), and its lowest
+    eigenvalue (inverse iteration). The result also contains the stability determinant of the Jacobi
+    equation
     (paper, section 6.2). The determinant is valid with weight too, because weight changes only the force. All
     methods use the stiffness dM/dkappa (`Rod.tangent_stiffness`). For a wide strip (`section`) that becomes
     stiffer when it is bent, it is up to a tenth more than M / kappa.
@@ -424,10 +425,7 @@ def stability(rod: Rod) -> Stability:
 
 
 def _nodal_mode(rod: DiscreteRod) -> FloatArray:
-    """Return the lowest mode at the nodes, as means of the edges; the largest value is 1.
-
-    It is 0 at an end with a held angle.
-    """
+    """Return the lowest mode at the nodes, as means of the edges, scaled to a largest value of 1."""
     mode = rod.margin.mode
     nodal = np.empty(mode.size + 1)
     nodal[1:-1] = (mode[:-1] + mode[1:]) / 2

@@ -138,13 +138,13 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
             t, state, margin = crossing[0]
             visited.append((t, margin.value))
             if crossing[1]:
-                return _lost(course, t, state, visited)
+                return _limit_at(course, t, state, visited)
             step = (t_next - t) / 8
             continue
         if following is None:
             step = (t_next - t) / 2
             if step < RESOLUTION_SHARE * course.end:
-                return _lost(course, t, state, visited)
+                return _limit_at(course, t, state, visited)
             continue
         t, state, margin = t_next, following, after
         visited.append((t, margin.value))
@@ -172,7 +172,7 @@ class Course:
             return cls(rod, lambda t: _entry(function(t)), 1, 1.0)
         entries = _entries(path)
         names = {name for entry in entries for name in entry}
-        present = _present(rod, names)
+        present = _present_values(rod, names)
         stops = [present]
         for entry in entries:
             stops.append({**stops[-1], **entry})
@@ -180,7 +180,7 @@ class Course:
 
         def entry_at(t: float) -> dict[str, Any]:
             k = min(int(t), legs - 1)
-            return {name: _between(stops[k][name], stops[k + 1][name], t - k, name) for name in present}
+            return {name: _interpolated(stops[k][name], stops[k + 1][name], t - k, name) for name in present}
 
         return cls(rod, entry_at, legs, float(legs))
 
@@ -201,7 +201,7 @@ class Course:
         rod = self.base
         if "gravity" in entry:
             rod = replace(rod, gravity=entry["gravity"])
-        return _weighing(rod, entry["load"]) if "load" in entry else rod
+        return _with_scaled_weight(rod, entry["load"]) if "load" in entry else rod
 
     def system(self, t: float) -> RodSystem:
         """Return the equations of the rod at parameter t."""
@@ -213,9 +213,8 @@ class Course:
 
 
 def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, RodState]:
-    """Return the parameter and the equilibrium at the start of the path.
-
-    If a straight rod must bend first, the parameter is slightly larger.
+    """Return the equilibrium at the start of the path; its parameter is above 0 if a straight rod must bend
+    first.
     """
     for t in (0.0, 1e-3 * course.end):
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
@@ -242,7 +241,7 @@ Visit: TypeAlias = tuple[float, RodState, Margin]
 def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
     """Return the last stable state before the margin changes its sign, and True if the margin is 0 there.
 
-    Near a fold a step may reach the neighbouring unstable branch. The margin then jumps instead.
+    Near a fold the margin jumps, because a step may reach the neighbouring unstable branch.
     """
     start = low[2].value
     while high - low[0] > RESOLUTION_SHARE * course.end:
@@ -255,9 +254,10 @@ def _bisected(course: Course, low: Visit, high: float) -> tuple[Visit, bool]:
     return low, low[2].value < 1e-6 * max(start, 1.0)
 
 
-def _lost(course: Course, t: float, state: RodState, visited: list[tuple[float, float]]) -> StabilityLimit:
-    """Return the `StabilityLimit` for a loss of stability near path parameter t."""
-    kind = _kind(course, t, state)
+def _limit_at(
+    course: Course, t: float, state: RodState, visited: list[tuple[float, float]]
+) -> StabilityLimit:
+    kind = _kind_of_limit(course, t, state)
     beyond = min(t + 1e-4 * course.end, course.end)
     mode = state.discrete.margin.mode
     push = Step(PUSH_RAD * mode / np.abs(mode).max(), np.zeros_like(state.reactions))
@@ -267,7 +267,7 @@ def _lost(course: Course, t: float, state: RodState, visited: list[tuple[float, 
     return StabilityLimit(t, course.entry(t), kind, before, after, history[:, 0], history[:, 1])
 
 
-def _kind(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
+def _kind_of_limit(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
     """Return the kind of instability: "snap" if the load does work on the critical mode, else "bifurcation".
 
     The work is compared with the response of the rod without its axial force. The rotation of an end causes a large
@@ -316,8 +316,7 @@ def _entry(step: Any) -> dict[str, Any]:
     return as_steps(value[None])[0]
 
 
-def _present(rod: Rod, names: set[str]) -> dict[str, Any]:
-    """Return the present values of the quantities that a path changes, by name."""
+def _present_values(rod: Rod, names: set[str]) -> dict[str, Any]:
     system = system_of(rod, rod)
     if "load" in names and not (np.any(system.load) or np.any(system.force) or np.any(system.moments)):
         raise InputError("a path of load factors needs a load on the rod: a weight, a dead force or a moment")
@@ -329,8 +328,7 @@ def _present(rod: Rod, names: set[str]) -> dict[str, Any]:
     return {name: present[name] for name in names}
 
 
-def _between(a: Any, b: Any, u: float, name: str) -> Any:
-    """Return the linear interpolation between the values a and b of a quantity at the fraction u."""
+def _interpolated(a: Any, b: Any, u: float, name: str) -> Any:
     if name == "gravity":
         zero = np.zeros(2)
         e = (1 - u) * (zero if a is None else a.e) + u * (zero if b is None else b.e)
@@ -348,8 +346,7 @@ def _between(a: Any, b: Any, u: float, name: str) -> Any:
     return (1 - u) * np.asarray(a, dtype=float) + u * np.asarray(b, dtype=float)
 
 
-def _weighing(rod: Rod, factor: float) -> Rod:
-    """Return the rod with `factor` times its weight."""
+def _with_scaled_weight(rod: Rod, factor: float) -> Rod:
     if rod.gravity is None or factor == 1.0:
         return rod
     if rod.weight is None:

@@ -42,16 +42,9 @@ class FixedLaw:
 
 @dataclass(frozen=True)
 class _PowerLaw(FixedLaw):
-    """Law of sections whose bending stiffness is a power of a parameter.
+    """Law E I = E `inertia` p^`power` for a parameter p, mm; the area is `area` p^(`power` - 2).
 
-    For the parameter p, mm, it is E I = E `inertia` p^`power`, and the area is `area` p^(`power` - 2).
-
-    Attributes
-    ----------
-    sheet : Sheet
-        Sheet with the modulus, density and largest strain of the material; its thickness is ignored.
-    least, largest : float
-        Limits of the parameter, mm.
+    The thickness of `sheet` is ignored.
     """
 
     sheet: Sheet
@@ -72,7 +65,6 @@ class _PowerLaw(FixedLaw):
 
     @property
     def quantity(self) -> str:
-        """Name of the parameter."""
         raise NotImplementedError
 
     @property
@@ -82,22 +74,18 @@ class _PowerLaw(FixedLaw):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Least and largest value of the parameter, mm."""
         return self.least, self.largest
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:
-        """Return E I (n,), N mm2, for parameters (n,), mm."""
         power, inertia, _ = self._shape
         return np.asarray(self.sheet.youngs_modulus * inertia * positive(parameter, self.quantity) ** power)
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the parameters (n,), mm, for E I (n,), N mm2."""
         power, inertia, _ = self._shape
         EI = positive(bending_stiffness, "bending stiffness")
         return np.asarray((EI / (self.sheet.youngs_modulus * inertia)) ** (1 / power))
 
     def weight_per_length(self, parameter: ArrayLike) -> FloatArray:
-        """Return the weights per length (n,), N/mm, for parameters (n,), mm."""
         power, _, area = self._shape
         specific = self.sheet.density * 1e-9 * STANDARD_GRAVITY_M_S2
         return np.asarray(specific * area * positive(parameter, self.quantity) ** (power - 2))
@@ -418,15 +406,19 @@ def scale_within(
 ) -> float:
     """Return the bending stiffness B, N mm2, with which a rod reaches the limits of its section.
 
-    At the station where B times the relative `stiffness` (n,) needs the largest section, this section is the
-    upper limit. Without an upper limit, the least section is the lower limit.
+    The largest section along the rod is at the upper limit. Without an upper limit, the least section is
+    at the lower limit.
 
     Parameters
     ----------
     law : BoundedLaw
         Law for the stations in their bent state.
+    stiffness : (n,) array
+        Relative
+        stiffness of the stations.
     solved : float, optional
-        B of a rod that is in equilibrium already. A rod with weight is in equilibrium only with the weight of its
+        B of a rod that is in equilibrium already. A rod with weight is in equilibrium only with the
+        weight of its
         sections, so its B is returned. The sections of a weightless rod may be increased to their limits,
         which include the limit of strain.
     """

@@ -146,18 +146,21 @@ class EquilibriumCheck:
         True if the curve is straight (or has the natural curvature everywhere), so that every stiffness is
         admissible.
     inflections : tuple of float
-        Arc lengths, mm, at which the curvature minus the natural curvature (kappa - kappa_0) changes its sign.
+        Arc lengths, mm, at which the curvature minus the natural curvature (kappa - kappa_0) changes
+        its sign.
     line : InflectionLine or None
-        Line through the inflections. For a single inflection it is the middle of the admissible lines. None if no
+        Line through the inflections. For a single inflection it is the middle of the admissible
+        lines. None if no
         line is needed.
     off_line : tuple of (float, float)
-        Arc length, mm, of every point through which the line must pass, and the distance of the point from the
+        Arc length, mm, of every point through which the line must pass, and the distance of the point
+        from the
         line, mm.
     crossings, touches : tuple of float
         Arc lengths, mm, of inadmissible crossings and contacts between line and curve.
     curvature_touches, jumps : tuple of float
-        Arc lengths, mm. At the first, kappa - kappa_0 is zero without a change of sign or with too small a slope.
-        At the others, it jumps from one sign to the other.
+        Arc lengths, mm. At `curvature_touches`, kappa - kappa_0 is zero without a change of sign or
+        with too small a slope. At `jumps`, it jumps from one sign to the other.
     flats : tuple of (float, float)
         Start and end of straight pieces, mm.
     moved : float
@@ -169,7 +172,8 @@ class EquilibriumCheck:
     bent_beforehand : bool
         True if the strip is not flat before it is bent.
     undecided : Undecided or None
-        Only for a curve that was fitted to points: the comparison with another curve that fits the points equally
+        Only for a curve that was fitted to points: the comparison with another curve that fits the
+        points equally
         well. The other curve has a different result, or lacks inflections for which this curve is refused.
     """
 
@@ -239,7 +243,6 @@ class EquilibriumCheck:
         return self._with_numbers(template)
 
     def _prebent_verdict(self) -> str:
-        """Return the result for a pre-bent strip, which inflects where curve and strip have equal curvature."""
         if not self.realizable:
             return self._with_numbers("The pre-bent strip cannot take this curve of {length}.")
         if self.any_stiffness:
@@ -407,10 +410,7 @@ def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
 
 
 def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
-    """Return the changes that make the curve realizable: smoothing of noisy points, then the nearest curve.
-
-    If a point is an outlier, there are no changes, because the outlier is probably a typing error.
-    """
+    """Return no changes if a point is an outlier, because the outlier is probably a typing error."""
     points = measured_points(curve)
     if points is not None and points.outlier:
         return ()
@@ -444,24 +444,23 @@ def require_bendable(curve: PlaneCurve) -> None:
         message = next(iter(points.outlier), points.noise_message)
         raise InputError(message, kind="corner", changes=_changes_of(curve))
     if corners:
-        slight = _smoothing(curve)
+        slight = _smoothing_change(curve)
         apart = Change("split_corners", True), Change("nearest", True)
         raise InputError(_corner_message(curve, corners), kind="corner", changes=slight or apart)
     if curve.has_corners:
-        changes = _smoothing(curve) or (Change("nearest", True),)
+        changes = _smoothing_change(curve) or (Change("nearest", True),)
         raise InputError(_seam_message(curve), kind="corner", changes=changes)
 
 
 SAMPLED_SHARE, CORNER_DEG = 0.15, 50.0
 """Criteria for a corner that may be a bend through measured points.
 
-The first is the least turn at a neighbouring point, as a fraction of the turn at the corner. The second is the
-turn of a corner in degrees, as in `curve_from_points`.
+`SAMPLED_SHARE` is the least turn at a neighbouring point, as a fraction of the turn at the corner.
+`CORNER_DEG` is the turn of a corner in degrees, as in `curve_from_points`.
 """
 
 
 def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
-    """Return the message about corners, also if rounding in a file may explain them."""
     drawn = curve.provenance
     maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
     if drawn is not None and all(corner.t in maybe for corner in corners):
@@ -491,7 +490,7 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
 
 
 def _seam_message(curve: PlaneCurve) -> str:
-    """Return the message about the only corner of a closed curve, where it starts and ends."""
+    """Return the message about a closed curve whose only corner is where it starts and ends."""
     drawn = curve.provenance
     start = curve.evaluate(np.array(curve.domain[0]))
     if drawn is not None:
@@ -516,14 +515,13 @@ def _undecided_message(drawn: Provenance, turn: Turn, s: Iterable[float]) -> str
     )  # fmt: skip
 
 
-def _smoothing(curve: PlaneCurve) -> tuple[Change, ...]:
-    """Return the change that smooths slight corners, with its distance, if there is one."""
+def _smoothing_change(curve: PlaneCurve) -> tuple[Change, ...]:
     slight = smooth_for_corners(curve)
     return () if slight is None else (Change("smooth", slight),)
 
 
 def _smoothing_advice(curve: PlaneCurve) -> str:
-    slight = _smoothing(curve)
+    slight = _smoothing_change(curve)
     if not slight:
         return ""
     size = Length(slight[0].value)
@@ -674,7 +672,7 @@ def examine_curvature(
     require_bendable(curve)
     excess = ExcessCurvature(curve, natural_curvature)
     largest = float(np.abs(excess.survey).max())
-    excess, begun = _begun_clear(excess, largest)
+    excess, begun = _with_bent_start(excess, largest)
     curve = excess.curve
     zeros = _zeros_of(excess, supports, largest)
     flats = [z for z in zeros if z.kind == "flat"]
@@ -699,7 +697,7 @@ def examine_curvature(
         and flats[0].s_end >= (1 - AT_END_SHARE) * curve.length
     ):
         return replace(check, any_stiffness=True, warnings=_warn_of_crossing(curve), zeros=())
-    gentle = [z.s for z, slope in zip(points, _slopes(excess, points), strict=True)
+    gentle = [z.s for z, slope in zip(points, _smaller_slopes(excess, points), strict=True)
               if slope <= GENTLE_SHARE * largest / curve.length]  # fmt: skip
     gentle += faint_places(excess, largest, zeros)
     reasons = [
@@ -717,8 +715,8 @@ def examine_curvature(
     )
 
 
-def _begun_clear(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
-    """Return the curve with its start moved to a bent point if it is not bent there, and a message about it."""
+def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
+    """Move the start of a closed curve to a bent point if it is not bent there, with a message."""
     curve = excess.curve
     # do not move the start, because the arc length of a `RestCurvature` is measured from it
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):
@@ -793,7 +791,7 @@ def faint_places(
     return places
 
 
-def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[float]:
+def _smaller_slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[float]:
     """Return the smaller one-sided slope of the curvature, |d kappa / ds|, at each zero."""
     if not zeros:
         return []
@@ -810,7 +808,6 @@ def _slopes(excess: ExcessCurvature, zeros: Sequence[CurvatureZero]) -> list[flo
 def _pinned_end_reasons(
     excess: ExcessCurvature, supports: Supports, zeros: Sequence[CurvatureZero]
 ) -> Iterable[str]:
-    """Yield messages about ends that are free to turn although the curve is bent there."""
     curve = excess.curve
     for name, support, t, s in zip(
         ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
@@ -866,7 +863,6 @@ def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool)
 
 
 def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
-    """Yield a message about jumps of the curvature through zero."""
     if jumps:
         yield note(
             "The curvature jumps from one sign to the other at {places}, where the stiffness would have to "
@@ -879,7 +875,6 @@ def _jump_reasons(jumps: Sequence[float]) -> Iterable[str]:
 
 
 def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
-    """Yield a message about points at which the curvature is zero without a clear change of sign."""
     if touches:
         yield note(
             "The curvature becomes 0 at {places}, but the curve does not clearly bend to the other side "
@@ -892,10 +887,7 @@ def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
 def _warn_of_widths(
     curve: PlaneCurve, jumps: Sequence[float], flats: Sequence[CurvatureZero]
 ) -> Iterable[str]:
-    """Yield warnings about jumps and kinks of the width.
-
-    Ends of straight pieces are omitted, because smoothing does not help there.
-    """
+    """Omit ends of straight pieces, because smoothing does not help there."""
     knots = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
     breaks = [knot for knot in knots if knot.continuity < 3]
     if not breaks:

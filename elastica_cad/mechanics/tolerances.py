@@ -158,10 +158,7 @@ def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, fl
 def _plate_as_cut(
     rod: Rod, law: CurlingLaw, curl: SheetCurl, stiffer: FloatArray, v: Imperfection
 ) -> tuple[Rod, float]:
-    """Return the rod as it was cut, like `_as_cut`, for a strip that bends as a plate.
-
-    `stiffer` (n,) contains the factors on the stiffness of the nodes.
-    """
+    """`stiffer` (n,) contains the factors on the stiffness of the nodes."""
     kappa = np.asarray(rod.curvature)
     wanted = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
     cut = replace(wanted, width=wanted.width - v.width_loss, thickness=curl.thickness * v.thickness)
@@ -179,9 +176,8 @@ def _plate_as_cut(
 
 
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
-    """Return the rod with the weight of the changed sheet.
-
-    The changed width and thickness profile change the least bending stiffness by the factor `width_factor`.
+    """The changed width and thickness profile change the least bending stiffness by the factor
+    `width_factor`.
     """
     if rod.gravity is None:
         return rod
@@ -426,7 +422,7 @@ def tolerance_study(
     combined = [_merged([drawn[name][i] for name in _CAUSES]) for i in range(samples)]
     groups = [(name, drawn[name], _extremes(varied, name)) for name in _CAUSES] + [("combined", combined, [])]
     todo = [v for _, inner, outer in groups for v in (*inner, *outer)]
-    outcomes = _run(rod, todo, max_width, executor)
+    outcomes = _outcomes_of(rod, todo, max_width, executor)
     effects, first = [], 0
     for name, inner, outer in groups:
         middle, last = first + len(inner), first + len(inner) + len(outer)
@@ -482,19 +478,18 @@ def _merged(parts: Sequence[Imperfection]) -> Imperfection:
     return Imperfection(**merged)
 
 
-def _run(
+def _outcomes_of(
     rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
 ) -> list[_Outcome]:
-    """Return the results for all imperfections; equal imperfections are computed only once."""
-    different = list(dict.fromkeys(_reduced(rod, v) for v in todo))
+    """Compute equal imperfections only once."""
+    different = list(dict.fromkeys(_without_ineffective_changes(rod, v) for v in todo))
     bent = partial(_outcome, rod, max_width)
     answers = map(bent, different) if executor is None else executor.map(bent, different, chunksize=_CHUNK)
     known = dict(zip(different, answers, strict=True))
-    return [known[_reduced(rod, v)] for v in todo]
+    return [known[_without_ineffective_changes(rod, v)] for v in todo]
 
 
-def _reduced(rod: Rod, v: Imperfection) -> Imperfection:
-    """Return the imperfection without changes that have no effect on this rod."""
+def _without_ineffective_changes(rod: Rod, v: Imperfection) -> Imperfection:
     loaded = feels_modulus(rod)
     if not loaded:
         v = replace(v, youngs_modulus=1.0, density=1.0)
