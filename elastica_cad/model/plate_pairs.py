@@ -23,6 +23,7 @@ from elastica_cad.model.plates import (
     RingOptions,
     TabSlot,
     base_plate,
+    end_names,
     needed_length,
     options_by_name,
     plate_with,
@@ -335,11 +336,11 @@ def end_plates(
         Make one plate for all these ends instead of one plate for each end.
     gap : float, optional
         If given, two plates at this distance, mm, replace each single plate and hold inclined tabs at their
-        angle. The second plates are named NAME-start-outer and NAME-end-outer.
+        angle. The name of each second plate ends in -outer.
     **options
-        Fields of `RingOptions`. The names are NAME-start and NAME-end, or NAME for a single plate. A plate of
-        the shape "ring" is round, with a round opening, if its slots are around such an opening; otherwise it
-        is the hull of the slots.
+        Fields of `RingOptions`. The names are NAME-bottom and NAME-top if the tabs point down and up, else
+        NAME-start and NAME-end, or NAME for a single plate. A plate of the shape "ring" is round, with a
+        round opening, if its slots are around such an opening; otherwise it is the hull of the slots.
 
     Raises
     ------
@@ -356,7 +357,7 @@ def end_plates(
     >>> turn = np.radians([0, 72, 144, 216, 288])
     >>> lamp = [Placed(rib, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn]
     >>> [(plate.name, plate.opening is not None) for plate in end_plates(lamp, Sheet.named("mdf-3"))]
-    [('ring-start', True), ('ring-end', True)]
+    [('ring-bottom', True), ('ring-top', True)]
     """
     sheet, ring_options = Sheet.of(sheet), options_by_name(RingOptions, options, "end plates")
     groups = (
@@ -364,10 +365,11 @@ def end_plates(
         if together or len(ring_options.ends) == 1
         else [(end,) for end in ring_options.ends]
     )
-    names = [ring_options.name] if len(groups) == 1 else [f"{ring_options.name}-{end}" for (end,) in groups]
     if gap is not None:
         require_positive(gap, "the gap between two plates")
     tabs_at = _tabs_at_ends(placed)
+    called = _names_of_ends(ring_options.name, tabs_at)
+    names = [ring_options.name] if len(groups) == 1 else [called[end] for (end,) in groups]
     plates: list[BasePlate] = []
     for group, name in zip(groups, names, strict=True):
         plate = _plate(
@@ -376,6 +378,10 @@ def end_plates(
         outer = replace(ring_options, name=f"{name}-outer")
         plates += [plate] if gap is None else _add_second(placed, plate, outer, gap)
     return tuple(plates)
+
+
+UPRIGHT = 0.9
+"""Least cosine between the mean direction of tabs and the vertical for a lower and an upper plate."""
 
 
 def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
@@ -388,6 +394,14 @@ def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
     opposite = _opposite(np.array([[tab.frame.origin for tab in pair] for pair in pairs]))
     ordered = [pair[::-1] if turned else pair for pair, turned in zip(pairs, opposite, strict=True)]
     return {end: [pair[k] for pair in ordered] for k, end in enumerate(ENDS)}
+
+
+def _names_of_ends(name: str, tabs_at: Mapping[StripEnd, Sequence[PlacedTab]]) -> dict[StripEnd, str]:
+    """Return the names of the plates at both ends: bottom and top if the tabs point up and down."""
+    outs = [np.mean([tab.frame.x_axis for tab in tabs_at[end]], axis=0) for end in ENDS]
+    heights = [float(np.mean([tab.frame.origin[2] for tab in tabs_at[end]])) for end in ENDS]
+    upright = all(abs(out[2]) >= UPRIGHT * np.linalg.norm(out) for out in outs)
+    return end_names(name, (heights[0], heights[1]) if upright else (0.0, 0.0))
 
 
 def _opposite(ends: FloatArray) -> BoolArray:
@@ -424,7 +438,8 @@ def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions)
         [tab for tab, upward in zip(tabs, is_upward, strict=True) if upward == side] for side in (False, True)
     ]
     groups = sorted((side for side in sides if side), key=lambda side: min(tab.tip[2] for tab in side))
-    called = (replace(options, name=f"{options.name}-{side}") for side in ("low", "high"))
+    words = ("bottom", "top") if abs(axes[0][2]) >= UPRIGHT else ("low", "high")
+    called = (replace(options, name=f"{options.name}-{word}") for word in words)
     return tuple(
         _plate(side, sheet, plate_options) for side, plate_options in zip(groups, called, strict=False)
     )

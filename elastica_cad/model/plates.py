@@ -453,6 +453,9 @@ CLEAR_MM = 0.5
 TAILS = 1 / 3
 """Depth of letters such as g below the base line, as a fraction of their height."""
 
+SAME_LEVEL_MM = 1.0
+"""Difference of heights, mm, below which neither of two plates is the upper plate."""
+
 LEAST_LABEL_MM = 1.5
 """Least height of engraved names, mm; smaller names would not be legible and are omitted."""
 
@@ -602,6 +605,21 @@ def ring_plate(
     outline, opening = _round(seats, np.zeros(2), ring_options.border)
     ring = Ring(sheet, frame, outline, (), name, (), opening, seats=loops, holes=holes, seated=seated)
     return ring.checked(ring_options)
+
+
+def end_names(name: str, heights: tuple[float, float]) -> dict[StripEnd, str]:
+    """Return the names of the plates at the ends of strips: bottom and top if they are at different heights.
+
+    Examples
+    --------
+    >>> end_names("ring", (180.0, 0.0))
+    {'start': 'ring-top', 'end': 'ring-bottom'}
+    """
+    first, last = heights
+    words = ENDS if abs(last - first) < SAME_LEVEL_MM else ("bottom", "top")
+    return {
+        end: f"{name}-{word}" for end, word in zip(ENDS, words if last >= first else words[::-1], strict=True)
+    }
 
 
 def _facing(height: float, *, up: bool) -> Frame:

@@ -19,7 +19,7 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import tabs_to_hold
 from elastica_cad.model.model import Model
 from elastica_cad.model.plate_pairs import ring_pair
-from elastica_cad.model.plates import FLATTEST_RAD, Ring, ring_plate, slot_reach
+from elastica_cad.model.plates import FLATTEST_RAD, Ring, end_names, ring_plate, slot_reach
 from elastica_cad.refusals import Length
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, Tab, pair_of_tabs
@@ -239,7 +239,8 @@ def revolve(
         neighbouring tabs apart.
     rings : Sheet or str, optional
         Sheet of the ring at each end, or of the cap near a pole. Rings and caps are the `plates` of the
-        model; see `ring_plate`.
+        model; see `ring_plate`. Their names are ring-bottom and ring-top, or ring-start and ring-end at equal
+        heights.
     gap : float, optional
         If given, two rings at this distance, mm, replace each single slotted ring and hold the tabs at their
         angle; see `ring_pair`.
@@ -308,10 +309,11 @@ class _Request:
             return placed, (), warnings
         heights = strip.rod.position[:, 1]
         middle = float(heights.min() + heights.max()) / 2
+        names = end_names("ring", (heights[0], heights[-1]))
         options: dict[str, Any] = {"middle": middle, "shop": self.shop, "ignore_limits": self.ignore_limits}
         plates: list[Ring] = []
         for end in ENDS:
-            tabs, called = tabs_to_hold(placed, [end]), f"ring-{end}"
+            tabs, called = tabs_to_hold(placed, [end]), names[end]
             if self.gap is None:
                 plates.append(ring_plate(tabs, self.rings, name=called, **options))
             else:

@@ -426,12 +426,12 @@ def test_rings_are_cut_with_their_lamp(document, lamp):
     cuts = cuts_of([*lamp, rings])
     assert [(cut.piece.name, cut.piece.count) for cut in cuts] == [
         ("L", 6),
-        ("Rings-start", 1),
-        ("Rings-end", 1),
+        ("Rings-bottom", 1),
+        ("Rings-top", 1),
     ]
     assert [line.partition(" has ")[0] for line in rings.Reports] == [
-        "slot of Rings-start",
-        "slot of Rings-end",
+        "slot of Rings-bottom",
+        "slot of Rings-top",
     ]
     change(rings, Ends="end", Gap=4)
     assert [cut.piece.name for cut in cuts_of([rings])] == ["Rings", "Rings-outer"]

@@ -227,7 +227,7 @@ def test_rings_and_bases_for_some_of_the_strips(read):
     )
     model = design.model()
     plates = [plate for holder in design.kit.holders for plate in holder.made(model)[0]]
-    assert [plate.name for plate in plates] == ["base-1", "foot", "ring-start", "ring-end"]
+    assert [plate.name for plate in plates] == ["base-1", "foot", "ring-bottom", "ring-top"]
     assert [slot.name for slot in plates[0].slots] == ["R1:1", "R2:1", "R3:1"]
     assert [slot.name for slot in plates[2].slots] == [f"R{i}:1" for i in range(1, 7)]
     for ring in plates[2:]:
@@ -275,7 +275,7 @@ def test_a_stand_is_the_simplest_holder_that_takes_all_tabs(read):
     turned = arches.replace("end = 2.9", "end = 2.9, rotation = '0.12 * i'")
     for strips, said, names in (
         (arches, "stands on one plate", ["base"]),
-        (AROUND, "held by two plates", ["ring-low", "ring-high"]),
+        (AROUND, "held by two plates", ["ring-bottom", "ring-top"]),
         (turned, "held by a slotted frame", ["rail-start", "rail-end", "rib-1", "rib-2", "rib-3"]),
     ):
         design = read(HEAD + f"ends.length = 9\n{strips}[stand]\nsheet = 'hdf-1.5'\n")

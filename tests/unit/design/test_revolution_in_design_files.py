@@ -30,19 +30,19 @@ def test_points_become_strips_and_rings(read):
     assert len(model.parts) == 1
     wanted = ec.meridian_through([(70, 0), (85, 16), (125, 55), (90, 115), (75, 140)])
     assert model.strips[0].rod.length == pytest.approx(wanted.curve.length)
-    assert [plate.name for plate in model.plates] == ["ring-start", "ring-end"]
+    assert [plate.name for plate in model.plates] == ["ring-bottom", "ring-top"]
     pieces = kit_contents(model, design.kit).pieces
     assert [(piece.name, piece.count) for piece in pieces] == [
         ("strip 1", 20),
-        ("ring-start", 1),
-        ("ring-end", 1),
+        ("ring-bottom", 1),
+        ("ring-top", 1),
     ]
 
 
 def test_a_gap_makes_two_rings_at_either_end(read):
     model = read(f"[revolution]\n{POINTS}\nstrips = 16\nrings = 'hdf-1.5'\ngap = 10\n").model()
     assert [plate.name for plate in model.plates] == [
-        "ring-start", "ring-start-outer", "ring-end", "ring-end-outer",
+        "ring-bottom", "ring-bottom-outer", "ring-top", "ring-top-outer",
     ]  # fmt: skip
     assert not ec.model.rocking_tabs(model.placed, model.plates)
 

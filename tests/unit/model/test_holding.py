@@ -370,7 +370,7 @@ def test_two_rings_hold_a_surface_of_revolution_at_its_angle():
     assert len(rocking_tabs(single.placed, single.plates)) == 2
     pair = revolve(profile, 16, sheet="card-200gsm", rings="hdf-1.5", gap=10)
     assert [ring.name for ring in pair.plates] == [
-        "ring-start", "ring-start-outer", "ring-end", "ring-end-outer",
+        "ring-bottom", "ring-bottom-outer", "ring-top", "ring-top-outer",
     ]  # fmt: skip
     assert not rocking_tabs(pair.placed, pair.plates)
     assert pair.held()[0].deviation < 0.25 * single.held()[0].deviation

@@ -73,7 +73,7 @@ def test_rings_are_flat_parts_with_room_between_slots(vase):
     assert [ring.frame.z_axis[2] for ring in vase.plates] == [1, -1]
 
 
-@pytest.mark.parametrize("name", ["R", "ring-start", "ring-start-outer-of-the-vase"])
+@pytest.mark.parametrize("name", ["R", "ring-bottom", "ring-bottom-outer-of-the-vase"])
 def test_names_of_rings_are_as_small_as_they_must_be_to_fit(vase, name):
     ring = replace(vase.plates[0], name=name)
     (text,) = ring.drawing.texts
@@ -170,11 +170,11 @@ def test_rings_are_among_the_files(vase, tmp_path, check_drawing_file):
     ec.save_model(vase, tmp_path / "vase", step=False, pictures=False)
     names = {path.name for path in (tmp_path / "vase").rglob("*")}
     assert {
-        "ring-start_hdf-1.5_1.5mm_x1.dxf",
-        "ring-end_hdf-1.5_1.5mm_x1.dxf",
+        "ring-bottom_hdf-1.5_1.5mm_x1.dxf",
+        "ring-top_hdf-1.5_1.5mm_x1.dxf",
         "vase-nest-1-hdf-1.5.dxf",
     } <= names
-    curves = check_drawing_file(tmp_path / "vase" / "parts" / "ring-start_hdf-1.5_1.5mm_x1.dxf")
+    curves = check_drawing_file(tmp_path / "vase" / "parts" / "ring-bottom_hdf-1.5_1.5mm_x1.dxf")
     assert sum(curve.layer == "CUT_INNER" for curve in curves) == 21
     report = json.loads((tmp_path / "vase" / "vase.json").read_text())
     assert report["pieces"] == 22
@@ -214,7 +214,7 @@ def test_sheets_go_by_name(vase):
 
 
 def test_rings_stay_with_their_strips(vase):
-    assert [piece.name for piece in vase.pieces] == ["strip 1", "ring-start", "ring-end"]
+    assert [piece.name for piece in vase.pieces] == ["strip 1", "ring-bottom", "ring-top"]
     for changed in (
         lambda: vase.mirrored((0, 0, 0), (0, 0, 1)),
         lambda: vase.rotated(2),
@@ -230,16 +230,16 @@ def test_rings_stay_with_their_strips(vase):
     [
         (
             {"ring": 60, "ends": (ec.Tab(8, width=20), ec.Tab(8, width=10))},
-            "ring-end: the tabs meet the plane of the ring at 11.5",
+            "ring-top: the tabs meet the plane of the ring at 11.5",
         ),
-        ({"ring": 25, "ends": (ec.Tab(0), ec.Tab(0))}, "ring-start: a ring cannot hold strips without tabs"),
+        ({"ring": 25, "ends": (ec.Tab(0), ec.Tab(0))}, "ring-bottom: a ring cannot hold strips without tabs"),
         (
             {"ring": 25, "ends": (ec.Tab(8, width=165), ec.Tab(8))},
-            "ring-start: the slots of strip 1:1 and strip 2:1 overlap",
+            "ring-bottom: the slots of strip 1:1 and strip 2:1 overlap",
         ),
         (
             {"ring": 20, "ends": (ec.Tab(8, width=20), ec.Tab(16, width=6))},
-            "ring-end: neighbouring tabs overlap",
+            "ring-top: neighbouring tabs overlap",
         ),
     ],
 )
@@ -254,14 +254,14 @@ def test_slots_far_wider_than_their_tabs_are_made_anyway_only(tmp_path):
     """Card that leaves its ring at 16 degrees needs slots of 11 mm through 3 mm of board."""
     flat = ec.meridian_through([POINTS[0], *POINTS[2:]])
     with pytest.raises(
-        InputError, match=r"ring-start: the slot for strip \d+:1 \(and 19 more\) is 11\.\d mm wide"
+        InputError, match=r"ring-bottom: the slot for strip \d+:1 \(and 19 more\) is 11\.\d mm wide"
     ):
         ec.revolve(flat, 20, sheet=CARD, rings=MDF)
     made = ec.revolve(flat, 20, sheet=CARD, rings=MDF, name="flat", ignore_limits=True)
     assert any("mm wide and cannot hold a tab 0.2 mm thick" in text for text in made.plates[0].warnings)
     ec.save_model(made, tmp_path / "kit", step=False, pictures=False, parts=False)
     reports = json.loads((tmp_path / "kit" / "flat.json").read_text())["reports"]
-    assert any(text.startswith("Made anyway: ring-start: the slot for") for text in reports)
+    assert any(text.startswith("Made anyway: ring-bottom: the slot for") for text in reports)
 
 
 def test_thin_bridges_are_refused_and_named(vase):
@@ -279,3 +279,21 @@ def test_thin_bridges_are_refused_and_named(vase):
         shop=ec.FabricationLimits(least_bridge=0.3),
     )
     assert wide.plates[0].warnings == ()
+
+
+def test_rings_are_named_by_their_heights():
+    """A profile drawn from the top down has its upper ring first."""
+    down = ec.revolve(ec.meridian_through(POINTS[::-1]), 20, sheet=CARD, rings=BOARD)
+    assert [ring.name for ring in down.plates] == ["ring-top", "ring-bottom"]
+    assert down.plates[0].frame.origin[2] > 100
+    bow = ec.PlaneCurve.spline([(60, 0), (90, 60), (90, 120), (60, 180)], degree=3)
+    strip = replace(ec.make_strip(bow, "birch-plywood-0.8", max_width=20), ends=(Tab(10), Tab(10)))
+    lamp = ec.Model([ec.Placed(strip, (0, 0, 0), (1, 0, 0), (0, 0, 1))]).rotated(6).placed
+    flips = {"up": np.eye(3), "down": np.diag([1.0, -1, -1]), "level": np.roll(np.eye(3), 1, axis=0)}
+    names = {
+        way: [ring.name for ring in end_plates([rib.moved(turn, np.zeros(3)) for rib in lamp], MDF, name="R")]
+        for way, turn in flips.items()
+    }
+    assert names == {
+        "up": ["R-bottom", "R-top"], "down": ["R-top", "R-bottom"], "level": ["R-start", "R-end"]
+    }  # fmt: skip
