@@ -114,6 +114,7 @@ def work():
     picture("kept-off.png")
     drawn.Document.undo()
     live_at_rest()
+    until(card.words.isVisible)  # folded while it would hide the pole
     height = card.frame.height()
     click(card.fold)
     answers["folded"] = [card.frame.height() < height / 3, card.words.isVisible(), card.button.isVisible()]

@@ -23,10 +23,10 @@ from elastica_cad.mechanics.sheets import hex_color
 
 GAP_PX = 12  # distance, pixels, from the edges of the view, and from points that must stay visible
 CUBE_PX = 140  # space, pixels, for the navigation cube and the axes at the right edge
-WIDEST_PX, FOLDED_PX = 480, 240
+WIDEST_PX, NARROW_PX, FOLDED_PX = 480, 320, 240
 # largest width of the card, as a fraction of the width of the view, so that the curve is visible beside it
 SHARE = 0.45
-SMALL = 0.2  # a card that hides points is folded if it covers a larger fraction of the view than this
+SMALL = 0.15  # a card that hides points is folded if it covers a larger fraction of the view than this
 LOOKED_MS = 100  # time, ms, after the last move of the camera, until the card is placed again
 FOLDED = "CardFolded"
 
@@ -171,14 +171,20 @@ class VerdictCard(QtCore.QObject):
         rows = [button for button in (self.keep, self.button) if button.isVisible()]
         layout, room = self.frame.layout(), sum(button.height() + GAP_PX for button in rows)
         layout.setContentsMargins(0, 0, 0, room + (0 if folded else GAP_PX // 2))
-        width = (
-            FOLDED_PX if folded else max(min(WIDEST_PX, round(SHARE * free_part(over).width())), FOLDED_PX)
-        )
-        self.frame.setFixedWidth(width)
-        layout.activate()
-        tall = self.heading.sizeHint().height() if folded else layout.totalHeightForWidth(width)
-        self.frame.setFixedHeight(tall)
-        (x, y), hidden = self._free_corner()
+        widest = max(min(WIDEST_PX, round(SHARE * free_part(over).width())), FOLDED_PX)
+        # a narrow card is higher, and may fit beside the curve
+        widths = (FOLDED_PX,) if folded else (widest, min(widest, NARROW_PX))
+
+        def resized(width: int) -> tuple[int, tuple[int, int]]:
+            self.frame.setFixedWidth(width)
+            layout.activate()
+            tall = self.heading.sizeHint().height() if folded else layout.totalHeightForWidth(width)
+            self.frame.setFixedHeight(tall)
+            corner, hidden = self._free_corner()
+            return hidden, corner
+
+        width = min(widths, key=lambda width: resized(width)[0])
+        hidden, (x, y) = resized(width)
         self.frame.move(x, y)
         self.fold.move(x + width - self.fold.width() - 2, y + 2)
         below = y + self.frame.height() + GAP_PX // 2
