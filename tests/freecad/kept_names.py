@@ -7,7 +7,7 @@ import ast
 from importlib import import_module
 
 from tests.freecad.conftest import ROOT
-from tests.house.kept_names import write_list
+from tests.house.name_lists import write_list
 
 LISTS = ROOT / "tests" / "freecad" / "data" / "names"
 WORKBENCH = ROOT / "freecad_workbench" / "freecad" / "elastica_wb"

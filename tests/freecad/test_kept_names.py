@@ -3,7 +3,7 @@
 import pytest
 
 from tests.freecad.kept_names import LISTS, names
-from tests.house.kept_names import lost_names
+from tests.house.name_lists import lost_names
 
 
 @pytest.mark.parametrize("path", sorted(LISTS.glob("*.json")), ids=lambda path: path.stem)

@@ -6,9 +6,7 @@ our reports, so `test_kept_names.py` compares every later version with the lists
 
 import ast
 import inspect
-import json
 import re
-import tomllib
 from importlib import import_module
 from pathlib import Path
 
@@ -16,6 +14,7 @@ import click
 
 from elastica_cad.cli.commands import elastica
 from elastica_cad.design.design_schema import tables
+from tests.house.name_lists import write_list
 
 ROOT = Path(__file__).resolve().parents[2]
 LISTS = ROOT / "tests" / "data" / "names"
@@ -95,24 +94,6 @@ def names() -> dict[str, set[str]]:
         "design files": design_names(),
         "JSON": report_names(),
     }
-
-
-def present_version() -> str:
-    """Version in pyproject.toml."""
-    return str(tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["version"])
-
-
-def write_list(folder: Path, listed: dict[str, set[str]]) -> None:
-    """Write the list of this version into a folder."""
-    folder.mkdir(exist_ok=True)
-    text = json.dumps({place: sorted(found) for place, found in listed.items()}, indent=0)
-    (folder / f"{present_version()}.json").write_text(text + "\n", encoding="utf-8")
-
-
-def lost_names(path: Path, now: dict[str, set[str]]) -> list[str]:
-    """Names in the list of an earlier version that are gone, with their place."""
-    earlier = json.loads(path.read_text(encoding="utf-8"))
-    return [f"{place}: {name}" for place, kept in earlier.items() for name in kept if name not in now[place]]
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ import zlib
 from pathlib import Path
 
 from tests.command_line import run
-from tests.house.kept_names import present_version
+from tests.house.name_lists import present_version
 from tests.studio.conftest import link
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -2,7 +2,8 @@
 
 import pytest
 
-from tests.house.kept_names import LISTS, lost_names, names
+from tests.house.kept_names import LISTS, names
+from tests.house.name_lists import lost_names
 
 
 @pytest.mark.parametrize("path", sorted(LISTS.glob("*.json")), ids=lambda path: path.stem)
