@@ -162,9 +162,8 @@ class Through(Constraint):
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
     def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
-        """Return the point of the rod nearest to the target.
-
-        It is given by weights (4,) of four nodes, the slice of these nodes, and the unit normal (2,).
+        """Return weights (4,) of four nodes for the point nearest to the target, the slice of nodes, and the
+        normal (2,).
         """
         foot: tuple[FloatArray, slice, FloatArray] = rod.remembered(
             self, lambda: self._find_foot(rod.position)
@@ -182,11 +181,11 @@ class Through(Constraint):
         off = position[nodes] - np.asarray(self.target)
         u = float(nearest - first)
         for _ in range(8):
-            share, slope = _cubic_shares(u)
+            share, slope = _cubic_weights(u)
             along = slope @ off
             u -= float(along @ (share @ off) / (along @ along))
             u = min(max(u, -0.5 if first == 0 else 0.0), 3.0)
-        share, slope = _cubic_shares(u)
+        share, slope = _cubic_weights(u)
         x, y = slope @ off
         return share, nodes, np.array([-y, x]) / hypot(x, y)
 
@@ -295,7 +294,7 @@ _CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
 """Matrix (4, 4) that maps values at 0, 1, 2, 3 to the coefficients of the cubic through them."""
 
 
-def _cubic_shares(u: float) -> tuple[FloatArray, FloatArray]:
+def _cubic_weights(u: float) -> tuple[FloatArray, FloatArray]:
     """Return the weights (4,) of values at 0, 1, 2, 3 in a cubic interpolation at u, and in its derivative."""
     return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
 
@@ -303,7 +302,9 @@ def _cubic_shares(u: float) -> tuple[FloatArray, FloatArray]:
 # fraction of a limit above which a value enters the quadratic program, because a step may reach the limit
 _NEAR = 0.6
 _STEP = 1e-5  # relative step of K in finite differences of the strain
-_ROOM = 0.01  # safety margin for larger curvatures between nodes, as a fraction of the largest stiffness
+_SAFETY_SHARE = (
+    0.01  # safety margin for larger curvatures between nodes, as a fraction of the largest stiffness
+)
 # relative step of K and curvature in finite differences of dM/dkappa; it is large, to smooth kinks
 _TANGENT_STEP = 1e-3
 
@@ -413,7 +414,7 @@ class LargestSection(Constraint):
     def values(self, rod: MappedRod) -> FloatArray:
         """Return the ratio of largest to present stiffness at the nodes (n+1,), minus 1 and a safety margin."""
         most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
-        return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _ROOM)
+        return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _SAFETY_SHARE)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
         """Return the derivatives, in rows, for nodes whose section is nearly as large as allowed."""
@@ -423,17 +424,14 @@ class LargestSection(Constraint):
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         more, less = (self.section.largest(bend + by, self.rest / self.size) for by in (step, -step))
         by_moment = (more - less) / (2 * step * K * self.size) / (self.section.scale * K)
-        by_stiffness = -by_moment * rod.moments / K - (1 + _ROOM + values) / K
+        by_stiffness = -by_moment * rod.moments / K - (1 + _SAFETY_SHARE + values) / K
         return near, _nodal_rows(sensitivities, near, by_moment, by_stiffness)
 
 
 def _nodal_rows(
     sensitivities: Sensitivities, near: IntArray, by_moment: FloatArray, by_stiffness: FloatArray
 ) -> FloatArray:
-    """Return the rows (j, p) of values at the nodes `near` (j,).
-
-    `by_moment` and `by_stiffness` (n+1,) are their derivatives with respect to M and K of the same node.
-    """
+    """Return the rows (j, p) of values at the nodes `near` (j,) from their derivatives (n+1,) by M and K."""
     grid, rows = sensitivities.grid, by_moment[near, None] * sensitivities.moments[near]
     rows[:, grid.unknowns.stiffness] += by_stiffness[near, None] * grid.basis[near]
     return np.asarray(rows)

@@ -152,7 +152,7 @@ class Distance(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class MeanDistance:
-    """Half the weighted mean square distance between points at the same fraction of the length.
+    """Half the weighted mean of squared distances between rod and target at equal fractions of their lengths.
 
     Attributes
     ----------
@@ -166,7 +166,7 @@ class MeanDistance:
     shares: FloatArray
 
     def value(self, rod: MappedRod) -> float:
-        """Return half the weighted mean square distance."""
+        """Return half the weighted mean of the squared distances."""
         value: float = rod.remembered(self, lambda: self._value(rod.position))
         return value
 
@@ -182,7 +182,7 @@ class MeanDistance:
 
 @dataclass(frozen=True, eq=False)
 class ClosestDistance:
-    """Half the weighted mean square distance of the nodes from the nearest points on the target.
+    """Half the weighted mean of the squared distances of the nodes from the nearest points on the target.
 
     Attributes
     ----------
@@ -195,7 +195,7 @@ class ClosestDistance:
     shares: FloatArray
 
     def value(self, rod: MappedRod) -> float:
-        """Return half the weighted mean square distance."""
+        """Return half the weighted mean of the squared distances."""
         off, _ = offsets(self.target, rod)
         return 0.5 * float(self.shares @ (off**2).sum(axis=1))
 
@@ -297,11 +297,11 @@ def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
 
     The unit is the length of the target. The result is the larger of the distances from either curve to the other.
     """
-    other = _through(nodes, target.position.shape[0])
+    other = _spline_points(nodes, target.position.shape[0])
     return max(_largest_distance(target.position, other), _largest_distance(other, target.position))
 
 
-def _through(nodes: FloatArray, count: int) -> FloatArray:
+def _spline_points(nodes: FloatArray, count: int) -> FloatArray:
     """Return evenly spaced points (count, 2) on the cubic spline through `nodes` (n, 2)."""
     from scipy.interpolate import CubicSpline
 

@@ -28,7 +28,7 @@ _FIRST_SPANS, _MOST_SPANS = 24, 240
 _SHORTEST_SPAN = 1e-3  # shortest span in rod lengths; shorter spans would fit rounding errors
 _SAME_LENGTHS = 1e-6  # distance of an inflection from an end, in rod lengths, below which it is at the end
 _PARDONED = 2.0  # largest accepted error, as a multiple of the tolerance, if more spans do not reduce it
-# factor on the number of edges for the first rod of the extrapolation; the second rod has twice as many edges
+# the extrapolation uses rods with this factor and with twice this factor on the number of edges
 _FINER = 4
 
 
@@ -93,9 +93,8 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
 
 
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
-    """Return the knots after the longest spans around `places` are halved.
-
-    Neighbouring spans are halved too, because abrupt changes of the span length cause oscillations.
+    """Halve the longest spans around `places`, and their neighbours because abrupt changes of length cause
+    oscillations.
     """
     width = np.diff(edges)
     bad = np.searchsorted(edges, places, side="right") - 1
@@ -106,18 +105,10 @@ def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class _Shape:
-    """A continuous rod at evenly spaced stations. The unit of length is the length of the discrete rod.
+    """Continuous rod at evenly spaced stations (k,), in units of the length of the discrete rod, `size` in
+    mm.
 
-    Attributes
-    ----------
-    s, angle, curvature, stiffness : (k,) arrays
-    rest : (k,) array
-        Curvature before bending.
-    position : (k, 2) array
-    inflections : (j,) array
-        Arc lengths at which the moment is 0, including ends that are free to turn.
-    size : float
-        Unit of length, mm.
+    At `inflections` (j,) the moment is 0; they include ends that are free to turn.
     """
 
     s: FloatArray
@@ -130,7 +121,6 @@ class _Shape:
     size: float
 
     def at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return position, angle and curvature at arc lengths s, interpolated by splines of degree 5."""
         from scipy.interpolate import make_interp_spline
 
         table = np.column_stack([self.position, self.angle, self.curvature])
@@ -138,17 +128,13 @@ class _Shape:
         return values[:, :2], values[:, 2], values[:, 3]
 
     def slope(self, s: FloatArray) -> FloatArray:
-        """Return the derivative of the curvature at arc lengths s."""
         from scipy.interpolate import make_interp_spline
 
         return np.asarray(make_interp_spline(self.s, self.curvature, k=5)(s, nu=1))
 
 
 def _continuous(rod: Rod) -> _Shape:
-    """Return the continuous rod with the stiffness and the ends of a discrete rod.
-
-    It is extrapolated from rods with 4 and 8 times as many edges, because the error is a power series in 1/n^2.
-    """
+    """Extrapolate from rods with 4 and 8 times as many edges, because the error is a power series in 1/n^2."""
     plain, edges = replace(rod, section=None, law=None), rod.s.size - 1
     a, b = (bend(plain, samples=factor * edges + 1) for factor in (_FINER, 2 * _FINER))
     if has_snapped(a) or has_snapped(b):
@@ -226,9 +212,9 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
 
 
 def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: FloatArray) -> FloatArray:
-    """Return X that minimises |A X - B| subject to C X = D.
-
-    A^T A is a banded matrix, because the columns of A are B-splines."""
+    """Return X that minimises |A X - B| subject to C X = D; A^T A is banded because the columns of A are
+    B-splines.
+    """
     from scipy.linalg import cho_solve_banded, cholesky_banded
 
     m = A.shape[1]
@@ -251,10 +237,8 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 
 
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
-    """Return the largest error at each station, as a multiple of its tolerance.
-
-    Three errors are compared: of the position, of the stiffness that the curve needs, and of the extremes of that
-    stiffness. The extremes have a smaller tolerance.
+    """Return the largest error of position, stiffness and extremes of stiffness at each station, in
+    tolerances.
     """
     s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM

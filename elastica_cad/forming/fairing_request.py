@@ -301,10 +301,7 @@ def smooth_curve(
 
 
 def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bool]:
-    """Return for both ends whether the curvature there should be 0.
-
-    This is so at ends that are free to turn and almost straight.
-    """
+    """Return for both ends whether the curvature should be 0: at almost straight ends that are free to turn."""
     if supports is None or all(end.angle for end in supports.ends):
         return False, False
     bent = np.abs(curve.curvature_at(np.array(curve.domain)))

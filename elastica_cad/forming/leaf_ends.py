@@ -181,7 +181,7 @@ class _Search:
         return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle and not self.tangents[i]]
 
     def answer(self) -> LeafedRod | None:
-        """Return the best stack, or None if no stack has a rest shape."""
+        """Return None if no stack has a rest shape."""
         from scipy.optimize import least_squares
 
         start = np.concatenate([self.places, self.relaxed.angle[[0, -1]][self.turned]])
@@ -214,19 +214,16 @@ class _Search:
         shape[0] = rod
         return np.asarray((rod.position - self.drawn).ravel() / (rod.length * np.sqrt(NODES)))
 
-    def _apart(self, places: FloatArray) -> FloatArray:
-        """Return the positions sorted, and moved apart to at least the least distance, also from the ends."""
+    def _separated(self, places: FloatArray) -> FloatArray:
+        """Sort the positions and move them apart by the least distance, also from the ends."""
         m = places.size
-        room = min(SHORTEST_SHARE, 0.5 / (m + 1))
-        low, high = room * np.arange(1, m + 1), 1 - room * np.arange(m, 0, -1)
+        clearance = min(SHORTEST_SHARE, 0.5 / (m + 1))
+        low, high = clearance * np.arange(1, m + 1), 1 - clearance * np.arange(m, 0, -1)
         gaps = np.clip(np.sort(places), low, high) - low
         return np.asarray(np.maximum.accumulate(gaps) + low)
 
     def _bent(self, x: FloatArray, guess: Rod) -> Rod:
-        """Return the rest shape of a stack with the ends of the relaxed rod.
-
-        `x` are the positions of the ply ends and the clamp angles.
-        """
+        """`x` are the positions of the ply ends and the clamp angles."""
         relaxed = self.relaxed
         s = np.linspace(0.0, relaxed.length, NODES)
         compliance, newtons = self._cells(x[: self.places.size])
@@ -266,11 +263,11 @@ class _Search:
 
         Positions are fractions of the length.
         """
-        cuts = np.concatenate([[0.0], self._apart(places), [1.0]])
+        cuts = np.concatenate([[0.0], self._separated(places), [1.0]])
         return cuts, len(self.first) + np.concatenate([[0], np.cumsum(self.steps[:, 1])])
 
     def _record(self, x: FloatArray, rod: Rod, *, settled: bool) -> LeafedRod:
-        places, length = self._apart(x[: self.places.size]), rod.length
+        places, length = self._separated(x[: self.places.size]), rod.length
         began = dict.fromkeys(self.first, 0.0)
         leaves = []
         for at, (number, sign) in zip(places * length, self.steps, strict=True):

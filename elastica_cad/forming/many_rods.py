@@ -78,8 +78,8 @@ def nearest_rods(
         raise InputError("nearest_rods has no curves: give at least one curve")
     count = len(curves)
     columns = (
-        _spread("limits", limits, count), _spread("keep", keep, count), _spread("gravity", gravity, count),
-        _spread("supports", supports, count),
+        _values_each("limits", limits, count), _values_each("keep", keep, count),
+        _values_each("gravity", gravity, count), _values_each("supports", supports, count),
     )  # fmt: skip
     tasks = [
         _Task(curve, *given, options=options)
@@ -147,7 +147,7 @@ def stream_nearest_rods(
 def _in_order_of_completion(
     tasks: Iterable["_Task"], executor: Executor | None, ahead: int
 ) -> Iterator[tuple[int, NearestRod]]:
-    """Yield index and result of each finished task. At most `ahead` tasks are submitted at a time."""
+    """Submit at most `ahead` tasks at a time."""
     running: dict[Future[NearestRod], tuple[int, _Task]] = {}
     finished: SimpleQueue[Future[NearestRod]] = SimpleQueue()
 
@@ -192,7 +192,7 @@ class _Task(NamedTuple):
 
 
 def _attempted(task: _Task) -> NearestRod:
-    """Return the nearest rod of one curve, or a record with the status FAILED if there is an error."""
+    """Return a record with the status FAILED if there is an error."""
     curve, limits, keep, gravity, supports, options = task
     try:
         return nearest_rod(curve, limits, keep, gravity, supports=supports, **options)
@@ -209,8 +209,7 @@ def _lost(task: _Task, error: Exception) -> NearestRod:
     return NearestRod.failed(task.curve, why, task.limits, task.keep)
 
 
-def _spread(name: str, value: Any, count: int) -> list[Any]:
-    """Return a list with a value for each curve."""
+def _values_each(name: str, value: Any, count: int) -> list[Any]:
     if value is None or not isinstance(value, (list, tuple)):
         return [value] * count
     if len(value) != count:

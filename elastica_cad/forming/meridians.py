@@ -28,9 +28,7 @@ SEARCH_NODES = 96
 
 FEWEST = 8  # least number of nodes between two given points
 STARTS = 30
-"""Number of initial guesses of a and b.
-
-The first guess is by regression. The others are random numbers of the same magnitude, with a fixed seed."""
+"""Number of initial guesses of a and b: one by regression, and random numbers with a fixed seed."""
 
 STEPS = 40  # largest number of steps of Newton's method
 LEAST_SHARE = 1e-3
@@ -71,7 +69,7 @@ class FoundMeridian:
     b : (2,) array
         Parameters of the meridian: x kappa = a + <b, gamma>.
     points : (n, 2) array
-        Points of the meridian, at the given points or nearest to them. The first is its start.
+        Points of the meridian from its start, at the given points or nearest to them.
     lengths : (n - 1,) array
         Arc lengths between successive points.
     series : (n - 1, 2, m) array
@@ -123,22 +121,10 @@ class FoundMeridian:
 
 
 def _search_meridian(points: FloatArray) -> FoundMeridian:
-    """Return the meridian through three to five points, or the nearest meridian.
+    """Return the meridian through three to five points (n, 2), or the nearest meridian.
 
-    For more than five points, or if there is no meridian through the points, the sum of squared distances is
-    minimised.
-
-    Parameters
-    ----------
-    points : (n, 2) array
-        Points in order, scaled to an extent of about 1, with x >= 0. A last point with x = 0 is the pole.
-
-    Raises
-    ------
-    InputError
-        Two neighbouring points are the same.
-    NotConvergedError
-        The search did not converge to a meridian.
+    For more than five points, or without a meridian through the points, the sum of squared distances is
+    minimised. The points are scaled to an extent of about 1. A last point with x = 0 is the pole.
     """
     if np.linalg.norm(np.diff(points, axis=0), axis=1).min() == 0:
         raise InputError("two adjacent points of the meridian are equal: remove one of them")
@@ -173,8 +159,9 @@ class _Equations:
 
     They are x kappa = a + <b, gamma> at nodes, ends of pieces at the given points, and continuous angles.
 
-    The unknowns are the angles at the nodes and the length of each piece, followed by a and b (2). `points` is the
-    number of points, and `closes` is True if the last one is the pole.
+    The unknowns are the angles at the nodes and the length of each piece, followed by a and b (2).
+    `points` is the
+    number of points, and `closes` is True if the last point is the pole.
     """
 
     def __init__(self, points: int, closes: bool, nodes: int) -> None:
@@ -204,7 +191,6 @@ class _Equations:
         return np.concatenate([np.column_stack([moved, lengths]).ravel(), constants])
 
     def curve(self, unknown: FloatArray, points: FloatArray) -> FoundMeridian:
-        """Return the meridian of the unknowns."""
         angles, lengths, constants = self.parts(unknown)
         tangents = np.stack([np.cos(angles), np.sin(angles)], axis=1)
         return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
@@ -225,7 +211,6 @@ class _Equations:
         return np.concatenate(rows)
 
     def missed(self, unknown: FloatArray, points: FloatArray) -> float:
-        """Return the largest residual of the equations."""
         return float(np.abs(self.off(unknown, points)).max())
 
     def slopes(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
@@ -304,9 +289,8 @@ def _through(
 
 
 def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> FloatArray | None:
-    """Return the solution by Newton's method, or None.
-
-    If there are fewer equations than unknowns, the steps have least norm.
+    """Return the solution by Newton's method, or None; steps have least norm if there are fewer equations
+    than unknowns.
     """
     for _ in range(STEPS):
         missed = equations.off(unknown, points)
@@ -315,7 +299,7 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
             return unknown
         slopes = equations.slopes(unknown, points)[:, : equations.count]
         step = _least_step(slopes, -missed)
-        share = _most(equations, unknown, step)
+        share = _largest_fraction(equations, unknown, step)
         # with `not`, the condition is also true for NaN, so that such a step is halved
         while not (
             float(np.linalg.norm(equations.off(unknown + share * step, points))) <= (1 - 1e-4 * share) * size
@@ -330,11 +314,11 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
 def _nearest(
     points: FloatArray, equations: _Equations, places: FloatArray, unknown: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return points on a meridian with the least sum of squared distances from the given points, and its unknowns.
+    """Return points on a meridian with the least sum of squared distances from the given points, and its
+    unknowns.
 
-    The method is Gauss-Newton with the equations as constraints. Each step minimises the distance in the linear
-    model. It is shortened until the merit decreases: the squared distance plus the weighted residual of the
-    equations.
+    The method is Gauss-Newton with the equations as constraints. A step is shortened until the squared
+    distance plus the weighted residual of the equations decreases.
     """
     count = equations.count
     on_axis = np.zeros((int(equations.closes), count + 2 * len(points)))
@@ -355,7 +339,7 @@ def _nearest(
         def merit(u: FloatArray, p: FloatArray, weight: float = weight) -> float:
             return float(((p - points) ** 2).sum() / 2 + weight * np.abs(equations.off(u, p)).sum())
 
-        share, before = _most(equations, unknown, step), merit(unknown, places)
+        share, before = _largest_fraction(equations, unknown, step), merit(unknown, places)
         while share > LEAST_SHARE and not merit(unknown + share * step, places + share * move) <= before:
             share /= 2
         unknown, places = unknown + share * step, places + share * move
@@ -375,7 +359,7 @@ def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
         return np.asarray(np.linalg.lstsq(system, right, rcond=1e-13)[0])
 
 
-def _most(equations: _Equations, unknown: FloatArray, step: FloatArray) -> float:
+def _largest_fraction(equations: _Equations, unknown: FloatArray, step: FloatArray) -> float:
     """Return the largest fraction of a step, up to 1, for which all lengths remain positive."""
     lengths, change = equations.parts(unknown)[1], equations.parts(step)[1]
     shrinking = change < 0
@@ -459,7 +443,9 @@ class Meridian:
         """Return the part of the meridian up to the point where its distance from the axis falls to `ring`, mm."""
         curve = self.curve
         end = _end(
-            lambda s: curve.at(s).position[:, 0], curve.length, _floor(self.ring[0], curve.length, ring)
+            lambda s: curve.at(s).position[:, 0],
+            curve.length,
+            _distance_at_end(self.ring[0], curve.length, ring),
         )
         cut = PlaneCurve.fit_function(
             lambda s: curve.at(s).position, 0.0, end, tolerance=CURVE_TOLERANCE * curve.length, degree=5
@@ -536,7 +522,7 @@ def meridian(
             p_2=Length(p[6]),
         )
     _refuse_winding(p)
-    end, shape = _integrated(p[:6], p[6], _floor(float(p[3]), float(p[6]), ring))
+    end, shape = _integrated(p[:6], p[6], _distance_at_end(float(p[3]), float(p[6]), ring))
     curve = PlaneCurve.fit_function(
         lambda s: shape(s)[:2].T, 0.0, end, tolerance=CURVE_TOLERANCE * float(p[6]), degree=5
     )
@@ -546,14 +532,16 @@ def meridian(
 def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = None) -> Meridian:
     """Return the meridian through up to five points, or the nearest meridian to a profile.
 
-    A meridian has five parameters, so five points determine it, or four if the last is its pole on the axis. For
+    A meridian has five parameters, so five points determine it, or four if the last point is the pole on
+    the axis. For
     more points, or if every meridian through the points has extra turns, the sum of squared distances is
     minimised. `deviation` is then the largest distance.
 
     Parameters
     ----------
     points : (n, 2) array_like or PlaneCurve
-        Points in order with x > 0, mm, or a profile curve. If the last point is on the axis, the surface closes at
+        Points in order with x > 0, mm, or a profile curve. If the last point is on the axis, the
+        surface closes at
         the pole. The meridian starts near the first point and ends near the last.
     ring : float, optional
         Distance from the axis, mm, at which a surface that closes at the pole ends: see `meridian`.
@@ -573,7 +561,7 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
     """
     if isinstance(points, PlaneCurve):
         points = points.sample(SOUGHT).position
-    data = _profile(points)
+    data = _checked_points(points)
     size = float(np.linalg.norm(np.ptp(data, axis=0)))
     chosen = np.unique(np.linspace(0, len(data) - 1, min(len(data), SOUGHT)).round().astype(int))
     try:
@@ -583,7 +571,9 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
                 "the nearest meridian begins beyond the axis. Move its first point away from the axis"
             )
         length, start = shape.length * size, float(shape.points[0, 0]) * size
-        end = _end(lambda s: size * shape.position(s / size)[:, 0], length, _floor(start, length, ring))
+        end = _end(
+            lambda s: size * shape.position(s / size)[:, 0], length, _distance_at_end(start, length, ring)
+        )
         curve = _curve(shape, size, end)
     except NotConvergedError as problem:
         way_out = TO_THE_POLE if data[-1, 0] < NEAR_AXIS_SHARE * data[:, 0].max() else ""
@@ -611,8 +601,7 @@ def _curve(shape: FoundMeridian, size: float, end: float) -> PlaneCurve:
     )
 
 
-def _floor(start: float, length: float, ring: float | None) -> float:
-    """Return the distance from the axis, mm, at which a meridian ends."""
+def _distance_at_end(start: float, length: float, ring: float | None) -> float:
     if ring is None:
         return min(NARROW_SHARE * (start + length), start / 2)
     if not (is_number(ring) and 0 < ring < start):
@@ -642,8 +631,7 @@ def _end(distance: Callable[[FloatArray], FloatArray], length: float, floor: flo
     )
 
 
-def _profile(points: ArrayLike) -> FloatArray:
-    """Return checked points (n, 2) for the search."""
+def _checked_points(points: ArrayLike) -> FloatArray:
     data = finite("the points of a meridian", points)
     if data.ndim != 2 or data.shape[1] != 2 or len(data) < 3:
         raise InputError("a meridian needs three points (x, y) or more, in mm")
@@ -704,7 +692,6 @@ def _integrated(
 
 
 def _refuse_winding(p: FloatArray) -> None:
-    """Raise InputError if a and b cause too many turns or oscillations within the length."""
     a, b, start, length = p[0], p[1:3], p[3:5], p[6]
     with np.errstate(over="ignore"):
         bending = abs(a + b @ start) / start[0]

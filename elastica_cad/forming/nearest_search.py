@@ -114,7 +114,6 @@ SETTINGS = SearchSettings()
 
 
 def _find_rod(task: NearestTask, start: NearestRod | None = None) -> NearestRod:
-    """Return the nearest rod of a task."""
     search = _search(task.without_followed_margin, None if start is None else start.ended)
     smaller = task.in_smaller_sections
     if smaller is not None and (search.best.violation > MET or search.off > SETTINGS.exact_distance):
@@ -166,7 +165,6 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
 
 
 def _is_optimum(outcome: RodOutcome) -> bool:
-    """Return True if a search converged and all limits are met."""
     return outcome.settled and outcome.violation <= MET
 
 
@@ -179,7 +177,7 @@ def _rescaled(search: Search, margin: float | None) -> Search:
         ):  # without weight, the shape does not depend on the scale
             search = search._replace(task=settled)
             break
-        search = _go_on(search, settled)
+        search = _continued_search(search, settled)
     if margin == search.task.limits.margin:
         return search
     task = search.task.with_margin(margin)
@@ -204,33 +202,29 @@ def _rescaled(search: Search, margin: float | None) -> Search:
 
 
 def _narrowed(search: Search, task: NearestTask) -> Search:
-    """Return the search continued with the scale of `task`, then with smaller scales until the limits are met.
+    """Continue with the scale of `task`, then with smaller scales until the limits are met.
 
-    For each scale, only a part of the margin is required first. Narrower strips may meet a margin that wider
-    strips do not meet.
+    Only a part of the margin is required first. Narrower strips may meet a margin that wider strips do not
+    meet.
     """
     margin = task.limits.margin or 0.0
     for factor in SETTINGS.scale_factors:
         narrow = task.scaled_by(factor)
-        eased = _go_on(search, narrow.with_margin(min(margin, SETTINGS.margin_fraction * margin)))
-        tried = _go_on(eased, narrow)
+        eased = _continued_search(search, narrow.with_margin(min(margin, SETTINGS.margin_fraction * margin)))
+        tried = _continued_search(eased, narrow)
         if tried.best.violation <= MET:
             break
         search = search._replace(steps=tried.steps)
     return tried
 
 
-def _go_on(search: Search, task: NearestTask) -> Search:
-    """Return the result of a search that is continued for another task, with the total number of steps."""
+def _continued_search(search: Search, task: NearestTask) -> Search:
     more = _search(task, search.ended)
     return more._replace(steps=search.steps + more.steps)
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
-    """Return the result of a search from the end of a previous search.
-
-    Return None if it violates limits or is much farther away.
-    """
+    """Return None if the result violates limits or is much farther from the drawn curve than before."""
     z = before.seen_from(task.target, problem.grid.unknowns)
     rod = None if z is None else problem.grid.shoot(z)
     if rod is None or not np.isfinite(rod.moments[-1]):
@@ -485,10 +479,12 @@ def nearest_rod(
     natural_curvature: NaturalCurvature = 0.0,
     start: NearestRod | None = None,
 ) -> NearestRod:
-    """Return the rod nearest to a drawn curve, realizable or not, that meets all limits.
+    """Return the rod that meets all limits and is nearest to a drawn curve, which need not be realizable.
 
-    The unknowns are the stiffness, the length and the start of the rod. Its shape follows from the equilibrium of
-    moments (Eqs. 3 and 5), so every rod in the search is in equilibrium. The method is described in `forming.sqp`.
+    The unknowns are the stiffness, the length and the start of the rod. Its shape follows from the
+    equilibrium of
+    moments (Eqs. 3 and 5), so every rod in the search is in equilibrium. The method is described in
+    `forming.sqp`.
 
     Parameters
     ----------
@@ -503,33 +499,42 @@ def nearest_rod(
     supports : Supports, optional
         Supports of the ends; by default both are clamped.
     weights : optional
-        Weight of each part of the curve in the distance: a number, evenly spaced values, or a function of the arc
+        Weight of each part of the curve in the distance: a number, evenly spaced values, or a
+        function of the arc
         length, mm.
     measure : "mean", "closest" or "max"
-        Distance to minimise. "mean" is the mean square distance between points at the same fraction of the length.
+        Distance to minimise. "mean" is the mean of squared distances between rod and curve at equal
+        fractions of their lengths.
         "closest" uses the nearest points instead, and "max" is the largest distance.
     samples : int
         Number of nodes of the rod.
     coefficients : int
-        Number of B-spline coefficients of the stiffness. By default there are 20, and about 4 more for each half
+        Number of B-spline coefficients of the stiffness. By default there are 20, and about 4 more
+        for each half
         turn of the curve.
     section : BoundedLaw, optional
-        Section law, as in `optimal_rod`. Its limits also limit the stiffness ratio. With gravity, the rod carries
+        Section law, as in `optimal_rod`. Its limits also limit the stiffness ratio. With gravity, the
+        rod carries
         the weight of its sections, and only the direction of gravity has an effect. `limits.sheet` limits the
-        strain. For a `LeavesLaw`, the nearest rod of continuously varying thickness is found first, and is then
+        strain. For a `LeavesLaw`, the nearest rod of continuously varying thickness is found first,
+        and is then
         approximated by plies (`lay_leaves`).
     natural_curvature : float or RestCurvature
-        Curvature of the unbent rod kappa_0, 1/mm. For a `RestCurvature`, the length of the rod agrees with that of
+        Curvature of the unbent rod kappa_0, 1/mm. For a `RestCurvature`, the length of the rod agrees
+        with that of
         the pre-bent strip within 1 %.
     start : NearestRod, optional
-        Result of a similar request, such as the same curve before a small change. The search begins with its rod.
-        This takes two thirds of the time, or a tenth if many initial guesses were needed. If the result violates
+        Result of a similar request, such as the same curve before a small change. The search begins
+        with its rod.
+        This takes two thirds of the time, or a tenth if many initial guesses were needed. If the
+        result violates
         limits or is much farther away than before, the search is repeated from new initial guesses.
 
     Returns
     -------
     NearestRod
-        Nearest rod. If the drawn curve meets the limits, the rod has the least stiffness ratio within 0.5 %. If
+        Nearest rod. If the drawn curve meets the limits, the rod has the least stiffness ratio within
+        0.5 %. If
         the limits cannot be met, the best rod is returned: see `status`, `met` and `binding`.
 
     Raises
@@ -537,7 +542,8 @@ def nearest_rod(
     InputError
         Limits contradict each other or the curve.
     NotConvergedError
-        There is no initial rod, because the curve bends too much, or because the weight is far too large for the
+        There is no initial rod, because the curve bends too much, or because the weight is far too
+        large for the
         stiffness.
 
     References
@@ -592,5 +598,4 @@ def find_nearest(request: RodSpec, start: NearestRod | None = None) -> NearestRo
 
 
 def _again(request: RodSpec, limits: Limits, keep: Keep) -> NearestRod:
-    """Return the nearest rod of a request with other limits."""
     return find_nearest(replace(request, limits=limits, keep=keep))

@@ -295,13 +295,17 @@ def _section(mesh: Mesh, frame: Frame, half: bool, name: str) -> PlaneSection:
                 shorter=Length(min(total, other_total)),
             ))  # fmt: skip
     section = collect_section(
-        name, frame, chains, half=half, apart=APART * mesh.size, missed=lambda: _missing(mesh, local, height)
+        name,
+        frame,
+        chains,
+        half=half,
+        apart=APART * mesh.size,
+        missed=lambda: _reason_for_no_section(mesh, local, height),
     )
     return replace(section, reports=(*reports, *section.reports))
 
 
-def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
-    """Return a message with the reason why a plane has no section."""
+def _reason_for_no_section(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
     used = np.unique(mesh.faces)
     low, high = float(local[used, 2].min()), float(local[used, 2].max())
     if low > 0 or high < 0:
@@ -316,7 +320,7 @@ def _missing(mesh: Mesh, local: FloatArray, height: FloatArray) -> str:
 
 
 def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray) -> list[FloatArray]:
-    """Return the lines (k, 2) of a section. `above` is True for vertices above the plane."""
+    """`above` is True for vertices above the plane."""
     side = above[mesh.faces]
     faces = mesh.faces[side.any(axis=1) & ~side.all(axis=1)]
     if not len(faces):

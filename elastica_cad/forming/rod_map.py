@@ -448,7 +448,6 @@ class StripGrid:
 
     @cached_property
     def _rest(self) -> FloatArray:
-        """Rest curvature kappa_0 at the nodes (n+1,), times the unit of length."""
         return np.ascontiguousarray(np.broadcast_to(self.natural_curvature, self.shares.shape), dtype=float)
 
     def _sensitivities_in_python(self, rod: MappedRod, columns: int, closing: bool) -> Sensitivities:

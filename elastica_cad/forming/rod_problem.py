@@ -89,12 +89,12 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
     def close(self, point: MappedRod, step: FloatArray | None = None) -> MappedRod | None:
         """Return the rod in equilibrium after a step, or None if numbers overflow."""
-        rod = self.grid.shoot(point.z if step is None else self._inside(point.z + step))
+        rod = self.grid.shoot(point.z if step is None else self._clipped(point.z + step))
         return rod if np.isfinite(rod.moments[-1]) else None
 
     def clip(self, point: MappedRod) -> MappedRod:
         """Return the rod with its unknowns clipped to their bounds, and unchanged angles and moments."""
-        z = self._inside(point.z)
+        z = self._clipped(point.z)
         return point if np.array_equal(z, point.z) else self.grid.assemble(z, point.all_angles, point.moments)
 
     def fallback(self) -> MappedRod:
@@ -102,10 +102,10 @@ class RodProblem(NonlinearProgram[MappedRod]):
         u = self.grid.unknowns
         z = np.zeros(u.count)
         z[u.stiffness], z[u.length] = 1.0, 1.0
-        return self.grid.shoot(self._inside(z))
+        return self.grid.shoot(self._clipped(z))
 
     def apart(self, first: MappedRod, other: MappedRod) -> float:
-        """Return the mean square distance between the nodes of two rods."""
+        """Return the mean of the squared distances between the nodes of two rods."""
         return float(np.mean((first.position - other.position) ** 2))
 
     def for_open_points(self) -> "RodProblem":
@@ -114,12 +114,11 @@ class RodProblem(NonlinearProgram[MappedRod]):
 
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
         """Return the rod after a change (p + 1,), to first order: see `linearize`."""
-        z = self._inside(d.rod.z + change[:-1])
+        z = self._clipped(d.rod.z + change[:-1])
         angles, moments = d.angles @ change, d.moments @ change
         return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
 
-    def _inside(self, z: FloatArray) -> FloatArray:
-        """Return the unknowns clipped to their bounds."""
+    def _clipped(self, z: FloatArray) -> FloatArray:
         return np.asarray(np.clip(z, self.lower, self.upper))
 
     def with_given(self, unknowns: int | slice, value: FloatArray | float) -> "RodProblem":
@@ -131,9 +130,8 @@ class RodProblem(NonlinearProgram[MappedRod]):
     def _stacked(
         self, sensitivities: Sensitivities, values: Sequence[FloatArray] | None = None
     ) -> ConstraintRows:
-        """Return the linearized constraints near a rod, one row each.
-
-        If the derivatives have a last column for the way to equilibrium, the values are those in equilibrium.
+        """If the derivatives have a last column for the change to equilibrium, the values are those in
+        equilibrium.
         """
         p = sensitivities.rod.z.size
         if not self.constraints:
@@ -194,7 +192,6 @@ def pose_problem(task: NearestTask) -> RodProblem:
 
 
 def _grid(task: NearestTask) -> StripGrid:
-    """Return the nodes with the basis of the stiffness and the weight."""
     gravity, section, size = task.request.gravity, task.section, task.target.size
     e, weight = np.zeros(2), None
     if gravity is not None and section is None:
@@ -221,7 +218,7 @@ def _scale(task: NearestTask, grid: StripGrid) -> FloatArray:
 def _box(task: NearestTask, grid: StripGrid) -> tuple[FloatArray, FloatArray]:
     u, target = grid.unknowns, task.target
     lower, upper = np.full(u.count, -np.inf), np.full(u.count, np.inf)
-    lower[u.stiffness], upper[u.stiffness] = _stiffness_box(task, u.coefficients)
+    lower[u.stiffness], upper[u.stiffness] = _coefficient_bounds(task, u.coefficients)
     start = task.request.supports.ends[0]
     if task.keep.both_ends[0]:
         lower[u.position] = upper[u.position] = target.position[0]
@@ -373,10 +370,8 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
     return MiddleOfMirror(centre=_pair(centre), axis=_pair(axis), angle=angle, scale=5 * _moment_scale(task))
 
 
-def _stiffness_box(task: NearestTask, count: int) -> tuple[FloatArray, FloatArray]:
-    """Return the lower and upper bounds of the coefficients of K.
-
-    Each is the strictest bound in the support of its basis function."""
+def _coefficient_bounds(task: NearestTask, count: int) -> tuple[FloatArray, FloatArray]:
+    """Each bound is the strictest in the support of its basis function."""
     ratio = task.limits.largest_ratio
     low, high = np.ones(count), np.full(count, ratio)
     if task.limits.stiffness_bounds is None:

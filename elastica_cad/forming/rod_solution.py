@@ -45,7 +45,7 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
     try:
         rod = rod_of_request(replace(spec, **smoothed, known_check=spec.check, drawn=spec.curve, **bounds))
     except OverloadError as error:
-        raise (error if widths is None else _too_narrow(widths, error)) from None
+        raise (error if widths is None else _overload_refusal(widths, error)) from None
     return rod if widths is None else _with_widest(rod, widths)
 
 
@@ -61,7 +61,7 @@ WIDTH_TOLERANCE_MM = 0.1
 
 
 def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
-    """Return the rod, with a warning if its largest width is less than the requested width."""
+    """Warn if the largest width is less than the requested width."""
     widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / PlainSection(widths.sheet).rigidity
     if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
         return rod
@@ -72,8 +72,7 @@ def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
     return replace(rod, warnings=(*rod.warnings, warning))
 
 
-def _too_narrow(widths: WidthRange, error: OverloadError) -> InputError:
-    """Return the error for a load that no strip within the widths can carry."""
+def _overload_refusal(widths: WidthRange, error: OverloadError) -> InputError:
     needed = rounded_up(error.needed / PlainSection(widths.sheet).rigidity, 4)
     changes, otherwise = [Change("max_width", needed)], ""
     if error.thickening is not None:

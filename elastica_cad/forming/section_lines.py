@@ -270,7 +270,6 @@ def tidy_points(points: FloatArray, small: float) -> FloatArray:
 
 
 def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
-    """Return the parts of a line with x >= 0."""
     closed = bool(np.all(points[0] == points[-1]))
     x = points[:, 0]
     if np.all(x >= 0):
@@ -454,9 +453,9 @@ def _curve(
     try:
         curve = PlaneCurve(*fit_spline(points, 4, tolerance), 4)
     except NotConvergedError as error:
-        raise NotConvergedError(_unfitted(line, tolerance) or str(error)) from error
+        raise NotConvergedError(_sharp_corner_message(line, tolerance) or str(error)) from error
     fitted, before = curve, curve.inflections.size
-    notes = _corner(curve, line)
+    notes = _sharp_bend_messages(curve, line)
     if false_turn > 0:
         try:
             curve = remove_false_inflections(curve, turn=false_turn)
@@ -474,12 +473,12 @@ def _curve(
         place = note(
             "{far} from the section at {place}", far=Length(off[worst]), place=_place(line, places[worst])
         )
-        notes.append(_departure(line, place, tolerance, wavelength, changed=curve is not fitted))
+        notes.append(_deviation_message(line, place, tolerance, wavelength, changed=curve is not fitted))
     return SectionCurve(curve, line.frame, line.name, float(off[worst]), removed), notes
 
 
 def _filled(points: FloatArray) -> FloatArray:
-    """Return a polyline with points inserted so that no side is longer than 1/240 of its length.
+    """Insert points so that no side is longer than 1/240 of the length.
 
     A coarse mesh has few vertices, and a curve fitted only to them could deviate from the sides between them.
     """
@@ -496,10 +495,7 @@ def _place(line: SectionLine, point: FloatArray) -> str:
 
 
 def _refuse_corners(line: SectionLine, tolerance: float) -> None:
-    """Raise InputError for a line with a corner.
-
-    A corner beside a side shorter than the tolerance counts as roughness.
-    """
+    """A corner beside a side shorter than the tolerance counts as roughness."""
     turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
     turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
     if turned.max(initial=0.0) > SHARP_TURN_RAD:
@@ -510,8 +506,8 @@ def _refuse_corners(line: SectionLine, tolerance: float) -> None:
         )
 
 
-def _unfitted(line: SectionLine, tolerance: float) -> str:
-    """Return a message about the sharpest corner of a line, or an empty string if there is none."""
+def _sharp_corner_message(line: SectionLine, tolerance: float) -> str:
+    """Return an empty text if the line has no sharp corner."""
     turned = _inner_turns(line.points)
     if turned.max(initial=0.0) < SHARP_TURN_RAD:
         return ""
@@ -531,8 +527,9 @@ def _sharpest(line: SectionLine, turned: FloatArray) -> str:
     )
 
 
-def _departure(line: SectionLine, place: str, tolerance: float, wavelength: float, *, changed: bool) -> str:
-    """Return a message that a curve deviates from its section by more than the tolerance."""
+def _deviation_message(
+    line: SectionLine, place: str, tolerance: float, wavelength: float, *, changed: bool
+) -> str:
     if wavelength > 0:
         cause = note(
             (
@@ -553,8 +550,7 @@ def _departure(line: SectionLine, place: str, tolerance: float, wavelength: floa
     )  # fmt: skip
 
 
-def _corner(curve: PlaneCurve, line: SectionLine) -> list[str]:
-    """Return a message about a bend that is too sharp for a strip, as a list that is empty if there is none."""
+def _sharp_bend_messages(curve: PlaneCurve, line: SectionLine) -> list[str]:
     samples = curve.sample(SAMPLES)
     worst = int(np.abs(samples.curvature).argmax())
     kappa = abs(float(samples.curvature[worst]))

@@ -156,7 +156,6 @@ def _vector(name: str, value: ArrayLike) -> FloatArray:
 
 
 def _row(name: str, value: ArrayLike) -> list[float]:
-    """Return the value, a number or a sequence of numbers, as a list."""
     v = np.atleast_1d(_numbers(name, value))
     if v.ndim != 1:
         raise InputError(f"{name} must be a number or a list of numbers, not an array of shape {v.shape}")
@@ -327,7 +326,7 @@ class PlaneSplit:
 
     @property
     def name(self) -> str:
-        """The plane."""
+        """See `Split.name`."""
         x, y, z = map(float, self.normal)
         across = "the plane through {place} across ({x:.4g}, {y:.4g}, {z:.4g})"
         return note(across, place=Point(self.point), x=x, y=y, z=z)
@@ -370,7 +369,7 @@ class CornerSplit:
 
     @property
     def name(self) -> str:
-        """The angle."""
+        """See `Split.name`."""
         return note("a turn of more than {turn:.4g} degrees at a corner", turn=np.degrees(self.corners))
 
     def pieces(self, line: SectionLine) -> tuple[SectionLine, ...]:
@@ -467,7 +466,6 @@ class SectionSpec:
 
 
 def _reasons(reports: Sequence[str]) -> str:
-    """Return a text with the reasons why no section gives a strip."""
     refusals = (report for report in reports if isinstance(report, Refusal))
     named = [report for report in refusals if "name" in report.values or report.where]
     reasons: Sequence[str] = named or reports
@@ -477,7 +475,7 @@ def _reasons(reports: Sequence[str]) -> str:
 
 
 def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:
-    """Raise InputError for a repeated plane. `values` are angles with a `period`, or offsets."""
+    """`values` are angles with a `period`, or offsets."""
     order = np.argsort(np.mod(values, period), kind="stable")
     ring = np.append(order, order[:1]) if np.isfinite(period) else order
     steps = np.diff(np.asarray(values)[ring])

@@ -140,7 +140,6 @@ class _Cut:
     tolerance: float
 
     def piece(self, start: float, end: float) -> PlaneCurve:
-        """Return the part of the curve between two positions."""
         if (start, end) == self.curve.domain:
             return self.curve
         return self.curve.trimmed(start, end)
@@ -320,9 +319,8 @@ def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, fl
 
 
 def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
-    """Return positions of supports, one from each array of `stages`, that are best for the pieces.
-
-    They minimize the sum of the squared stiffness ratios of the pieces between the supports.
+    """Return positions, one from each array of `stages`, with the least sum of squared stiffness ratios of
+    the pieces.
 
     The list is empty if every choice has a piece that no strip can take.
     """

@@ -126,16 +126,19 @@ def smooth_stretches(curve: PlaneCurve, continuity: int) -> tuple[FloatArray, ..
 def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: float) -> PlaneCurve:
     """Return the clamped cubic B-spline that approximates `motion` within `tolerance` mm at equal parameters.
 
-    The spline has the positions of the motion at the knots, and its directions at the ends of every smooth part.
+    The spline has the positions of the motion at the knots, and its directions at the ends of every
+    smooth part.
 
     Parameters
     ----------
     motion : callable
         Function of parameters (n,), an order and a flag. It returns positions (n, 2) for the order 0, and
-        derivatives for the order 1. If the flag is True, values at knots are left limits. The function is smooth
+        derivatives for the order 1. If the flag is True, values at knots are left limits. The
+        function is smooth
         inside each part.
     stretches : tuple of arrays
-        Initial interpolation parameters of each smooth part; the last of a part is the first of the next part.
+        Initial interpolation parameters of each smooth part; the last parameter of a part is the
+        first of the next part.
     """
     knots: list[FloatArray] = []
     points: list[FloatArray] = []
@@ -182,7 +185,7 @@ _SHORTEST_SHARE = 1e-6
 _SAMPLES = np.linspace(0.0, 1.0, 33)
 """Fractions of a spline piece at which a biarc is compared with it."""
 
-_TAKEN = 0.95
+_USED_SHARE = 0.95
 """Fraction of the tolerance that is used, because samples may miss the largest error."""
 
 _NEAR = 0.05
@@ -229,25 +232,22 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
         a, end = (float(t - t0) / (t1 - t0) for t in (stretch[0], stretch[-1]))
         while a < end:
             start = a, spline.tangent_at(a)
-            b, biarc = _longest(spline, start, end, tolerance)
+            b, biarc = _longest_biarc(spline, start, end, tolerance)
             if end - b < 0.5 * (b - a) and b < end:
                 # make two pieces of similar size instead of a very short last piece
                 middle = (a + end) / 2
                 shorter, off = _biarc(spline, start, middle)
-                b, biarc = (middle, shorter) if off <= _TAKEN * tolerance else (b, biarc)
+                b, biarc = (middle, shorter) if off <= _USED_SHARE * tolerance else (b, biarc)
             pieces.extend(biarc)
             a = b
     return pieces
 
 
-def _longest(
+def _longest_biarc(
     spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
 ) -> tuple[float, list[Segment]]:
-    """Return the longest biarc from `start` within the tolerance: its end parameter and its segments.
-
-    The end parameter is exact within 5 %.
-    """
-    allowed = _TAKEN * tolerance
+    """Return the end parameter of the biarc, exact within 5 %, and its segments."""
+    allowed = _USED_SHARE * tolerance
     pieces, off = _biarc(spline, start, end)
     if off <= allowed:
         return end, pieces

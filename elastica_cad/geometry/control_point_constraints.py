@@ -274,7 +274,7 @@ def least_norm_newton(
             )
         step = np.asarray(np.linalg.lstsq(jacobian, -residual, rcond=1e-12)[0].reshape(-1, 2), dtype=float)
         try:
-            curve, residual, jacobian = _advanced(curve, constraints, step, norms[-1])
+            curve, residual, jacobian = _damped_step(curve, constraints, step, norms[-1])
         except NotConvergedError:
             if is_rounding:
                 break
@@ -288,10 +288,10 @@ def _rounding(curve: PlaneCurve, jacobian: FloatArray) -> float:
     return float(8 * _EPS * np.linalg.norm(np.abs(jacobian) @ np.abs(curve.control_points).ravel()))
 
 
-def _advanced(
+def _damped_step(
     curve: PlaneCurve, constraints: Sequence[Constraint], step: FloatArray, norm: float
 ) -> tuple[PlaneCurve, FloatArray, FloatArray]:
-    """Return the curve after the longest of the steps 1, 1/2, ... 1/64 that reduces the residual."""
+    """Take the longest of the steps 1, 1/2, ... 1/64 that reduces the residual."""
     lost: Exception | None = None
     for halving in range(7):
         try:
@@ -331,10 +331,11 @@ def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
 
 
 def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> tuple[FloatArray, FloatArray]:
-    """Return the positions (k, 2) of the inflections near given parameters, and their derivatives (k, 2, 2 m).
+    """Return positions (k, 2) of the inflections near parameters (k,), and derivatives (k, 2, 2 m) by control
+    points.
 
-    At an inflection with the parameter t, the curvature kappa always equals kappa_0. The derivatives by the
-    control points q are therefore dt/dq = -(d kappa/dq) / (d kappa/dt).
+    The curvature kappa at the parameter t of an inflection remains kappa_0, so that dt/dq = -(d kappa/dq) /
+    (d kappa/dt) for the control points q.
     """
     t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
     velocity = curve.evaluate(t, 1)

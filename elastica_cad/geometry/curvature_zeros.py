@@ -170,11 +170,12 @@ def _unit_sized(bezier: FloatArray) -> FloatArray:
 
 
 def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return Bernstein coefficients of a polynomial with the sign of the curvature, and their rounding errors (p,).
+    """Return Bernstein coefficients of D, which has the sign of the curvature, and their rounding errors
+    (p,).
 
-    The polynomial is D = det(A, B - A, A - 2B + C), with the points A, B, C of the last but one step of de
-    Casteljau's algorithm. D is det(P, P', P'') except for the factor degree^2 (degree - 1). The curvature is
-    (degree - 1)/degree * D * w^3 / |h|^3, with weight w and the result h of `hodograph`.
+    D = det(A, B - A, A - 2B + C), with the points A, B, C of the last but one step of de Casteljau's
+    algorithm. The curvature is (degree - 1)/degree * D * w^3 / |h|^3, with weight w and the result h of
+    `hodograph`.
     """
     centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
     step = bezier[:, 1:] - bezier[:, :-1]

@@ -75,9 +75,8 @@ def smooth_through(points: FloatArray, tolerance: float) -> PlaneCurve:
 
 
 def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
-    """Return the largest distance, mm, between a curve and a polyline.
-
-    Each point of the curve is compared with the sides at about the same fraction of the length.
+    """Return the largest distance, mm, of points of a curve from the sides at about the same fraction of the
+    length.
     """
     places = lengths_along(vertices)
     count = _EACH_SIDE * len(places)
@@ -290,9 +289,8 @@ class _Problem:
         return csr_matrix((np.ones(row.size), (row, column)), shape=size)
 
     def _rows(self, direction: FloatArray, derivative: int) -> Any:
-        """Return the sparse matrix (n, 2 m) that converts control points to derivatives at the samples.
-
-        The result contains the components of the derivatives along `direction`.
+        """Return the sparse matrix (n, 2 m) from control points to derivatives along `direction` at the
+        samples.
         """
         from scipy.sparse import csr_matrix
 
@@ -353,7 +351,9 @@ def two_sided_distance(first: PlaneCurve, other: PlaneCurve, count: int = 2000) 
 
     The points are at equal distances and at all knots.
     """
-    return max(_farthest(_points(first, count), other), _farthest(_points(other, count), first))
+    return max(
+        _largest_distance(_points(first, count), other), _largest_distance(_points(other, count), first)
+    )
 
 
 def _points(curve: PlaneCurve, count: int) -> FloatArray:
@@ -361,8 +361,7 @@ def _points(curve: PlaneCurve, count: int) -> FloatArray:
     return curve.evaluate(curve.parameter(np.clip(s, 0.0, curve.length)))
 
 
-def _farthest(points: FloatArray, curve: PlaneCurve) -> float:
-    """Return the largest distance, mm, of points (n, 2) from a curve."""
+def _largest_distance(points: FloatArray, curve: PlaneCurve) -> float:
     return float(distances(Spline(curve), points).max())
 
 
@@ -398,7 +397,7 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     drawn = curve.provenance
     if drawn is not None and drawn.measured is not None and drawn.measured.is_noisy:
         fitted = PlaneCurve(*smoothest_spline(drawn.measured.points, DEGREE, smooth), DEGREE)
-        moved = _farthest(drawn.measured.points, fitted)
+        moved = _largest_distance(drawn.measured.points, fitted)
         return fitted.drawn_as(drawn.of_part()), moved
     if not curve.has_corners or curve.degree < 2:
         return curve, 0.0

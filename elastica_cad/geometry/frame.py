@@ -50,10 +50,9 @@ class Frame:
         sizes = [hypot(*row.tolist()) for row in rows[1:]]
         if min(sizes) == 0 or abs(rows[1] @ rows[2]) > 1e-9 * sizes[0] * sizes[1]:
             raise InputError("frame x_axis and y_axis must be two directions at right angles to each other")
-        self._hold(rows[0], rows[1] / sizes[0], rows[2] / sizes[1])
+        self._set_read_only(rows[0], rows[1] / sizes[0], rows[2] / sizes[1])
 
-    def _hold(self, *rows: FloatArray) -> None:
-        """Set the attributes from checked arrays: origin and unit axes."""
+    def _set_read_only(self, *rows: FloatArray) -> None:
         for row in rows:
             row.setflags(write=False)
         vars(self).update(zip(_PARTS, rows, strict=True))

@@ -46,10 +46,9 @@ It is smaller for fewer points.
 """
 
 OUTLIER_TIMES = 4.0
-"""Factor for outliers.
+"""Least distance of an outlier from the curve through its neighbours, as a factor.
 
-A point is an outlier if its distance from the curve through its neighbours is large. This distance must exceed
-the given multiple of the largest distance of the other points, and of the rounding error.
+The factor multiplies the largest distance of the other points, and the rounding error.
 """
 
 
@@ -226,9 +225,8 @@ def _off_nearest(points: FloatArray) -> FloatArray:
 
 
 def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
-    """Return divided differences (m,) normal to the curve, and the weights of their points.
-
-    The weights (m, order + 1) have norm 1 for each difference.
+    """Return divided differences (m,) normal to the curve, and the weights (m, order + 1) of their points, of
+    norm 1.
     """
     window = np.arange(len(points) - order)[:, None] + np.arange(order + 1)
     s, near = lengths_along(points)[window], points[window]

@@ -286,7 +286,6 @@ class RationalPieces:
 
     @cached_property
     def _known(self) -> dict[int, FloatArray]:
-        """Cache of the results of `_series_to`, by order."""
         return {}
 
     @cached_property
@@ -411,11 +410,7 @@ def _refuse_standstill(
     shown: Callable[[FloatArray], str],
     rounding: float,
 ) -> None:
-    """Refuse a curve of zero length, or with a point without tangent; the message states its position.
-
-    `shown` formats the coordinates of a point (2,), mm, as the drawing program displays them. `rounding` is the
-    largest rounding error of a coordinate, mm.
-    """
+    """Refuse a curve of zero length, or with a point without tangent."""
     if np.ptp(control_points, axis=0).max() == 0:
         raise InputError("all control points coincide, so the curve has zero length: draw it again")
     t = pieces.tangent_cones.standstill
@@ -522,14 +517,14 @@ class NurbsCurve:
             _refuse_standstill(self._pieces, self.control_points, shown, rounding)
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the attributes without cached results, which are much larger and quickly computed again."""
+        """Omit cached results, which are much larger than the other attributes and quickly computed again."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
 
     def _part(
         self, knots: FloatArray, control_points: FloatArray, weights: FloatArray | None,
         provenance: Provenance | None = None,
     ) -> Self:  # fmt: skip
-        """Return a part or moved copy of this curve with the same degree, without checking it again."""
+        """Skip the checks of a new curve."""
         curve = object.__new__(type(self))
         for array in (knots, control_points, weights):
             if array is not None:
@@ -757,7 +752,6 @@ class NurbsCurve:
         return self._part(knots, rows, None)
 
     def _at_knot(self, t: float) -> float:
-        """Return the knot that equals a parameter within rounding errors, else the parameter."""
         low, high = self.domain
         nearest = float(self.knots[np.abs(self.knots - t).argmin()])
         return nearest if abs(nearest - t) <= SAME_KNOT * (high - low) else t

@@ -58,7 +58,7 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
         left = -distance * float(np.sign(path.area))
     ring = _Ring(_elements(path, left, tolerance), path.closed, distance)
     moved = Path(ring.joined(), path.closed)
-    _check(path, moved, distance, tolerance)
+    _refuse_collisions(path, moved, distance, tolerance)
     return moved
 
 
@@ -76,21 +76,20 @@ class _Element:
 
 def _elements(path: Path, left: float, tolerance: float) -> list[_Element]:
     """Return the moved segments, with arcs about the corners that are convex on the offset side."""
-    segments = [part for segment in path.segments for part in _without_corners(segment)]
+    segments = [part for segment in path.segments for part in _split_at_corners(segment)]
     following = segments[1:] + (segments[:1] if path.closed else [])
     elements: list[_Element] = []
     for i, segment in enumerate(segments):
-        piece = _moved(segment, left, tolerance)
+        piece = _offset_segment(segment, left, tolerance)
         elements.append(_Element(piece, segment.length, segment.at(0.5)))
         if i < len(following):
-            corner = _corner(segment, following[i], left)
+            corner = _corner_arc(segment, following[i], left)
             if corner is not None:
                 elements.append(_Element(corner, 0.0, segment.end))
     return elements
 
 
-def _without_corners(segment: Segment) -> list[Segment]:
-    """Return a segment without corners, or the parts of a spline between its corners, in a list."""
+def _split_at_corners(segment: Segment) -> list[Segment]:
     if not isinstance(segment, Spline):
         return [segment]
     t0, t1 = segment.curve.domain
@@ -98,8 +97,8 @@ def _without_corners(segment: Segment) -> list[Segment]:
     return [trim_segment(segment, a, b) for a, b in pairwise([0.0, *corners, 1.0])]
 
 
-def _moved(segment: Segment, left: float, tolerance: float) -> Segment | None:
-    """Return the segment moved to its left, or None for an arc whose radius would not be positive."""
+def _offset_segment(segment: Segment, left: float, tolerance: float) -> Segment | None:
+    """Return None for an arc whose radius would not be positive."""
     if isinstance(segment, Line):
         normal = left_of(segment.tangent_at(0.0))
         return Line(segment.start + left * normal, segment.end + left * normal)
@@ -136,8 +135,8 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
     return Spline(cubic_through(motion, stretches, tolerance))
 
 
-def _corner(before: Segment, after: Segment, left: float) -> Arc | None:
-    """Return the arc about a corner that is convex on the offset side, or None for other joints."""
+def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
+    """Return None for a joint that is not convex on the offset side."""
     s, t = before.tangent_at(1.0), after.tangent_at(0.0)
     turn = float(turn_between(s, t))
     if turn * left >= 0 or abs(turn * left) < JOIN / 4:
@@ -156,14 +155,13 @@ class _Ring:
         self.distance = distance
 
     def joined(self) -> list[Segment]:
-        """Return the trimmed segments in order."""
         alive = [i for i, element in enumerate(self.elements) if element.piece is not None]
         while True:
             self._refuse_losses(set(alive))
             failed = None
             starts, ends = dict.fromkeys(alive, 0.0), dict.fromkeys(alive, 1.0)
             for i, j in self._joints(alive):
-                cut = _joint(self._piece(i), self._piece(j))
+                cut = _meeting_parameters(self._piece(i), self._piece(j))
                 if cut is None:
                     failed = min(i, j, key=self._raw_length)
                     break
@@ -188,7 +186,6 @@ class _Ring:
         return self._piece(i).length
 
     def _refuse_losses(self, alive: set[int]) -> None:
-        """Refuse an offset in which too long a piece of the path has disappeared."""
         n, first = len(self.elements), min(alive, default=0)
         alone = self.closed and len(alive) == 1 < n
         if not alive or (alone and not meets(self._piece(first), self._piece(first))):
@@ -207,8 +204,7 @@ class _Ring:
         )
 
 
-def _joint(a: Segment, b: Segment) -> tuple[float, float] | None:
-    """Return the parameters at which the segments a and b meet, or None if they do not meet."""
+def _meeting_parameters(a: Segment, b: Segment) -> tuple[float, float] | None:
     if np.hypot(*(b.start - a.end)) <= JOIN / 2:
         return 1.0, 0.0
     crossings = segment_crossings(a, b)
@@ -217,7 +213,7 @@ def _joint(a: Segment, b: Segment) -> tuple[float, float] | None:
     return min(crossings, key=lambda uv: (1 - uv[0]) * a.length + uv[1] * b.length)
 
 
-def _check(path: Path, moved: Path, distance: float, tolerance: float) -> None:
+def _refuse_collisions(path: Path, moved: Path, distance: float, tolerance: float) -> None:
     """Refuse an offset that crosses itself or is closer to the path than `distance`."""
     samples = np.concatenate([segment.at(np.array([0.1, 0.35, 0.65, 0.9])) for segment in moved.segments])
     near = np.min([distances(segment, samples) for segment in path.segments], axis=0)

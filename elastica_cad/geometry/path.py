@@ -96,9 +96,7 @@ def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
 
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
-    """Return the distances of points from a spline.
-
-    Newton's method solves <gamma - p, gamma'> = 0 for the curve gamma and the point p, starting from the nearest
+    """Solve <gamma - p, gamma'> = 0 by Newton's method for the curve gamma and each point p, from the nearest
     chords.
     """
     u, q = chords(spline, _chord_tolerance(spline))
@@ -125,17 +123,17 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
     strayed = (np.abs(t - (low + high) / 2) > high - low) | (np.abs(t - before) > _UNSETTLED * (t1 - t0))
     strayed |= best > chord[rows, i] + _chord_tolerance(spline)
     if strayed.any():
-        best[strayed] = np.minimum(best[strayed], _searched(p[strayed], curve, *spans[:, strayed]))
+        best[strayed] = np.minimum(
+            best[strayed], _distances_by_sampling(p[strayed], curve, *spans[:, strayed])
+        )
     least = np.full(count, np.inf)
     np.minimum.at(least, rows, best)
     return least
 
 
-def _searched(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArray) -> FloatArray:
-    """Return the least distances (n,), mm, of points from the parts of a curve between parameters `low` and `high`.
-
-    The method is repeated sampling. It is used if Newton's method does not converge within these parts, because
-    the speed of the curve is too uneven.
+def _distances_by_sampling(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArray) -> FloatArray:
+    """Sample repeatedly where Newton's method does not converge, because the speed of the curve is too
+    uneven.
     """
     rows, least = np.arange(len(p)), np.full(len(p), np.inf)
     for _ in range(_SEARCHES):

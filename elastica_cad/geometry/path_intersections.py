@@ -120,11 +120,7 @@ def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) 
 
 
 def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
-    """Return index pairs (i, j) of chords of the polylines p and q whose bounding boxes overlap, in order.
-
-    The search uses a tree of boxes around groups of neighbouring chords. Only groups whose boxes overlap are
-    examined.
-    """
+    """Return index pairs of chords whose bounding boxes overlap, in order, from trees of boxes."""
     first, second = _box_tree(p), _box_tree(q)
     i = j = np.zeros(min(len(p) - 1, len(q) - 1, 1), dtype=np.intp)
     while True:
@@ -181,10 +177,7 @@ def _line_parameters(
 
 
 def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
-    """Return the parameters at which chords of two segments cross.
-
-    Chords are extended slightly beyond their ends.
-    """
+    """Extend chords slightly beyond their ends."""
     u, v, p, q = a.u, b.u, a.points, b.points
     i, j = _candidate_pairs(p, q)
     f, g = _line_parameters(p[i], p[i + 1], q[j], q[j + 1])
@@ -194,10 +187,13 @@ def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
 
 
 def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] | None:
-    """Return the crossing that Newton's method finds from (u, v), or None if it is not on the segments."""
+    """Return None if the crossing is not on the segments."""
     for _ in range(30):
         inside_u, inside_v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
-        (ax, ay, adx, ady), (bx, by, bdx, bdy) = _motion(a, inside_u), _motion(b, inside_v)
+        (ax, ay, adx, ady), (bx, by, bdx, bdy) = (
+            _point_and_velocity(a, inside_u),
+            _point_and_velocity(b, inside_v),
+        )
         # extend both segments along their tangents, so that a step may leave them and return
         gx = bx + (v - inside_v) * bdx - ax - (u - inside_u) * adx
         gy = by + (v - inside_v) * bdy - ay - (u - inside_u) * ady
@@ -216,8 +212,7 @@ def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] |
     return (float(u), float(v)) if np.hypot(*(a.at(u) - b.at(v))) < 1e-7 else None
 
 
-def _motion(segment: Segment, u: float) -> tuple[float, float, float, float]:
-    """Return x and y of the point at parameter u, and their derivatives by u."""
+def _point_and_velocity(segment: Segment, u: float) -> tuple[float, float, float, float]:
     (x, y), (dx, dy) = segment.at(u), segment.velocity_at(u)
     return float(x), float(y), float(dx), float(dy)
 

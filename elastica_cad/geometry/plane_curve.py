@@ -388,7 +388,7 @@ class PlaneCurve(NurbsCurve):
         return self._continuity >= 2
 
     def _polished(self, zero_places: tuple[zeros.ZeroPlace, ...]) -> tuple[zeros.ZeroPlace, ...]:
-        """Return the zeros, with crossings improved by a Newton step because short pieces have rounding errors."""
+        """Improve crossings by a Newton step, because short pieces have rounding errors."""
         crossing = [i for i, place in enumerate(zero_places) if place.kind == "crossing"]
         if not crossing:
             return zero_places

@@ -66,10 +66,7 @@ def product(a: FloatArray, b: FloatArray) -> FloatArray:
 
 @lru_cache(maxsize=256)
 def _gathered(m: int, n: int) -> FloatArray:
-    """Return the matrix that converts products of coefficients to the coefficients of a product of polynomials.
-
-    Coefficient k of the product, of m + n + 1 coefficients, is the sum of all products (i, j) with i + j = k.
-    """
+    """Coefficient k of a product is the sum of all products (i, j) with i + j = k."""
     i, j = np.indices((m + 1, n + 1)).reshape(2, -1)
     matrix = np.zeros((i.size, m + n + 1))
     matrix[np.arange(i.size), i + j] = 1.0
@@ -170,11 +167,10 @@ The remaining interval is about as short as rounding errors. Several zeros in it
 """
 
 _GENTLE, _BLUR = 10.0, 4.0
-"""Least slope of a single zero over e^2, and half-width of the interval of a multiple zero over e.
+"""Factors that decide when a sign change is treated as a multiple zero, with e^3 the relative rounding error.
 
-Here e is the third root of the relative rounding error, and the slope is relative to the largest coefficient. A
-sign change with a smaller slope is treated as a multiple zero. Rounding moves it by less than 4 e, so it is
-computed as the zero of a derivative.
+The slope at a multiple zero, relative to the largest coefficient, is less than `_GENTLE` e^2. Rounding moves
+the zero by less than `_BLUR` e, so it is computed as the zero of a derivative.
 """
 
 _EPS = float(np.finfo(float).eps)
@@ -243,7 +239,6 @@ def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
 def _halved(
     piece: IntArray, part: FloatArray, low: FloatArray, width: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray, FloatArray]:
-    """Return the intervals, each divided into two parts."""
     return (
         np.concatenate([piece, piece]),
         np.concatenate(subdivide(part, _SPLIT)),

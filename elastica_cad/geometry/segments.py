@@ -396,7 +396,7 @@ def chords(segment: Segment, tolerance: float) -> tuple[FloatArray, FloatArray]:
 
     The chords between the points are within `tolerance` mm of the segment.
     """
-    u = _first_places(segment, tolerance)
+    u = _initial_parameters(segment, tolerance)
     if not isinstance(segment, Spline):
         return u, segment.at(u)
     which = np.zeros(u.size, dtype=int)
@@ -408,11 +408,8 @@ def chord_points(segment: Segment, tolerance: float) -> FloatArray:
     return chords(segment, tolerance)[1]
 
 
-def _first_places(segment: Segment, tolerance: float) -> FloatArray:
-    """Return initial parameters u (n,) from 0 to 1 for chords of a segment.
-
-    For lines and arcs they are sufficient; for splines further parameters are inserted.
-    """
+def _initial_parameters(segment: Segment, tolerance: float) -> FloatArray:
+    """Return initial parameters u (n,) from 0 to 1 for chords; splines need further parameters."""
     tolerance = require_tolerance_mm(tolerance)
     if isinstance(segment, Line):
         return _ENDS
@@ -431,16 +428,7 @@ def _halve_chords(
 ) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
     """Return segment numbers, parameters u and points (n, 2), with points inserted until chords are accurate.
 
-    Parameters
-    ----------
-    at : callable
-        Function of segment numbers (n,) and parameters u (n,) that returns points (n, 2).
-    which, u : (k,) arrays
-        Increasing segment numbers, and parameters u on these segments from 0 to 1.
-    bent : (k,) boolean array
-        True for parameters whose following chord is measured.
-    tolerance : float
-        Largest distance between chord and segment, mm.
+    `bent` is True for parameters whose following chord is measured.
     """
     spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
     number, low, high = which[spans], u[spans], u[spans + 1]
@@ -465,10 +453,7 @@ def _halve_chords(
 
 
 def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
-    """Return the largest distances (n,) of sample points from chords.
-
-    Each of the n chords has an end in `begins` and `ends` (n, 2), and k samples in `probes` (n, k, 2).
-    """
+    """Return the largest distances (n,) of samples `probes` (n, k, 2) from chords."""
     chord, off = ends - begins, probes - begins[:, None, :]
     size = (chord**2).sum(axis=1)[:, None]
     # if the foot of a point is beyond the chord, as in hairpins, measure from the end of the chord
@@ -516,7 +501,7 @@ class SegmentTable:
 
 def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, FloatArray]:
     """Return the points (n, 2) of `chords` of all segments, and the segment number (n,) of each point."""
-    places = [_first_places(segment, tolerance) for segment in segments]
+    places = [_initial_parameters(segment, tolerance) for segment in segments]
     which, u = np.repeat(np.arange(len(places)), [row.size for row in places]), np.concatenate(places)
     bent = np.array([isinstance(segment, Spline) for segment in segments])
     return _halve_chords(SegmentTable(segments).at, which, u, bent[which], tolerance)[::2]

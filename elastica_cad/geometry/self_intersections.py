@@ -97,7 +97,6 @@ def _one_way(velocity: FloatArray, first: IntArray, second: IntArray) -> BoolArr
 def _halved(
     part: FloatArray, low: FloatArray, high: FloatArray, first: IntArray, second: IntArray
 ) -> tuple[FloatArray, FloatArray, FloatArray, IntArray, IntArray]:
-    """Return the halves of the remaining pieces, and all pairs of halves."""
     used, index = np.unique(np.concatenate([first, second]), return_inverse=True)
     first, second = index[: first.size], index[first.size :]
     halves = np.stack(subdivide_pieces(part[used]), axis=1).reshape(-1, *part.shape[1:])
@@ -115,9 +114,8 @@ def _polished(
     edges: FloatArray,
     small: float,
 ) -> FloatArray:
-    """Return the pairs of parameters after Newton's method for gamma(t1) = gamma(t2) on the curve gamma.
-
-    Pairs that do not converge to a common point are omitted.
+    """Return the pairs of parameters after Newton's method for gamma(t1) = gamma(t2); omit pairs that do not
+    converge.
     """
     start = pairs
     for _ in range(12):

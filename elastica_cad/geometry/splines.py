@@ -92,7 +92,7 @@ def check_knots(knots: FloatArray, count: int, degree: int) -> None:
 
 @lru_cache(maxsize=64)
 def _check_knots(written: bytes, count: int, degree: int) -> None:
-    """Check knots given as bytes; the result is cached for curves with equal knots."""
+    """Cached for curves with equal knots."""
     knots = np.frombuffer(written)
     if count < degree + 1:
         raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")
@@ -199,7 +199,7 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
 
 @lru_cache(maxsize=64)
 def _spans(written: bytes, degree: int) -> Spans:
-    """Return the spans of knots given as bytes; the result is cached for curves with equal knots."""
+    """Cached for curves with equal knots."""
     knots = np.frombuffer(written)
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
@@ -257,9 +257,8 @@ class SplineFunction:
         return rows[0] + step * u, step * (self.degree / width)
 
     def _at(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the coefficients (degree + 1, ...) of the pieces that contain x, and where x is in them.
-
-        The second result contains local coordinates from 0 to 1; the third, the widths of the pieces.
+        """Return the coefficients (degree + 1, ...) of the pieces that contain x, local coordinates in [0,
+        1], and widths.
         """
         spans = self._spans
         index = spans.edges[1:-1].searchsorted(x, side="right")
@@ -490,7 +489,6 @@ def adaptive_spline(
 
 
 def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, int]]:
-    """Return the breaks as pairs of x and an integer."""
     rows = numbers(breaks, "breaks")
     if rows.size and rows.shape[1:] != (2,):
         raise InputError("breaks must be pairs of a place and the number of continuous derivatives there")
@@ -500,10 +498,7 @@ def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, in
 def _first_edges(
     domain: tuple[float, float], breaks: Sequence[tuple[float, int]], knots: FloatArray
 ) -> tuple[FloatArray, dict[float, int]]:
-    """Return the ends of the domain with breaks and given knots between them, and the continuity at each break.
-
-    Breaks that are too close to be separated count as one break. Knots next to a break are omitted.
-    """
+    """Breaks that are too close to be separated count as one break; knots next to a break are omitted."""
     first, last = domain
     length, order, latest = last - first, dict[float, int](), first
     for place, continuity in sorted(breaks):
@@ -536,10 +531,7 @@ def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Floa
 
 
 def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArray) -> FloatArray:
-    """Return coefficients (m, ...) of the least squares approximation to values (p, k, ...) at x (p, k).
-
-    The function replaces `make_lsq_spline` of SciPy, whose import takes longer than all fits of a command.
-    """
+    """Replaces `make_lsq_spline` of SciPy, whose import takes longer than all fits of a command."""
     basis, index = spans.local_basis(x.ravel())
     first, weight = spans.first[index], weights.ravel()[:, None]
     rows, targets = basis * weight, values.reshape(x.size, -1) * weight
@@ -558,7 +550,6 @@ def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArra
 
 
 def _evaluated(spans: Spans, coefficients: FloatArray, x: FloatArray) -> FloatArray:
-    """Return values (p, k, ...) of a spline at parameters x (p, k)."""
     basis, index = spans.local_basis(x.ravel())
     local = coefficients[spans.first[index][:, None] + np.arange(spans.degree + 1)]
     values = np.einsum("nj,nj...->n...", basis, local)
@@ -566,7 +557,6 @@ def _evaluated(spans: Spans, coefficients: FloatArray, x: FloatArray) -> FloatAr
 
 
 def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolerance: float) -> None:
-    """Refuse a fit that needs too many spans or too narrow a span."""
     widths = np.diff(edges)
     narrow = bad & (widths < _NARROWEST_SHARE * (edges[-1] - edges[0]))
     if narrow.any() or edges.size + np.count_nonzero(bad) > _MOST_SPANS:
@@ -578,10 +568,7 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
 
 
 def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
-    """Return flags for spans with a large error, and for spans next to them that are much wider.
-
-    A narrow span cannot compensate for the error of a wide neighbour.
-    """
+    """A narrow span cannot compensate for the error of a wide neighbour."""
     cut = bad.copy()
     cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
     cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
@@ -701,7 +688,7 @@ class _Problem:
         return np.asarray(np.concatenate([ends[:1], inner, ends[1:]]))
 
     def _basis(self, t: FloatArray) -> FloatArray:
-        """Return the basis functions at t, cached for the latest t."""
+        """Cached for the latest t."""
         if self._latest[0] is not t:
             self._latest = t, self.spans.basis(t)
         return self._latest[1]
@@ -710,10 +697,7 @@ class _Problem:
         return np.asarray(self.data - self._basis(t) @ control)
 
     def _end_emphasis(self, t: FloatArray) -> FloatArray:
-        """Return weights (n,) of the points, which are larger in the first and last span.
-
-        Least squares has its largest errors there. The weights are like those of Chebyshev polynomials.
-        """
+        """Points in the first and last span weigh more, because least squares has its largest errors there."""
         edges = self.spans.edges
         from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
         return np.asarray(1 / np.sqrt(np.clip(from_ends, 1e-3, 1.0)))
@@ -792,9 +776,8 @@ def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
 
 
 def _knots_for(t: FloatArray, degree: int) -> FloatArray:
-    """Return knots of a spline that interpolates a point at each parameter t (n,).
-
-    For even degrees, the knots are between the points, because a spline with knots at the points would oscillate.
+    """For even degrees, the knots are between the points, because a spline with knots at the points would
+    oscillate.
     """
     inner = t[1:-1] if degree % 2 else (t[:-1] + t[1:]) / 2
     return np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])

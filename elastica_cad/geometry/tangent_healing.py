@@ -176,19 +176,18 @@ def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatAr
     )
 
 
-def _around_seam(points: FloatArray, degree: int) -> FloatArray:
+def _control_points_at_seam(points: FloatArray, degree: int) -> FloatArray:
     """Return the control points of the last and the first piece as one array, with the joint in the middle."""
     return np.concatenate([points[-degree - 1 :], points[1 : degree + 1]])
 
 
 def _turn_of_seam(knots: FloatArray, points: FloatArray, degree: int, rounding: float) -> Turn:
-    around = _around_seam(points, degree)
+    around = _control_points_at_seam(points, degree)
     return _turn(np.repeat(knots[degree], 2 * degree + 2), around, degree, degree, rounding)
 
 
 def _smooth_seam(points: FloatArray, degree: int) -> None:
-    """Align the handles where a closed curve starts and ends, in place."""
-    around = _around_seam(points, degree)
+    around = _control_points_at_seam(points, degree)
     _smooth_node(around, degree, degree)
     points[-degree:-1] = around[1:degree]
     points[1:degree] = around[degree + 1 : -1]
