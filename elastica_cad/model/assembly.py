@@ -166,6 +166,8 @@ class AssemblyStep:
     ends : (str, str)
         Holders of end 1 and end 2. For a supported end without a holder: "hold at (x, y, z)", mm, with the
         angle to the line between both ends. For other ends: "free".
+    holders : (tuple of str, tuple of str)
+        The same as separate, short texts: "ring-bottom" for a slot, "on ring-bottom" for a glued tab, "its block".
     locks_into : tuple of str
         Earlier strips into whose slots this strip is pushed.
     """
@@ -174,6 +176,7 @@ class AssemblyStep:
     strip: str
     part: str
     ends: tuple[str, str]
+    holders: tuple[tuple[str, ...], tuple[str, ...]]
     locks_into: tuple[str, ...] = ()
 
 
@@ -196,13 +199,17 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
     parts = {member: part.name for part in model.parts for member in part.members}
     steps = []
     for i in range(len(model.placed)):
-        first, last = (
-            " and ".join(places[tab_name(model.name_of(i), end)]) or _by_hand(model.placed[i], end)
-            for end in ENDS
+        names = [tab_name(model.name_of(i), end) for end in ENDS]
+        by_hand = [_by_hand(model.placed[i], end) for end in ENDS]
+        first, last = (" and ".join(places[name]) or hand for name, hand in zip(names, by_hand, strict=True))
+        short, long = (
+            tuple(places[name].values()) or (hand,) for name, hand in zip(names, by_hand, strict=True)
         )
         before = [min(j.members) for j in model.joints if max(j.members) == i]
         mates = tuple(dict.fromkeys(model.single_name_of(k) for k in before))
-        steps.append(AssemblyStep(i + 1, model.single_name_of(i), parts[i], (first, last), mates))
+        steps.append(
+            AssemblyStep(i + 1, model.single_name_of(i), parts[i], (first, last), (short, long), mates)
+        )
     return tuple(steps)
 
 
@@ -222,12 +229,11 @@ def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple
     return {i: ends for i, ends in by_hand.items() if ends}
 
 
-def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, list[str]]:
-    """Return a mapping from the name of each tab to the names of its holders."""
-    places = defaultdict[str, list[str]](list)
-    for tab, place in _places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
-        if place not in places[tab]:
-            places[tab].append(place)
+def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, dict[str, str]]:
+    """Return a mapping from the name of each tab to its places, each with its short text."""
+    places = defaultdict[str, dict[str, str]](dict)
+    for tab, place, short in _places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
+        places[tab][place] = short
     return places
 
 
@@ -242,15 +248,15 @@ def _by_hand(member: Placed, end: StripEnd) -> str:
     return f"hold at ({x:z.1f}, {y:z.1f}, {z:z.1f}){turned}"
 
 
-def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str]]:
-    """Yield the name of each held tab with the name of its holder."""
+def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str, str]]:
+    """Yield the name of each held tab, its place in a holder, and a short text for this place."""
     for holder in single_holders(holders):
         if isinstance(holder, BasePlate):
             yield from (
-                (slot.name, note("slot {slot} of {holder}", slot=slot.name, holder=holder.name))
+                (slot.name, note("slot {slot} of {holder}", slot=slot.name, holder=holder.name), holder.name)
                 for slot in holder.slots
             )
             if isinstance(holder, Ring):
-                yield from ((name, f"on {holder.name}") for name in holder.seated)
+                yield from ((name, f"on {holder.name}", f"on {holder.name}") for name in holder.seated)
         elif isinstance(holder, EndFixture):
-            yield holder.tab.name, f"block {holder.engrave or holder.tab.name}"
+            yield holder.tab.name, f"block {holder.engrave or holder.tab.name}", "its block"

@@ -1,15 +1,20 @@
-"""Assembly sheet as PDF: an exploded view with numbered ends, and the steps of the assembly."""
+"""Assembly sheet as PDF: an exploded view, the order of assembly, positions and the parts."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
-from itertools import groupby
+from collections import Counter
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import accumulate, groupby, zip_longest
 from os import PathLike
-from typing import Any
+from textwrap import wrap
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import counted
+from elastica_cad._values import and_more, counted
+from elastica_cad.errors import missing_library
+from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.model.assembly import (
     AssemblyStep,
     Holder,
@@ -17,25 +22,56 @@ from elastica_cad.model.assembly import (
     list_assembly_steps,
     single_holders,
 )
-from elastica_cad.model.cut_rows import CutList
-from elastica_cad.model.fixtures import EndFixture, PlacedTab, place_tabs
+from elastica_cad.model.cut_rows import CutList, CutListRow
+from elastica_cad.model.fixtures import EndFixture, place_tabs
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
+from elastica_cad.model.plates import BasePlate
 from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_pages
-from elastica_cad.plot.model_pictures import look_from, rule_strip, screen_of
-from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements
+from elastica_cad.plot.model_pictures import holder_patches, lit, look_from, rule_strip, screen_of
+from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements, held_ends
+from elastica_cad.strip.outline import ENDS
+from elastica_cad.strip.strip import Placed
 
-PAGE_INCHES = (11.69, 8.27)  # A4 in landscape
-ELEVATION_DEG, AZIMUTH_DEG = 24.0, -60.0  # direction of the viewer
+A4 = np.array([595.0, 842.0])  # points
+MARGIN, TITLE_POINTS, LEADING = 36.0, 44.0, 12.5  # points: margin, height of the title, height of a line
+TEXT_POINTS = 8.5
+LETTER_POINTS = 0.57 * TEXT_POINTS  # mean width of a letter
+SHARED = 0.55  # least scale of a picture above text, relative to its scale on a page of its own
+FEWEST = 3  # least number of lines of a table at the end of a page
+LABEL_HIGH, LABEL_PAD = 13.0, 6.0  # height of a label in the picture, and space beside its letters, points
+LABEL_OFF = 3.0  # distance of a label from the point beside it, points
+LABEL_ROOM = np.array([24.0, 10.0])  # space for labels at the sides, and above and below, points
+LABEL_AT = np.array([0.0, 0.3, 0.6, 1.0])  # positions of a label between tab and holder
+GAP_LETTERS = 2  # space between columns
+# direction to the viewer, and unit vectors to the right and upwards in the picture
+TOWARD, SCREEN = look_from(24.0, -60.0), screen_of(24.0, -60.0)
 # distance by which plates and blocks are moved away from the strips, as a fraction of the extent of the model
 APART = 0.3
+BEHIND = 1.4  # distance of the second plate of a pair, relative to that of the first
 SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from the middle
-ROWS = 34  # number of rows of a table on a page
+PARALLEL = 1e-6  # largest difference of the cosine from -1 for plates that face each other
 EDGE_MM = 0.5  # largest distance, mm, between outlines and the polylines that are drawn
+BLOCK_SHARE = 0.02  # size of the patches of blocks, as a fraction of the extent of the model
+BLOCK = np.array([0.75, 0.79, 0.85])
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
 # resolution of the pixel image of the strips; thousands of vector patches take minutes to open
 PAINT_DPI = 300
-MOST_NUMBERS = 120  # largest number of labels; more would cover the picture
+
+
+class Table(NamedTuple):
+    """Heading, head of the columns, and rows of a table, or sentences as rows of a single cell."""
+
+    title: str
+    head: Sequence[str]
+    rows: Sequence[Sequence[str]]
+
+
+class Line(NamedTuple):
+    """Printed line: texts, each with its distance from the margin in letters."""
+
+    cells: Sequence[tuple[int, str]] = ()
+    weight: str = "normal"
 
 
 def save_assembly_sheet(
@@ -46,7 +82,9 @@ def save_assembly_sheet(
     cut_list: CutList | None = None,
     force: bool = False,
 ) -> tuple[AssemblyStep, ...]:
-    """Write a PDF for the workshop: exploded view, numbered ends, order of assembly, positions, and cut list.
+    """Write a PDF for the workshop: exploded view, numbered ends, order of assembly, positions, and parts.
+
+    If the text is short, picture and text share one page of A4.
 
     Parameters
     ----------
@@ -56,14 +94,14 @@ def save_assembly_sheet(
     holders : sequence of BasePlate, Ring, Rib, SlottedFrame or EndFixture
         Holders in addition to the plates of the model.
     cut_list : CutList, optional
-        Cut list that is printed on the last pages.
+        Cut list, from which the table of the parts is printed.
     force : bool
         Overwrite a file of that name.
 
     Returns
     -------
     tuple of AssemblyStep
-        The printed steps in order.
+        A step for each strip, in order.
 
     Raises
     ------
@@ -73,7 +111,7 @@ def save_assembly_sheet(
         matplotlib is not installed.
     """
     steps = list_assembly_steps(model, holders)
-    pages = _pages(model, holders, steps, cut_list)
+    pages = _pages(model, [*model.plates, *holders], steps, cut_list)
     title = f"{model.name}: assembly"
     write_pages(pages, path, title, what="assembly sheets", force=force, resolution=PAINT_DPI)
     return steps
@@ -82,43 +120,159 @@ def save_assembly_sheet(
 def _pages(
     model: Model, holders: Sequence[Holder], steps: Sequence[AssemblyStep], cut_list: CutList | None
 ) -> Iterator[Any]:
-    yield _exploded(model, holders)
-    head = ("step", "strip", "cut as", "end 1 goes to", "end 2 goes to", "locks into")
-    yield from _tables(f"{model.name}: order of assembly", head, list(_rows(steps)))
-    held = list(_held_rows(model))
-    if held:
-        head = ("strip", "element", "place (x, y, z), mm", "angle, degrees", "force, N", "length, mm")
-        yield from _tables(f"{model.name}: rails, pins, ties and loads", head, held)
+    pairs = tuple(_plate_pairs(holders))
+    view = View.of(model, holders, {id(second) for _, second, _ in pairs})
+    tables = [table for table in _tables(model, holders, pairs, steps, cut_list) if table.rows]
+    # the paper, upright or across, on which the picture is larger; with the text below it, if there is room
+    layouts = []
+    for paper in (A4, A4[::-1]):
+        room = paper - [2 * MARGIN, 2 * MARGIN + TITLE_POINTS]
+        blocks = [_block(table, int(room[0] / LETTER_POINTS)) for table in tables]
+        picture = room - [0.0, LEADING * sum(len(head) + len(body) + 1 for head, body in blocks)]
+        shared = bool(picture[1] > 0 and view.scale(picture) >= SHARED * view.scale(room))
+        layouts.append((shared, view.scale(picture if shared else room), paper, blocks))
+    shared, scale, paper, blocks = max(layouts, key=lambda layout: layout[:2])
+    lines = int((paper[1] - 2 * MARGIN - TITLE_POINTS) / LEADING)
+    texts = [*_paginated(blocks, lines)]
+    first, others = (texts[0], texts[1:]) if shared and texts else ([], texts)
+    for k, page in enumerate([first, *others]):
+        figure = _page(model.name, paper)
+        if len(others) > 0:
+            figure.text(1 - MARGIN / paper[0], 0.5 * MARGIN / paper[1], f"{k + 1} / {len(others) + 1}",
+                        fontsize=TEXT_POINTS, color=INK, ha="right")  # fmt: skip
+        top = paper[1] - MARGIN - TITLE_POINTS
+        if k == 0:
+            summary = f"{counted(len(model.placed), 'strip')}; assembled {_by(view.size)} mm (x, y, z)"
+            figure.text(MARGIN / paper[0], (top + 12.0) / paper[1], summary, fontsize=TEXT_POINTS, color=INK)
+            picture = np.array([paper[0] - 2 * MARGIN, view.height(scale) if shared else top - MARGIN])
+            top -= picture[1]
+            view.draw(figure.add_axes(np.array([MARGIN, top, *picture]) / [*paper, *paper]), picture)
+        _write(figure, page, top)
+        yield figure
+
+
+def _page(title: str, paper: FloatArray) -> Any:
+    try:
+        from matplotlib.figure import Figure
+    except ImportError as error:
+        raise missing_library("assembly sheets need matplotlib", "matplotlib") from error
+
+    figure = Figure(figsize=tuple(paper / 72.0))
+    figure.suptitle(title, x=MARGIN / paper[0], y=1 - MARGIN / paper[1], ha="left", fontsize=14, color=INK)
+    return figure
+
+
+def _by(size: FloatArray) -> str:
+    return " x ".join(f"{length:.0f}" for length in size)
+
+
+def _plate_pairs(holders: Sequence[Holder]) -> Iterator[tuple[BasePlate, BasePlate, float]]:
+    """Yield the plates that hold the same tabs, the nearer to the strips first, and the distance between them."""
+    plates = _plates(holders)
+    for i, first in enumerate(plates):
+        for second in plates[i + 1 :]:
+            apart = float((first.frame.origin - second.frame.origin) @ first.frame.z_axis)
+            if _tabs_of(first) & _tabs_of(second) and apart > first.sheet.thickness:
+                yield first, second, apart - first.sheet.thickness
+
+
+def _tabs_of(plate: BasePlate) -> set[object]:
+    return {slot.tab.key for slot in plate.slots if slot.tab is not None}
+
+
+def _tables(
+    model: Model,
+    holders: Sequence[Holder],
+    pairs: Sequence[tuple[BasePlate, BasePlate, float]],
+    steps: Sequence[AssemblyStep],
+    cut_list: CutList | None,
+) -> Iterator[Table]:
+    sentences = [*_plate_sentences(holders, pairs)]
+    rows = [*_step_rows(steps, len(sentences) + 1)]
+    yield Table("Order of assembly", (), [(f"{k}   {text}",) for k, text in enumerate(sentences, 1)])
+    head = ("step", "strip", "cut as", "end 1", "end 2", "locks into")
+    yield Table("" if sentences else "Order of assembly", head, rows)
+    yield Table("", (), [(text,) for text in _closing_sentences(holders)])
+    head = ("strip", "end 1 at (x, y, z)", "angle", "end 2 at (x, y, z)", "angle", "distance")
+    title = "Positions in the blocks (mm; degrees from the line between the ends)"
+    yield Table(title, head, [*_block_rows(model, holders)])
+    head = ("strip", "element", "place (x, y, z), mm", "angle, degrees", "force, N", "length, mm")
+    yield Table("Rails, pins, ties and loads", head, [*_held_rows(model)])
     if cut_list is not None:
-        cut = [
-            (row.part, str(row.count), row.sheet, f"{row.length:.1f} x {row.width:.1f}", row.file)
-            for row in cut_list.rows
-        ]
-        cut += [
-            (
-                row.part,
-                str(row.count),
-                row.sheet,
-                f"{row.length:.1f} x {row.width:.1f} x {row.thickness:.1f}",
-                row.file,
-            )
-            for row in cut_list.printed
-        ]
-        yield from _tables(f"{model.name}: parts", ("part", "count", "sheet", "size, mm", "file"), cut)
+        yield Table("Parts", ("part", "count", "sheet", "size, mm", "file"), [*_part_rows(cut_list)])
 
 
-def _rows(steps: Sequence[AssemblyStep]) -> Iterator[tuple[str, ...]]:
-    """Return a row of the table for each step.
+def _plate_sentences(
+    holders: Sequence[Holder], pairs: Sequence[tuple[BasePlate, BasePlate, float]]
+) -> Iterator[str]:
+    for first, second, gap in pairs:
+        yield f"Stack {second.name}, spacers {gap:.3g} mm high, and {first.name}."
+    singles = [*single_holders(holders)]
+    rails = [plate.name for plate in _plates(singles) if any(slot.tab is None for slot in plate.slots)]
+    if rails:
+        ribs = [holder.name for holder in singles if isinstance(holder, Rib)]
+        yield f"Push the tongues of {_range(ribs)} into {_listed(rails)}."
 
-    Consecutive steps with equal text, as for equal strips, are combined in a row.
-    """
-    for (part, ends, locks), run in groupby(steps, lambda step: (step.part, step.ends, step.locks_into)):
+
+def _plates(holders: Sequence[Holder]) -> list[BasePlate]:
+    return [holder for holder in single_holders(holders) if isinstance(holder, BasePlate)]
+
+
+def _listed(names: Sequence[str]) -> str:
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def _step_rows(steps: Sequence[AssemblyStep], number: int) -> Iterator[tuple[str, ...]]:
+    """Yield a row of the table, numbered from `number`, for each run of strips that go to the same holders."""
+    count = Counter(step.part for step in steps)
+
+    def alike(step: AssemblyStep) -> tuple[Any, ...]:
+        return step.holders, step.locks_into, step.part if count[step.part] > 1 else ""
+
+    for k, ((places, locks, part), run) in enumerate(groupby(steps, alike), number):
         first, *others = run
-        number, strip = str(first.number), first.strip
-        if others:
-            number = f"{first.number} to {others[-1].number}"
-            strip = f"strips {number}"
-        yield number, strip, part, *ends, ", ".join(locks)
+        strips = _range([first.strip, *(step.strip for step in others)])
+        if part and others:
+            strips = f"strips {first.number} to {others[-1].number}"
+        yield str(k), strips, part, *map(_listed, places), ", ".join(locks)
+
+
+def _range(names: Sequence[str]) -> str:
+    return f"{names[0]} to {names[-1]}" if len(names) > 2 else _listed(names)
+
+
+def _closing_sentences(holders: Sequence[Holder]) -> Iterator[str]:
+    """Yield the sentences below the table of steps."""
+    plates = _plates(holders)
+    if any(plate.glued for plate in plates):
+        yield "Glue each foot into the angle of its plate and the tab whose name it has."
+    if holders:
+        yield "End 1 is at the start of a strip's label. Each slot and block has the name of its end, such as A:1."
+    # the plates next to the strips are before their second plates
+    sides = {tuple(np.sign(plate.frame.z_axis).tolist()): plate for plate in reversed(plates)}
+    if len(sides) == 2:
+        one, other = reversed(sides.values())
+        if one.frame.z_axis @ other.frame.z_axis < -1 + PARALLEL:
+            apart = abs(float((one.frame.origin - other.frame.origin) @ one.frame.z_axis))
+            yield f"The inner faces of {one.name} and {other.name} are {apart:.1f} mm apart."
+
+
+def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
+    """Yield a row for each strip with an end in a block: positions, angles and distance of its ends."""
+    blocks = {holder.tab.key for holder in holders if isinstance(holder, EndFixture)}
+    for i, member in enumerate(model.placed):
+        tabs = place_tabs([member])
+        if blocks.isdisjoint(tab.key for tab in tabs):
+            continue
+        cells = []
+        for tab, end in zip(tabs, held_ends(member.strip), strict=True):
+            cells += [_point(tab.frame.origin), f"{end.tilt:z.1f}"]
+        apart = float(np.linalg.norm(tabs[1].frame.origin - tabs[0].frame.origin))
+        yield model.single_name_of(i), *cells, f"{apart:.1f}"
+
+
+def _point(position: FloatArray) -> str:
+    return f"({', '.join(f'{x:z.1f}' for x in position)})"
 
 
 def _held_rows(model: Model) -> Iterator[tuple[str, ...]]:
@@ -129,7 +283,7 @@ def _held_rows(model: Model) -> Iterator[tuple[str, ...]]:
     for i, member in enumerate(model.placed):
         for held in held_elements(member.strip):
             points = member.frame.point(held.position)
-            at = " to ".join(f"({x:z.1f}, {y:z.1f}, {z:z.1f})" for x, y, z in points)
+            at = " to ".join(map(_point, points))
             apart = float(np.linalg.norm(points[-1] - points[0]))
             tied = len(points) > 1
             noun = f"{held.name} {held.noun}"
@@ -137,111 +291,244 @@ def _held_rows(model: Model) -> Iterator[tuple[str, ...]]:
             yield model.single_name_of(i), noun, at, angle, f"{held.force:.2g}", length
 
 
-def _mark(held: HeldElement) -> str:
-    """Return the name of an element or load, with the force of a load."""
-    return f"{held.name}, {held.force:.2g} N" if held.is_load else held.name
+def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
+    """Yield a row for each run of parts of equal shape, which differ only in their engraving."""
+    for _, run in groupby(cut_list.rows, lambda row: row.like or row.part):
+        yield _part_row(run, "{0.length:.1f} x {0.width:.1f}")
+    for _, run in groupby(cut_list.printed, lambda row: (row.length, row.width, row.thickness)):
+        yield _part_row(run, "{0.length:.1f} x {0.width:.1f} x {0.thickness:.1f}")
 
 
-def _page(title: str) -> Any:
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=PAGE_INCHES)
-    figure.suptitle(title, x=0.05, y=0.96, ha="left", fontsize=13, color=INK)
-    return figure
+def _part_row(equal: Iterable[CutListRow], size: str) -> tuple[str, ...]:
+    rows = [*equal]
+    count, file = sum(row.count for row in rows), f"{rows[0].file}{and_more(rows)}"
+    return _range([row.part for row in rows]), str(count), rows[0].sheet, size.format(rows[0]), file
 
 
-def _tables(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[Any]:
-    """Draw the rows on pages, with columns as wide as their longest words."""
-    longest = [max(len(row[k]) for row in [head, *rows]) + 2 for k in range(len(head))]
-    left = 0.05 + 0.9 * np.concatenate([[0.0], np.cumsum(longest)[:-1]]) / sum(longest)
-    size = min(9.0, 9.0 * 150 / sum(longest))
-    for first in range(0, len(rows), ROWS):
-        figure = _page(title)
-        for line, row in enumerate([head, *rows[first : first + ROWS]]):
-            for x, text in zip(left, row, strict=True):
-                weight = "bold" if line == 0 else "normal"
-                y = 0.9 - 0.85 * line / (ROWS + 1)
-                figure.text(x, y, text, fontsize=size, color=INK, fontweight=weight)
-        yield figure
+def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
+    """Return the heading and the rows of a table as lines of at most `most` letters, without empty columns.
 
-
-def _exploded(model: Model, holders: Sequence[Holder]) -> Any:
-    """Draw the exploded view: strips and holders are moved apart, and a line leads from every tab to its
-    position in a holder.
+    The longest cells are continued on further lines.
     """
-    bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
-    middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
-    toward = look_from(ELEVATION_DEG, AZIMUTH_DEG)
-    screen = screen_of(ELEVATION_DEG, AZIMUTH_DEG)
-    figure = _page(f"{model.name}: {counted(len(model.placed), 'strip')}, taken apart")
-    axes = figure.add_axes((0.03, 0.03, 0.94, 0.87))
-    shown: list[tuple[FloatArray, FloatArray]] = []
-    spread = []
-    for member in model.placed:
-        center = member.frame.point(member.strip.rod.position).mean(axis=0)
-        out = SPREAD * (center - middle)
-        spread.append(replace(member, origin=member.origin + out))
-        shown.append(rule_strip(spread[-1]))
-    far = APART * extent
-    patches, colors = (np.concatenate(part) for part in zip(*shown, strict=True))
-    outlines = list(_outlines([*model.plates, *holders], far))
-    depths = [*(patches.mean(axis=1) @ toward), *(float(place @ toward) for _, place, _ in outlines)]
-    # paint from far to near; consecutive patches with equal numbers of corners are drawn together, because this
-    # is much faster than single polygons
-    order = np.argsort(depths, kind="stable")
-    whole = order >= len(patches)
-    for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):
-        if run[0] < len(patches):
-            paint_patches(axes, patches[run] @ screen, colors[run], rasterized=True)
-            continue
-        some = [outlines[k - len(patches)] for k in run]
-        polygons = [outline @ screen for outline, _, _ in some]
-        fills = [color for _, _, color in some]
-        paint_polygons(axes, polygons, facecolors=fills, edgecolors=INK, linewidths=0.4, rasterized=True)
-    numbered = len(model.placed) * 2 <= MOST_NUMBERS
-    targets = dict(_targets([*model.plates, *holders], far))
-    for tab, own in zip(place_tabs(spread), place_tabs(model.placed), strict=True):
-        start, target = tab.tip @ screen, targets.get(own.key, targets.get(own.name))
-        if target is not None:
-            axes.plot(*np.array([start, target @ screen]).T, color=LEAD, linewidth=0.5, linestyle=":")
-        if numbered:
-            text = tab.name.removeprefix("strip ")
-            axes.text(*start, text, fontsize=6, color=INK, ha="center", va="center",
-                      bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": LEAD, "lw": 0.4})  # fmt: skip
-    for member in spread:
-        for held in held_elements(member.strip):
-            points = member.frame.point(held.position) @ screen
-            axes.plot(*points.T, color=LEAD, marker="o", markersize=3, linewidth=0.8)
-            name_at = points[0]
-            if held.is_load:
-                name_at = member.frame.point(held.position + ARROW_MM * held.outward)[0] @ screen
+    used = [k for k in range(len(table.rows[0])) if any(row[k] for row in table.rows)]
+    rows = [[row[k] for k in used] for row in ([table.head] if table.head else []) + [*table.rows]]
+    widths = [max(map(len, column)) + GAP_LETTERS for column in zip(*rows, strict=True)]
+    while sum(widths) > most:
+        widths[int(np.argmax(widths))] -= 1
+    starts = [0, *accumulate(widths[:-1])]
+    lines = []
+    for row in rows:
+        cells = [wrap(cell, width - GAP_LETTERS) for cell, width in zip(row, widths, strict=True)]
+        wrapped = zip_longest(*cells, fillvalue="")
+        lines.append([Line([*zip(starts, texts, strict=True)]) for texts in wrapped])
+    heads = [Line([(0, table.title)], "bold")] if table.title else []
+    if table.head:
+        heads += [Line(line.cells, "bold") for line in lines.pop(0)]
+    return heads, [line for row in lines for line in row]
+
+
+def _paginated(blocks: Sequence[tuple[list[Line], list[Line]]], room: int) -> Iterator[list[Line]]:
+    """Yield the lines of each page, at most `room`. A table that continues on a page has its heading there, too."""
+    page: list[Line] = []
+    for head, body in blocks:
+        start = 0
+        while start < len(body):
+            free = room - len(page) - len(head)
+            if free < min(FEWEST, len(body) - start):
+                yield page
+                page = []
+                continue
+            page += [*head, *body[start : start + free], Line()]
+            start += free
+    if page:
+        yield page
+
+
+def _write(figure: Any, lines: Sequence[Line], top: float) -> None:
+    width, height = figure.get_size_inches() * 72.0
+    for k, line in enumerate(lines, 1):
+        for start, text in line.cells:
+            x, y = (MARGIN + LETTER_POINTS * start) / width, (top - LEADING * k) / height
+            figure.text(x, y, text, fontsize=TEXT_POINTS, color=INK, fontweight=line.weight)
+
+
+class Label(NamedTuple):
+    """Text of the picture. It is drawn at the first of its positions (k, 3) where it covers no other text.
+
+    `sides` has the side of each position on which the text is: (1, 0) is to the right, (0, 1) above.
+    """
+
+    text: str
+    positions: FloatArray
+    sides: Sequence[tuple[float, float]] = ((0.0, 0.0),) * len(LABEL_AT)
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """Exploded view: strips and holders are moved apart, and lines lead from tabs to their holders.
+
+    Attributes
+    ----------
+    patches, colors : (n, 4, 3) and (n, 3) arrays
+        Surfaces of strips and blocks.
+    outlines : sequence of (loop (m, 3), point for depth sorting (3,), colour)
+        Outlines and holes of plates.
+    leads : sequence of (2, 3) arrays
+        Lines from tabs to their holders.
+    elements : sequence of (HeldElement, points (k, 3), tip (3,) or None)
+        Rails, pins, ties and loads with their points; loads also with the tip of their arrow.
+    labels : sequence of Label
+        Names, the most important first.
+    size : (3,) array
+        Size of the assembled model, mm.
+    """
+
+    patches: FloatArray
+    colors: FloatArray
+    outlines: Sequence[tuple[FloatArray, FloatArray, str]]
+    leads: Sequence[FloatArray]
+    elements: Sequence[tuple[HeldElement, FloatArray, FloatArray | None]]
+    labels: Sequence[Label]
+    size: FloatArray
+
+    @classmethod
+    def of(cls, model: Model, holders: Sequence[Holder], behind: Collection[int]) -> "View":
+        """Return the exploded view of a model. `behind` has the ids of the second plates of pairs."""
+        bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
+        middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
+        shown, boxes, outlines = [], [], list[tuple[FloatArray, FloatArray, str]]()
+        moved, outs = list[Placed](), dict[object, FloatArray]()
+        for member in model.placed:
+            out = SPREAD * (member.frame.point(member.strip.rod.position).mean(axis=0) - middle)
+            moved.append(replace(member, origin=member.origin + out))
+            outs |= {tab.key: out for tab in place_tabs([member])}
+            shown.append(rule_strip(moved[-1]))
+            boxes.append(shown[-1][0].reshape(-1, 3) - out)
+        names, targets = dict[str, Label](), dict[object, FloatArray]()
+        for holder in single_holders(holders):
+            shift = _shift(holder, APART * extent * (BEHIND if id(holder) in behind else 1.0))
+            if isinstance(holder, EndFixture):
+                shift = shift + outs.get(holder.tab.key, 0.0)
+                for patches, _ in holder_patches([holder], BLOCK_SHARE * extent):
+                    shown.append((patches + shift, lit(patches) * BLOCK))
+                    boxes.append(patches.reshape(-1, 3))
+                targets[holder.tab.key] = holder.tab.frame.origin + shift
+                continue
+            loops = [*_loops(holder)]
+            boxes.append(loops[0][0])
+            outlines += [(loop + shift, depth + shift, color) for loop, depth, color in loops]
+            names.setdefault(holder.name, _name_of_plate(holder.name, loops[0][0] + shift))
+            for slot in () if isinstance(holder, Rib) else holder.slots:
+                if slot.tab is not None:
+                    targets[slot.tab.key] = holder.frame.point([*slot.corners.mean(axis=0), 0.0]) + shift
+        ends, tabs = place_tabs(moved), place_tabs(model.placed)
+        leads = {
+            k: np.array([end.tip, targets[tab.key]])
+            for k, (end, tab) in enumerate(zip(ends, tabs, strict=True))
+            if tab.key in targets
+        }
+        elements = []
+        for member in moved:
+            for held in held_elements(member.strip):
+                tip = member.frame.point(held.position + ARROW_MM * held.outward)[0]
+                elements.append((held, member.frame.point(held.position), tip if held.is_load else None))
+        labels = [*names.values(), *(_name_of_element(*element) for element in elements)]
+        for part in model.parts:
+            for k in range(len(ENDS)):
+                nearest = max((2 * i + k for i in part.members), key=lambda at: float(ends[at].tip @ TOWARD))
+                line = leads.get(nearest, np.array([ends[nearest].tip, ends[nearest].frame.origin]))
+                times = f"{part.count} x " if part.count > 1 else ""
+                labels.append(
+                    Label(f"{times}{part.name}:{k + 1}", line[0] + LABEL_AT[:, None] * (line[1] - line[0]))
+                )
+        patches, colors = (np.concatenate(arrays) for arrays in zip(*shown, strict=True))
+        size = np.ptp(np.concatenate(boxes), axis=0)
+        return cls(patches, colors, outlines, [*leads.values()], elements, labels, size)
+
+    @cached_property
+    def _box(self) -> FloatArray:
+        """Lower left and upper right corner of the picture on the screen, mm."""
+        tips = [tip for _, _, tip in self.elements if tip is not None]
+        loops = [
+            self.patches.reshape(-1, 3),
+            *(loop for loop, _, _ in self.outlines),
+            np.reshape(tips, (-1, 3)),
+        ]
+        return box_about(np.concatenate(loops) @ SCREEN)
+
+    def scale(self, size: FloatArray) -> float:
+        """Return the scale, points per mm, at which the picture fills the size (2,), points."""
+        return float(((size - 2 * LABEL_ROOM) / np.maximum(np.ptp(self._box, axis=0), EDGE_MM)).min())
+
+    def height(self, scale: float) -> float:
+        """Return the height of the picture, points, with its labels."""
+        return float(scale * np.ptp(self._box, axis=0)[1] + 2 * LABEL_ROOM[1])
+
+    def draw(self, axes: Any, size: FloatArray) -> None:
+        """Draw the picture on axes of a size (2,), points."""
+        to_points = self.scale(size) * SCREEN
+        middle = self._box.mean(axis=0) * self.scale(size)
+        axes.set_axis_off()
+        axes.set_xlim(*(middle[0] + [-size[0] / 2, size[0] / 2]))
+        axes.set_ylim(*(middle[1] + [-size[1] / 2, size[1] / 2]))
+        depths = [*(self.patches.mean(axis=1) @ TOWARD), *(depth @ TOWARD for _, depth, _ in self.outlines)]
+        # paint from far to near; consecutive patches with equal numbers of corners are drawn together, because
+        # this is much faster than single polygons
+        order = np.argsort(depths, kind="stable")
+        whole = order >= len(self.patches)
+        for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):
+            if run[0] < len(self.patches):
+                paint_patches(axes, self.patches[run] @ to_points, self.colors[run], rasterized=True)
+                continue
+            loops, _, fills = zip(*(self.outlines[k - len(self.patches)] for k in run), strict=True)
+            polygons = [loop @ to_points for loop in loops]
+            paint_polygons(axes, polygons, facecolors=fills, edgecolors=INK, linewidths=0.4, rasterized=True)
+        for line in self.leads:
+            axes.plot(*(line @ to_points).T, color=LEAD, linewidth=0.5, linestyle=":")
+        for _, points, tip in self.elements:
+            axes.plot(*(points @ to_points).T, color=LEAD, marker="o", markersize=3, linewidth=0.8)
+            if tip is not None:
                 arrow = {"arrowstyle": "->", "color": LEAD, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
-                axes.annotate("", name_at, points[0], arrowprops=arrow)
-            beside = {"xytext": (4, 4), "textcoords": "offset points", "fontsize": 6, "color": LEAD}
-            axes.annotate(_mark(held), name_at, **beside)
-    axes.autoscale_view()
-    axes.set_aspect("equal")
-    axes.set_axis_off()
-    return figure
+                axes.annotate("", tip @ to_points, points[0] @ to_points, arrowprops=arrow)
+        taken = np.zeros((0, 2, 2))
+        inside = np.array([middle - size / 2, middle + size / 2])
+        for label in self.labels:
+            half = np.array([len(label.text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2
+            for at, side in zip(label.positions @ to_points, label.sides, strict=True):
+                center = at + np.multiply(side, half + LABEL_OFF)
+                box = np.array([center - half, center + half])
+                apart = (box[0] > taken[:, 1]) | (box[1] < taken[:, 0])
+                if apart.any(axis=1).all() and (box[0] >= inside[0]).all() and (box[1] <= inside[1]).all():
+                    taken = np.concatenate([taken, box[None]])
+                    frame = {"boxstyle": "round,pad=0.15", "fc": "white", "ec": LEAD, "lw": 0.4}
+                    axes.text(*center, label.text, fontsize=TEXT_POINTS, color=INK, ha="center", va="center",
+                              bbox=frame)  # fmt: skip
+                    break
 
 
-def _outlines(holders: Sequence[Holder], far: float) -> Iterator[tuple[FloatArray, FloatArray, str]]:
-    """Yield loops (n, 3) of plates and blocks, shifted by `far` mm, each with a point for depth sorting and a
-    colour.
-    """
-    for holder in single_holders(holders):
-        shift = _shift(holder, far)
-        if isinstance(holder, EndFixture):
-            yield _block(holder.tab) + shift, holder.tab.tip + shift, PLATE
-            continue
-        solid = holder.solid
-        for k, path in enumerate((solid.outline, *solid.holes)):
-            points = path.points(EDGE_MM)
-            loop = solid.frame.point(np.column_stack([points, np.full(len(points), solid.thickness)])) + shift
-            if k == 0:
-                depth = loop.mean(axis=0)
-            above = 1e-6 * k * look_from(ELEVATION_DEG, AZIMUTH_DEG)
-            yield loop, depth + above, HOLE if k else PLATE
+def _name_of_plate(name: str, loop: FloatArray) -> Label:
+    """Return the label of a plate, to the right or left of its outline, or above or below it."""
+    across, up = (loop @ SCREEN).T
+    sides = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
+    return Label(name, loop[[np.argmax(across), np.argmin(across), np.argmax(up), np.argmin(up)]], sides)
+
+
+def _name_of_element(held: HeldElement, points: FloatArray, tip: FloatArray | None) -> Label:
+    """Return the label of a rail, pin, tie or load, with the force of a load."""
+    text = held.name if tip is None else f"{held.name}, {held.force:.2g} N"
+    at = points[0] if tip is None else tip
+    return Label(text, np.array([at, at]), ((1.0, 0.0), (-1.0, 0.0)))
+
+
+def _loops(plate: BasePlate | Rib) -> Iterator[tuple[FloatArray, FloatArray, str]]:
+    """Yield loops (n, 3) of a plate, each with a point for depth sorting and a colour."""
+    solid = plate.solid
+    for k, path in enumerate((solid.outline, *solid.holes)):
+        points = path.points(EDGE_MM)
+        loop = solid.frame.point(np.column_stack([points, np.full(len(points), solid.thickness)]))
+        if k == 0:
+            depth = loop.mean(axis=0)
+        yield loop, depth + 1e-6 * k * TOWARD, HOLE if k else PLATE
 
 
 def _shift(holder: SingleHolder, far: float) -> FloatArray:
@@ -254,25 +541,3 @@ def _shift(holder: SingleHolder, far: float) -> FloatArray:
     if isinstance(holder, Rib):
         return np.array([0.0, 0.0, -1.6 * far])
     return -far * holder.frame.z_axis
-
-
-def _block(tab: PlacedTab) -> FloatArray:
-    """Return the side of a block along the tab, as a rectangle."""
-    half, long = tab.width / 2 + 4.0, tab.length + 4.0
-    corners = [(0.0, -half, 0.0), (long, -half, 0.0), (long, half, 0.0), (0.0, half, 0.0)]
-    return np.asarray(tab.frame.point(corners), dtype=float)
-
-
-def _targets(holders: Sequence[Holder], far: float) -> Iterator[tuple[object, FloatArray]]:
-    """Yield the drawn position of each tab in a holder.
-
-    Tabs are identified by `PlacedTab.key`, because equal strips have equal names, or else by their name.
-    """
-    for holder in single_holders(holders):
-        shift = _shift(holder, far)
-        if isinstance(holder, EndFixture):
-            yield holder.tab.key, holder.tab.frame.origin + shift
-        elif not isinstance(holder, Rib):
-            for slot in holder.slots:
-                x, y = slot.corners.mean(axis=0)
-                yield slot.name if slot.tab is None else slot.tab.key, holder.frame.point((x, y, 0.0)) + shift

@@ -116,7 +116,7 @@ def _plate_faces(holders: Sequence[Holder]) -> list[Frame]:
     return [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
 
 
-def _holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
+def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
     """Yield patches (n, 4, 3), at most `size` mm large, and their colours (n, 3) without shading, for each
     body of the holders.
 
@@ -228,7 +228,7 @@ def model(
     rim = MODEL_RIM_SHARE * float(np.ptp(bent, axis=0).max())
     strips = [rule_strip(placed, rim, faces) for placed in model.placed]
     size = HOLDER_PATCH_SHARE * float(np.ptp(bent, axis=0).max())
-    drawn = [*strips, *((part, _lit(part) * color) for part, color in _holder_patches(held_by, size))]
+    drawn = [*strips, *((part, lit(part) * color) for part, color in holder_patches(held_by, size))]
     patches, colors = (np.concatenate(part) for part in zip(*drawn, strict=True))
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
     title = f"{fill(model.name, 90)}\n{count}"
@@ -281,7 +281,7 @@ def bodies(
     faced = outward @ look_from(elevation, azimuth) > 0
     longest = float(np.ptp(corners.reshape(-1, 3), axis=0).max()) / 60
     corners, tints = _fine(corners[faced], tints[faced], longest)
-    return _seen(corners, _lit(corners) * tints, title, elevation, azimuth)
+    return _seen(corners, lit(corners) * tints, title, elevation, azimuth)
 
 
 def _seen(
@@ -359,7 +359,7 @@ def screen_of(elevation: float, azimuth: float) -> FloatArray:
     return np.column_stack([right, np.cross(look_from(elevation, azimuth), right)])
 
 
-def _lit(patches: FloatArray) -> FloatArray:
+def lit(patches: FloatArray) -> FloatArray:
     """Return the brightness (n, 1) of patches, computed from their angle to the light.
 
     Both sides are equally bright.
@@ -410,8 +410,8 @@ def rule_strip(
     along = _bent(rod, flat[..., 0])
     lines = [placed.frame.point(np.concatenate([along, y], axis=-1)) for y in heights]
     bands = [np.stack([a[:, 0], a[:, 1], b[:, 1], b[:, 0]], axis=1) for a, b in pairwise(lines)]
-    lit = _lit(bands[1]) * np.array((placed.color or sheet_color(strip.sheet))[:3])
-    return np.concatenate(bands), np.concatenate([0.45 * lit, lit, 0.45 * lit])
+    shade = lit(bands[1]) * np.array((placed.color or sheet_color(strip.sheet))[:3])
+    return np.concatenate(bands), np.concatenate([0.45 * shade, shade, 0.45 * shade])
 
 
 def _bent(rod: Rod, x: FloatArray) -> FloatArray:

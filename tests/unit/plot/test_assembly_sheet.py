@@ -1,0 +1,67 @@
+"""Texts of the assembly sheet, read from the figures of its pages."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from elastica_cad.model.plate_pairs import end_plates
+from elastica_cad.plot import save_assembly_sheet
+
+BOW = ec.make_strip(ec.PlaneCurve.arc((0, 0), 60, 0.02, 3.12), "birch-plywood-0.8", max_width=20, label="A")
+
+
+@pytest.fixture
+def sheet(monkeypatch):
+    """Return a function that makes a sheet and returns the texts of each page, which are 8 points or larger."""
+
+    def read(model, *holders):
+        pages = []
+        with monkeypatch.context() as patch:
+            patch.setattr(
+                "elastica_cad.plot.assembly_sheet.write_pages",
+                lambda figures, *_, **__: pages.extend(figures),
+            )
+            save_assembly_sheet(model, "sheet.pdf", holders=holders)
+        texts = [[*page.texts, *(text for axes in page.axes for text in axes.texts)] for page in pages]
+        assert min(text.get_fontsize() for page in texts for text in page) >= 8
+        return [[text.get_text() for text in page] for page in texts]
+
+    return read
+
+
+def test_equal_strips_in_turn_share_a_row_and_a_label(sheet):
+    last = ec.Placed(replace(BOW, label="B"), (0, 90, 0), (1, 0, 0), (0, 0, 1))
+    model = ec.Model([*(ec.Placed(BOW, (0, y, 0), (1, 0, 0), (0, 0, 1)) for y in (0, 30, 60)), last])
+    (page,) = sheet(model, model.base_plate("mdf-3"))
+    assert {"strips 1 to 3", "B", "3 x A:1", "B:1"} <= {*page}
+    assert page.count("base") == 5, "both ends of two rows, and the label of the plate"
+    assert not any("(strip 2)" in text for text in page)
+
+
+def test_the_sheet_of_two_stacks_of_rings_states_spacers_and_distance(sheet):
+    bow = ec.PlaneCurve.spline([(60, 0), (90, 60), (90, 120), (60, 170)], degree=3)
+    rib = ec.make_strip(bow, "birch-plywood-0.8", max_width=20, ends=(ec.Tab(25), ec.Tab(25)))
+    turn = np.radians([0, 72, 144, 216, 288])
+    lamp = ec.Model(
+        [ec.Placed(rib, (0, 0, 0), (np.cos(t), np.sin(t), 0), (0, 0, 1)) for t in turn], name="lamp"
+    )
+    (page,) = sheet(lamp, *end_plates(lamp.placed, "mdf-3", gap=7))
+    assert "1   Stack ring-bottom-outer, spacers 7 mm high, and ring-bottom." in page
+    assert "2   Stack ring-top-outer, spacers 7 mm high, and ring-top." in page
+    assert "ring-bottom and ring-bottom-outer" in page
+    assert "The inner faces of ring-bottom and ring-top are 170.0 mm apart." in page
+    assert {"ring-bottom", "ring-bottom-outer", "ring-top", "ring-top-outer"} <= {*page}
+
+
+def test_the_text_of_a_large_model_is_on_pages_of_its_own(sheet):
+    strips = [
+        ec.Placed(replace(BOW, label=f"S{k}"), (0, 30 * k, 0), (1, 0, 0), (0, 0, 1)) for k in range(1, 61)
+    ]
+    picture, *tables = sheet(ec.Model(strips))
+    assert "Order of assembly" not in picture
+    assert all("Order of assembly" in page for page in tables)
+    numbers = [f"S{k}" for k in range(1, 61)]
+    assert [text for page in tables for text in page if text in numbers] == numbers
+    assert picture[1:2] == [f"1 / {1 + len(tables)}"]
