@@ -481,14 +481,14 @@ def curve_from_run(
     InputError
         The numbers do not define a curve.
     """
-    check_size(np.concatenate([edge.points for edge in run]))
+    sources = [edge.source for edge in run if edge.source is not None]
+    check_size(np.concatenate([edge.points for edge in run]), in_file=bool(sources))
     check_count(
         sum(edge.spans.widths.size if edge.degree > 1 else len(edge.points) // 4 for edge in run),
         MOST_PIECES,
         "pieces in one curve",
         "simplify the curve (Inkscape: Path > Simplify), or cut it in parts",
     )
-    sources = [edge.source for edge in run if edge.source is not None]
     drawn = replace(
         shown or Provenance(),
         rounding=max((source.rounding for source in sources), default=0.0),

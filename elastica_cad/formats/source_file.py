@@ -199,14 +199,19 @@ def check_places(points: FloatArray) -> FloatArray:
     return points
 
 
-def check_size(points: FloatArray) -> None:
-    """Refuse a curve whose control points (n, d), mm, have an extent that no strip can have."""
+def check_size(points: FloatArray, *, in_file: bool = True) -> None:
+    """Refuse a curve whose control points (n, d), mm, have an extent that no strip can have.
+
+    The message names the option for the unit only if the curve is in a file.
+    """
     check_places(points)
     size = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
     if size != 0 and not SMALLEST_SIZE <= size <= LARGEST_SIZE:
         raise InputError(
             "a curve has a size of {size}, outside {smallest_size:g} to {largest_size:g}: check the unit "
-            "({field}), or leave the curve out",
+            "({field}), or leave the curve out"
+            if in_file
+            else "The size of the curve is {size}, outside {smallest_size:g} to {largest_size:g}. Check the unit.",
             field=UNIT,
             size=Length(size),
             smallest_size=SMALLEST_SIZE,

@@ -34,6 +34,7 @@ from elastica_cad.pairs.two_state_rods import TwoStateRod
 from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.corner_rounding import round_corners
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
+from elastica_cad.strip.flat_pattern import in_short_pieces
 from elastica_cad.strip.lettering import Text, centred_text, fit_label
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.solids import FlatSolid, turned
@@ -566,7 +567,7 @@ class Flexure:
             ]
         joints |= {f"hole{number}": hole for number, hole in enumerate(holes, start=1)}
         return FlatSolid(
-            round_corners(corners, self.fillet) if self.fillet else corners,
+            in_short_pieces(round_corners(corners, self.fillet) if self.fillet else corners),
             tuple(Path.circle(place, self.pad.hole / 2) for place in places.reshape(-1, 2)),
             self.sheet.thickness,
             joints=joints,

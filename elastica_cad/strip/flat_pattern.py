@@ -41,7 +41,8 @@ def in_smooth_pieces(path: Path) -> Path:
 
     In a drawing, a side is a single spline, so that a laser cuts it without stopping. It may have corners at its
     knots, and steep ramps in place of steps of the width. CAD kernels can fillet, offset and hollow only edges
-    that are smooth inside. Points move by at most half a ramp, 5e-6 of the length, and areas do not change.
+    that are smooth inside. Points move by at most half a ramp, and areas do not change. That is 5e-6 of the length
+    for the ramps of a `Profile`, and 1e-5 for the longest ramp that counts as a step (`RAMP`).
 
     Examples
     --------
@@ -60,6 +61,34 @@ def in_smooth_pieces(path: Path) -> Path:
     pieces: list[Segment] = []
     for segment, cut in zip(smooth, cuts, strict=True):
         pieces += [segment] if cut is None else cut.pieces(list(islice(parts, len(cut.kept))))
+    return Path(pieces, path.closed)
+
+
+MOST_SPANS = 6
+"""Largest number of polynomial pieces of an edge of a body, if its face has many.
+
+OpenCASCADE computes the area of a face with a fixed number of points for each edge.
+"""
+
+
+def in_short_pieces(path: Path) -> Path:
+    """Return the loop with its splines divided into pieces of at most `MOST_SPANS` spans.
+
+    Examples
+    --------
+    >>> side = Spline(PlaneCurve.spline([(10.0 * k, k % 2) for k in range(20)], degree=3))
+    >>> loop = Path([side, Line(side.end, (0, 9)), Line((0, 9), side.start)], closed=True)
+    >>> len(in_short_pieces(loop).segments)
+    5
+    """
+    pieces: list[Segment] = []
+    for segment in path.segments:
+        if isinstance(segment, Spline):
+            knots = np.unique(segment.curve.knots).tolist()
+            ends = pairwise([*knots[:-1:MOST_SPANS], knots[-1]])
+            pieces += [Spline(segment.curve.trimmed(*piece)) for piece in ends]
+        else:
+            pieces.append(segment)
     return Path(pieces, path.closed)
 
 

@@ -52,6 +52,12 @@ def test_odd_splines(document, drawn, name, degree):
     judged(document, feature, part)
 
 
+def test_a_size_out_of_range_names_no_option_of_files(document, drawn):
+    """Only files have an option for their unit."""
+    (said,) = judged(document, strip.create(document, drawn(SPLINES["a kilometre"])))
+    assert said.endswith(", outside 0.001 to 1000000 mm. Check the unit.")
+
+
 @pytest.mark.parametrize("weights", [[1, 1e6, 1, 1e-6, 1], [1e-12, 1, 1, 1, 1], [1, 1, 1, 1, 1e12]])
 def test_odd_weights(document, drawn, weights):
     judged(document, strip.create(document, drawn(ARCH, 4, weights)))

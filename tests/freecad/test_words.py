@@ -33,8 +33,9 @@ CORE, WORKBENCH = ROOT / "elastica_cad", ROOT / "freecad_workbench" / "freecad" 
 CATALOGUES = ROOT / "elastica_cad" / "words"
 SPOKEN = """
     _values.py design/kit_spec.py design/reports.py formats/chains.py formats/drawn_file.py
-    formats/edges.py formats/placed_curve.py formats/write_files.py forming/fairing_request.py
-    forming/limits.py forming/nearest_record.py forming/nearest_task.py forming/plane_sections.py
+    formats/edges.py formats/placed_curve.py formats/source_file.py formats/write_files.py
+    forming/fairing_request.py forming/limits.py forming/nearest_record.py forming/nearest_task.py
+    forming/plane_sections.py
     forming/rod_spec.py forming/section_lines.py forming/splitting.py forming/straight_ends.py
     geometry/measured_points.py geometry/nurbs_curve.py geometry/tangent_healing.py kit/kit_contents.py
     mechanics/bending.py mechanics/between_clamps.py mechanics/calibration.py
@@ -47,7 +48,7 @@ SPOKEN = """
     strip/as_made.py strip/bent_boundary.py strip/drawing.py strip/held_shape.py strip/lamination.py
     strip/layers.py strip/makeable_strip.py strip/outline.py strip/perforation.py strip/slots.py
     strip/solids.py strip/strip.py strip/strip_spec.py strip/styles.py strip/summary.py strip/tab_seats.py
-    strip/uncuttable_parts.py
+    strip/uncuttable_parts.py web/answers.py
 """
 """Where the core makes what a user of the workbench or of the studio reads."""
 

@@ -35,6 +35,7 @@ from elastica_cad.pairs.flexure import CentreLine, Flexure
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.refusals import note
 from elastica_cad.strip.drawing import Drawing
+from elastica_cad.strip.flat_pattern import in_short_pieces
 from elastica_cad.strip.solids import FlatSolid
 
 FORMS = ["Everything", "First state", "Second state", "As cut", "Holder"]
@@ -181,7 +182,9 @@ def solids_of(part: Flexure, form: str = FORMS[0]) -> list[tuple[str, FlatSolid]
             FORMS[1:],
             (
                 *(_bent(part, line) for line in states),
-                FlatSolid(part.outline, part.holes, depth, Frame() if form == "As cut" else flat),
+                FlatSolid(
+                    in_short_pieces(part.outline), part.holes, depth, Frame() if form == "As cut" else flat
+                ),
                 part.holder_solid,
             ),
             strict=True,
@@ -198,4 +201,4 @@ def drawings_of(part: Flexure, name: str) -> Iterator[tuple[str, Drawing]]:
 
 def _bent(part: Flexure, line: CentreLine) -> FlatSolid:
     holes = [Path.circle(place, part.pad.hole / 2) for place in part.hole_places(line).reshape(-1, 2)]
-    return FlatSolid(part.outline_along(line), tuple(holes), part.sheet.thickness)
+    return FlatSolid(in_short_pieces(part.outline_along(line)), tuple(holes), part.sheet.thickness)
