@@ -5,12 +5,12 @@ of edges whose energy, constraints and second variation are differentiated here.
 """
 
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 import pytest
 from scipy.interpolate import BSpline, make_interp_spline
-from scipy.optimize import linprog, minimize
+from scipy.optimize import linprog
 
 import elastica_cad as ec
 
@@ -64,7 +64,7 @@ class DenseProgram:
         x, y = self.tangent(element.at)
         return [[(element.at, np.array([-y, x]))]], [False]
 
-    def ratio(self, elements):
+    def ratio(self, elements, samples=1501):
         units, pulled = [], []
         for element in elements:
             more, signs = self.units(element)
@@ -82,7 +82,7 @@ class DenseProgram:
                 columns.append(column)
             return np.column_stack(columns)
 
-        s = np.linspace(0, length, 1501)
+        s = np.linspace(0, length, samples)
         s = s[(np.abs(s - zeros[:, None]) > 2e-4 * length).all(axis=0)]
         s = np.concatenate([s, [at for unit in units for at, _ in unit]])
         step = 1e-5 * length
@@ -224,12 +224,10 @@ class Chain:
 
     def cubic(self, s, order=0):
         i = int(np.clip(np.floor(s / self.edge) - 1, 0, len(self.s) - 4))
-        j = np.arange(i, i + 4)
-        others = [np.delete(j, k) for k in range(4)]
+        j, x = np.arange(4), s / self.edge - i
+        others = [np.delete(j, k) for k in j]
         polynomials = [np.poly1d(rest, True) / np.prod(k - rest) for k, rest in zip(j, others, strict=True)]
-        return j, np.array(
-            [p.deriv(order)(s / self.edge) if order else p(s / self.edge) for p in polynomials]
-        )
+        return i + j, np.array([p.deriv(order)(x) if order else p(x) for p in polynomials])
 
     def at_end(self, nodes):
         gradient = np.zeros((2, *nodes.shape))
@@ -297,13 +295,29 @@ class Chain:
         M = self.spring * np.diff(angles, prepend=self.ends[0], append=self.ends[1])
         return M[:-1] - M[1:]
 
-    def hessian(self, angles, forces):
-        def slope(x):
-            return self.gradient(x) - forces @ self.constraints(x)[1]
+    def curving(self, angles, function, force):
+        """Hessian of `force` times a function of the nodes, which depends on few of them."""
+        nodes = self.nodes(angles)
+        pull = np.tensordot(force, function(nodes)[1], 1)
+        along = self.edge * np.column_stack([np.cos(angles), np.sin(angles)])
+        H = -np.diag((np.cumsum(pull[::-1], axis=0)[::-1][1:] * along).sum(axis=1))
+        few = np.flatnonzero(pull.any(axis=1))
+        step, local = 1e-5 * self.edge, np.zeros((few.size, 2, few.size, 2))
+        for i, k in np.ndindex(few.size, 2):
+            moved = np.zeros_like(nodes)
+            moved[few[i], k] = step
+            ahead, behind = (np.tensordot(force, function(nodes + m)[1], 1)[few] for m in (moved, -moved))
+            local[i, k] = (ahead - behind) / (2 * step)
+        turned = (np.arange(angles.size) < few[:, None])[:, None] * (along @ [[0, 1], [-1, 0]]).T
+        return H + np.einsum("aki,akbl,blj->ij", turned, local, turned, optimize=True)
 
-        step = 1e-5 * np.eye(angles.size)
-        H = np.array([(slope(angles + e) - slope(angles - e)) / 2e-5 for e in step])
-        return (H + H.T) / 2
+    def hessian(self, angles, forces):
+        H = np.diag(self.spring[:-1] + self.spring[1:])
+        H -= np.diag(self.spring[1:-1], 1) + np.diag(self.spring[1:-1], -1)
+        sizes = [np.size(wanted) for _, wanted in self.distances]
+        for (function, _), force in zip(self.distances, np.split(forces, np.cumsum(sizes)[:-1]), strict=True):
+            H -= self.curving(angles, function, force)
+        return H
 
     def settled(self):
         """Lowest eigenvalue of the rest shape on the constraints, and its distance from the drawn shape."""
@@ -383,53 +397,59 @@ class LoadedChain(Chain):
             slope = slope - (np.cumsum(pull[::-1], axis=0)[::-1][1:] * across).sum(axis=1)
         return slope
 
+    def hessian(self, angles, forces):
+        return super().hessian(angles, forces) - sum(
+            self.curving(angles, place, f) for place, f in self.loads
+        )
+
+    def lowest(self, H, rows):
+        """Lowest eigenvalue of H on the changes that keep the rows."""
+        free = np.linalg.svd(rows)[2][len(rows) :]
+        return np.linalg.eigvalsh(free @ H @ free.T)[0]
+
+    def step(self, angles, forces):
+        """Newton's step and the new forces. A one-sided distance acts if the force is then not negative."""
+        values, rows = self.constraints(angles)
+        slope, H, one = self.gradient(angles), self.hessian(angles, forces), self.one_sided
+        below = self.lowest(H, rows[~one | (forces > 0)])
+        H += max(0.0, -2 * below) * np.eye(angles.size)
+        to_slope, to_rows = np.split(np.linalg.solve(H, np.column_stack([slope, rows.T])), [1], axis=1)
+        least = np.inf
+        for acts in map(np.array, product(*([True, False] if side else [True] for side in one))):
+            found = np.zeros(one.size)
+            found[acts] = np.linalg.lstsq(
+                rows[acts] @ to_rows[:, acts], rows[acts] @ to_slope[:, 0] - values[acts], rcond=1e-13
+            )[0]
+            change = to_rows @ found - to_slope[:, 0]
+            wrong = -np.minimum(np.concatenate([found[one], (values + rows @ change)[one & ~acts], [0]]), 0)
+            if wrong.max() < least:
+                least, best = wrong.max(), (change, found)
+        return best
+
     def rest(self):
-        """Nodes of least energy, and the multipliers of the distances."""
-        length, one = self.s[-1], self.one_sided
-        known = {}
+        """Nodes of least energy, and the multipliers of the distances, by Newton's method with descent."""
+        angles, one, length = self.angles, self.one_sided, self.s[-1]
+        forces = one.astype(float)
 
-        def constraints(x):
-            key = x.tobytes()
-            if key not in known:
-                known.clear()
-                known[key] = self.constraints(x)
-            return known[key]
+        def beyond(values):
+            return np.abs(np.where(one, np.minimum(values, 0), values))
 
-        answer = minimize(
-            lambda x: (1e3 * length * self.energy(x), 1e3 * length * self.gradient(x)), self.angles, jac=True,
-            method="SLSQP", options={"maxiter": 600, "ftol": 1e-9},
-            constraints=[
-                {"type": kind, "fun": lambda x, m=mask: constraints(x)[0][m] / length,
-                 "jac": lambda x, m=mask: constraints(x)[1][m] / length}
-                for kind, mask in (("eq", ~one), ("ineq", one)) if mask.any()
-            ],
-        )  # fmt: skip
-        angles = (
-            answer.x
-        )  # SLSQP may stop at a shape that is almost at rest; the steps below bring it to rest
-        acts = ~one | (self.constraints(angles)[0] < 1e-5 * length)
-        forces = np.zeros(len(one))
-        forces[acts] = np.linalg.lstsq(
-            self.constraints(angles)[1][acts].T, self.gradient(angles), rcond=None
-        )[0]
-        slack = np.ones(len(one), dtype=bool)
-        while slack.any():
-            for _ in range(3):
-                values, rows = self.constraints(angles)
-                H, J, k = self.hessian(angles, forces), rows[acts], acts.sum()
-                matrix = np.block([[H, -J.T], [J, np.zeros((k, k))]])
-                right = -np.concatenate([self.gradient(angles) - forces @ rows, values[acts]])
-                step = np.linalg.lstsq(matrix, right, rcond=1e-13)[0]
-                angles = angles + step[: angles.size]
-                forces[acts] += step[angles.size :]
-            slack = one & acts & (forces < 0)
-            acts &= ~slack
-            forces[slack] = 0.0
+        def merit(x):
+            return self.energy(x) + 2 * np.abs(forces) @ beyond(self.constraints(x)[0])
+
+        for _ in range(30):
+            change, forces = self.step(angles, forces)
+            share, now = 1.0, merit(angles)
+            while merit(angles + share * change) > now + 1e-13 * abs(now) and share > 1e-6:
+                share /= 2
+            angles = angles + share * change
+            if np.abs(change).max() < 1e-10:
+                break
         values, rows = self.constraints(angles)
         slope = self.gradient(angles)
         assert np.abs(slope - forces @ rows).max() < 1e-6 * np.abs(slope).max()
-        assert np.abs(values[~one]).max(initial=0.0) < 1e-6 * length
-        assert (values[one] > -1e-6 * length).all()
+        assert beyond(values).max() < 1e-6 * length
+        assert self.lowest(self.hessian(angles, forces), rows[~one | (forces > 0)]) > 0
         return self.nodes(angles), forces
 
 

@@ -4,9 +4,11 @@ python -m tests.campaign.trust.held_strips --curves 200 --seed 1 --minutes 60
 
 The least ratio is compared with a dense linear program, the balance with sums over forces on an arc length
 integrated here. Strips of a ratio of at most 8 are also chains of edges. The energy of one chain is minimised with
-one-sided distances by SLSQP. The second variation of the other, with sliding contact, is differentiated
+one-sided distances by Newton's method. The second variation of the other, with sliding contact, is differentiated
 numerically.
-Results of chains of n and 2 n edges are extrapolated to the continuous strip; n is 30, or 60 where they differ.
+Results of chains of n and 2 n edges are extrapolated to the continuous strip. n is 30. It is doubled up to 480
+while the results differ, because the error of a chain depends on the places of the elements between its nodes. For
+seed 1038 the margins of chains of 240, 480, 960 and 1920 edges are 10.29, 9.06, 8.74 and 8.78.
 """
 
 import traceback
@@ -30,6 +32,9 @@ from tests.validation.test_forces_between_ends import (
 LARGEST_RATIO = 100.0
 """Ratios above this are compared only as impossible."""
 
+SAMPLES = 6001
+"""Samples of the program. Of 1501, 6001 and 24001 samples, the ratio of seed 1166 is 86.645, 86.824 and 86.830."""
+
 BENT_RATIO = 8.0
 """Largest ratio of a strip that a person makes."""
 
@@ -45,8 +50,8 @@ MARGIN = 0.02
 TAUT = 0.02
 """Force of a one-sided element, as a fraction of the largest force, below which the chain counts it as slack."""
 
-EDGES = 30, 60
-"""Numbers of edges of the coarse chain, of which the second is used if the first disagrees."""
+EDGES = 30, 60, 120, 240, 480
+"""Numbers of edges of the coarse chain, of which the next is used if one disagrees."""
 
 
 def arc_lengths(dense, t):
@@ -116,7 +121,10 @@ def bent_faults(rod, edges):
         found.append(f"margin {margin:.6g}, of the chain {lowest:.6g}")
     if min(margin, lowest) < 1:
         return "unstable", found
-    coarse, fine = (LoadedChain(rod, tuple(mounted(rod)), (), n).rest()[0] for n in (edges, 2 * edges))
+    try:
+        coarse, fine = (LoadedChain(rod, tuple(mounted(rod)), (), n).rest()[0] for n in (edges, 2 * edges))
+    except AssertionError:
+        return "stable", [*found, f"a chain of {edges} or {2 * edges} edges is not at rest"]
     drawn = rod.curve.at(np.linspace(0, rod.length, edges + 1)).position
     far = np.hypot(*(extrapolated(coarse, fine[::2]) - drawn).T).max() / rod.length
     if far > REST:
@@ -134,7 +142,7 @@ def judged(seed, number):
             replace(element, one_sided=bool(side)) if isinstance(element, ec.Rail) else element
             for element, side in zip(elements, sides, strict=True)
         ]
-        least, rod = dense.ratio(elements), rod_or_none(points, elements)
+        least, rod = dense.ratio(elements, SAMPLES), rod_or_none(points, elements)
         if least > LARGEST_RATIO or rod is None:
             agrees = rod is None or rod.ratio > 0.9 * LARGEST_RATIO if least > LARGEST_RATIO else False
             return "impossible", [] if agrees else [f"ratio {rod and rod.ratio}, of the program {least}"]
