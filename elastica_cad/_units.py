@@ -49,11 +49,6 @@ def read_unit(text: str) -> str | None:
 def look_up_unit(unit: str) -> float:
     """Return the size of `unit` in mm.
 
-    Raises
-    ------
-    InputError
-        The unit is unknown.
-
     Examples
     --------
     >>> look_up_unit("ft")

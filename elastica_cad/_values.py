@@ -45,13 +45,7 @@ def is_whole(value: object) -> TypeGuard[int]:
 
 
 def require_positive(value: object, what: str, unit: str = "mm") -> None:
-    """Raise InputError unless the value is a finite number above 0.
-
-    Raises
-    ------
-    InputError
-        `what` names the value.
-    """
+    """Raise InputError unless the value is a finite number above 0."""
     if not (is_number(value) and value > 0):
         shown_value = repr(value) if isinstance(value, str) else value
         wanted = "positive" if is_number(value) else "a number above 0"
@@ -66,13 +60,7 @@ def require_positive(value: object, what: str, unit: str = "mm") -> None:
 
 
 def require_number(value: object, what: str, unit: str = "") -> float:
-    """Return the number, or raise InputError unless it is a finite number.
-
-    Raises
-    ------
-    InputError
-        `what` names the value.
-    """
+    """Return the number, or raise InputError unless it is a finite number."""
     if not is_number(value):
         shown_value = quoted(value) if isinstance(value, str) else value
         raise InputError(
@@ -97,11 +85,6 @@ def as_floats(values: object) -> FloatArray | None:
 def numbers(values: object, what: str) -> FloatArray:
     """Return an array of floats of any shape. NaN and infinity are accepted.
 
-    Raises
-    ------
-    InputError
-        Values are strings, None, rows of unequal length, or integers above the range of floats.
-
     Examples
     --------
     >>> numbers([1, 2], "the heights").tolist()
@@ -115,13 +98,7 @@ def numbers(values: object, what: str) -> FloatArray:
 
 
 def pair(value: object, what: str) -> FloatArray:
-    """Return two finite numbers (2,), such as the coordinates of a point, or refuse the value.
-
-    Raises
-    ------
-    InputError
-        `what` names the value.
-    """
+    """Return two finite numbers (2,), such as the coordinates of a point, or refuse the value."""
     point = None if value is None else as_floats(value)
     if point is None or point.shape != (2,) or not np.isfinite(point).all():
         raise InputError(f"{what} must be two finite numbers, not {quoted(value)}")
@@ -151,11 +128,6 @@ def alike(**values: object) -> tuple[FloatArray, ...]:
     """Convert named values to arrays, without broadcasting them, and refuse shapes that cannot be broadcast
     together.
 
-    Raises
-    ------
-    InputError
-        Values are not numbers, or their shapes are not compatible.
-
     Examples
     --------
     >>> alike(curvature=[1, 2], rest=0.0)
@@ -173,13 +145,7 @@ def alike(**values: object) -> tuple[FloatArray, ...]:
 
 
 def require_flag(value: object, what: str) -> bool:
-    """Return the value if it is a boolean, or refuse it.
-
-    Raises
-    ------
-    InputError
-        `what` names the value.
-    """
+    """Return the value if it is a boolean, or refuse it."""
     if not isinstance(value, bool | np.bool_ | int):
         raise InputError("{what} is {given}: give True or False", what=what, given=quoted(value))
     return bool(value)
@@ -206,25 +172,13 @@ def require_executor(executor: object, method: str) -> None:
 
 
 def require_record(value: object, record: type[Any] | UnionType, what: str, cure: str) -> None:
-    """Raise InputError unless the value is a record of a class. In the message, `cure` is the instruction.
-
-    Raises
-    ------
-    InputError
-        `what` names the value.
-    """
+    """Raise InputError unless the value is a record of a class. In the message, `cure` is the instruction."""
     if not isinstance(value, record):
         raise InputError(f"{what} is a {type(value).__name__}. Pass {cure}.")
 
 
 def require_path(path: object) -> Path:
-    """Return a path that a user has passed.
-
-    Raises
-    ------
-    InputError
-        The value is not a path, but for example a number or None.
-    """
+    """Return a path that a user has passed."""
     if not isinstance(path, str | PathLike):
         raise InputError(f"{path!r} is not the name of a file or folder. Pass a name such as 'arch.dxf'.")
     return Path(path)
@@ -236,11 +190,6 @@ def several(
     """Return a tuple of records of a class. A single record becomes a tuple of length 1.
 
     In the message, `cure` is the instruction.
-
-    Raises
-    ------
-    InputError
-        An item has another type.
     """
     many = is_series(values) and not isinstance(values, record)
     items: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)

@@ -172,11 +172,6 @@ def require_declared(record: Record, values: Mapping[str, Any], whose: str = "")
 
     Values of other fields are accepted, and None if it is the default.
 
-    Raises
-    ------
-    InputError
-        `whose` is what the field belongs to.
-
     Examples
     --------
     >>> def hang(at: Annotated[float, Option("Place along the strip.", "mm", least=0)]): ...
@@ -197,13 +192,7 @@ def require_declared(record: Record, values: Mapping[str, Any], whose: str = "")
 
 
 def require_bounds(entry: Field, value: Any, place: str) -> None:
-    """Refuse a value of a declared field that is out of bounds: a number, or the length of a text or list.
-
-    Raises
-    ------
-    InputError
-        In the message, `place` is the name of the value.
-    """
+    """Refuse a value of a declared field that is out of bounds: a number, or the length of a text or list."""
     for kind in entry.kind.alternatives:
         numbers = [value] if kind.name in ("number", "count") else []
         if kind.name == "list" and kind.of[0].name == "number" and isinstance(value, tuple):

@@ -72,9 +72,6 @@ def read_curves(
 
     Raises
     ------
-    InputError
-        The file is missing, a folder, empty or of an unknown type, or it has no usable curve. The message
-        names the file.
     MissingDependencyError
         The library that reads this format is not installed.
 
@@ -159,8 +156,6 @@ def read_model(path: str | Path) -> "Model":
 
     Raises
     ------
-    InputError
-        The file is not a valid design; the message names the position in the file.
     NotRealizable, NotConvergedError
         A strip is impossible. The error contains the messages of all impossible strips.
 
@@ -191,9 +186,6 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
 
     Raises
     ------
-    InputError
-        The file is missing, of an unknown type, or has no surface. Or the size of a mesh is unlikely, and
-        `unit` is not given.
     MissingDependencyError
         trimesh (for meshes) or a CAD kernel (for bodies) is not installed.
     """
@@ -245,9 +237,6 @@ def save(made: "Drawing | Strip | Flexure", path: str | Path, **options: Any) ->
 
     Raises
     ------
-    InputError
-        For the reasons of `formats.write_drawing`. After an error, no incomplete file remains. A file is only
-        overwritten with `force=True`.
     MissingDependencyError
         STEP needs build123d or CadQuery.
 

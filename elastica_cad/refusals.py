@@ -355,9 +355,8 @@ def note(
 
 
 def one_of_each(messages: Iterable[str]) -> Iterator[str]:
-    """Yield messages.
-
-    If several messages differ only in numbers and names, yield the first, with the number of the others.
+    """Yield the first message of each group that differs only in numbers and names, with the number of the
+    others.
     """
     kinds: dict[str, list[str]] = {}
     for message in dict.fromkeys(messages):

@@ -1,8 +1,8 @@
-"""Chooses between compiled code and Python for the inner loops of rods.
+"""Choice between compiled code and Python for the inner loops of rods.
 
-`compiled` is None where the package was built without a C compiler, and where the environment has ELASTICA_PURE.
-Each caller has the same calculation in Python and uses it then; tests compare the two. The functions below hand
-arrays to the compiled code with their sizes, against which it checks them.
+`compiled` is None if the package was built without a C compiler, or if the environment has ELASTICA_PURE.
+Each caller then computes the same result in Python; tests compare both. The compiled code checks arrays
+against the sizes that these functions pass.
 """
 
 import os
@@ -32,7 +32,6 @@ def _loops() -> ModuleType:
 
 
 def _plain(values: ArrayLike) -> FloatArray:
-    """The values as contiguous float64."""
     return np.ascontiguousarray(values, dtype=float)
 
 
@@ -40,7 +39,7 @@ def shoot(
     bend: FloatArray, rest: FloatArray, pull_x: FloatArray, pull_y: FloatArray, moment: float, angle: float,
     most_angle: float,
 ) -> tuple[FloatArray, FloatArray]:  # fmt: skip
-    """The recursion of `mechanics.rod.discrete_rod.shoot`: angles (n + 1,) and moments (n,)."""
+    """Return angles (n + 1,) and moments (n,) by the recursion of `mechanics.discrete_rod.shoot`."""
     nodes = bend.size
     angles, moments = np.empty(nodes + 1), np.empty(nodes)
     given = map(_plain, (bend, rest, pull_x, pull_y))
@@ -51,7 +50,7 @@ def shoot(
 def shape(
     angles: FloatArray, force: FloatArray, start: FloatArray, edge_length: float
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-    """Tangents, positions, pull and shear of `mechanics.rod.discrete_rod.DiscreteRod`, of edges of one length."""
+    """Return tangents, positions, pull and shear of a `DiscreteRod` with edges of equal length."""
     n = angles.size
     out = np.empty((n, 2)), np.empty((n + 1, 2)), np.empty(n), np.empty(n)
     _loops().shape(n, *map(_plain, (angles, force, start)), edge_length, *out)
@@ -62,7 +61,7 @@ def second_variation(
     stiffness: FloatArray, node_lengths: FloatArray, edge_lengths: FloatArray, pull: FloatArray,
     tangents: FloatArray, *, free_ends: tuple[bool, bool], held: tuple[bool, bool], straight: float,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:  # fmt: skip
-    """`hessian` and `constraint_rows` of `mechanics.rod.discrete_rod.DiscreteRod`."""
+    """Return diagonal and off-diagonal of `DiscreteRod.hessian`, and `DiscreteRod.constraint_rows`."""
     n = edge_lengths.size
     out = np.empty(n), np.empty(n - 1), np.empty((sum(held), n))
     given = map(_plain, (stiffness, node_lengths, edge_lengths, pull, tangents))
@@ -76,7 +75,7 @@ def sensitivities(
     carried: tuple[FloatArray, FloatArray] | None, length: float, start_moment: float, start_angle: float,
     closing: bool,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:  # fmt: skip
-    """The derivatives of `forming.rod_map.StripGrid.sensitivities`: of angles, moments and positions."""
+    """Return the derivatives of angles, moments and positions, as `forming.rod_map.StripGrid.sensitivities`."""
     nodes, coefficients = basis.shape
     columns = coefficients + 7 + closing
     out = np.empty((nodes + 1, columns)), np.empty((nodes, columns)), np.empty((nodes, 2, columns))
@@ -92,7 +91,9 @@ def sensitivities(
 def lowest_mode(
     diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray, polynomials: FloatArray
 ) -> tuple[float, FloatArray, FloatArray] | None:
-    """`mechanics.rod.banded_matrices.lowest_weighted`: value, mode, multipliers, or None where it is not smooth."""
+    """Return value, mode and multipliers, as `mechanics.discrete_rod.lowest_weighted`, or None if the search
+    fails.
+    """
     mode, multipliers = np.empty(diagonal.size), np.empty(len(rows))
     given = map(_plain, (diagonal, off, lengths, rows, polynomials))
     sizes = diagonal.size, len(rows), polynomials.shape[1]
@@ -104,8 +105,10 @@ def interior_points(
     hessian: FloatArray, gradient: FloatArray, lower: FloatArray, upper: FloatArray, rows: FloatArray,
     right: FloatArray, price: FloatArray, one_sided: BoolArray, accuracy: float,
 ) -> tuple[tuple[FloatArray, FloatArray, FloatArray, FloatArray], bool, int]:  # fmt: skip
-    """The steps of `forming.quadratic_program`: x with the multipliers of rows, lower and upper bounds,
-    whether they converged, and after how many factorisations."""
+    """Return the solution of `forming.quadratic_program`: x, and multipliers of rows, lower and upper bounds.
+
+    The result also states whether the steps converged, and the number of factorisations.
+    """
     n, m = gradient.size, right.size
     out = np.empty(n), np.empty(m), np.empty(n), np.empty(n)
     given = map(_plain, (hessian, gradient, lower, upper, rows, right, price, one_sided))

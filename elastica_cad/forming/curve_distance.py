@@ -109,13 +109,7 @@ def even_steps(count: int) -> FloatArray:
 
 
 def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, FloatArray]:
-    """Return the centre and the axis direction, both (2,), of the symmetry of the curve, in units of the target.
-
-    Raises
-    ------
-    InputError
-        The curve does not have this symmetry.
-    """
+    """Return the centre and the axis direction, both (2,), of the symmetry of the curve, in units of the target."""
     p, q = target.position, target.position[::-1]
     middles, across = (p + q) / 2, p - q
     centre = middles.mean(axis=0)

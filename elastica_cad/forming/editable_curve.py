@@ -105,8 +105,7 @@ def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class _Shape:
-    """Continuous rod at evenly spaced stations (k,), in units of the length of the discrete rod, `size` in
-    mm.
+    """Continuous rod at evenly spaced stations (k,), in units of its length `size`, mm.
 
     At `inflections` (j,) the moment is 0; they include ends that are free to turn.
     """

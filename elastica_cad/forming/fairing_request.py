@@ -226,13 +226,7 @@ def outline_steps(rod: Rod, widest: float) -> bool:
 
 
 def check_smooth(smooth: object) -> float | None:
-    """Return the requested distance for smoothing as a float, mm, or None. Raise InputError for other values.
-
-    Raises
-    ------
-    InputError
-        The value is not a number, is negative, or is too large.
-    """
+    """Return the requested distance for smoothing as a float, mm, or None. Raise InputError for other values."""
     if smooth is None:
         return None
     if isinstance(smooth, bool) or not isinstance(smooth, float | int | np.number):
@@ -275,11 +269,6 @@ def smooth_curve(
         Curvature of the unbent strip, 1/mm.
     widths : (float or None, float or None)
         Requested largest and least width, mm. Without both, a width of 40 mm is assumed.
-
-    Raises
-    ------
-    InputError
-        The requested smoothing is impossible.
 
     Examples
     --------

@@ -157,11 +157,6 @@ class Limits:
         Lower and upper bound of K / min K along the strip. Each is None, a number, evenly spaced values, or a
         function of the arc length on the drawn curve, mm.
 
-    Raises
-    ------
-    InputError
-        A limit is invalid, or limits contradict each other.
-
     Examples
     --------
     >>> Limits(ratio=5.0, width=(10, 30)).largest_ratio

@@ -54,11 +54,6 @@ def nearest_rods(
         Results in the order of `curves`. If a rod could not be computed (invalid input, a crashed worker), its
         status is FAILED, and `message` gives the reason.
 
-    Raises
-    ------
-    InputError
-        There are no curves, or sequences have different lengths.
-
     Examples
     --------
     >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 60), (100, 0)], degree=3)
@@ -123,11 +118,6 @@ def stream_nearest_rods(
     ------
     tuple of int and NearestRod
         Index of the curve in `curves`, and its nearest rod. Failures are reported as in `nearest_rods`.
-
-    Raises
-    ------
-    InputError
-        `curves` is not iterable, `executor` is not an Executor, or `ahead` is below 1.
 
     Examples
     --------

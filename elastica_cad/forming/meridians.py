@@ -159,9 +159,8 @@ class _Equations:
 
     They are x kappa = a + <b, gamma> at nodes, ends of pieces at the given points, and continuous angles.
 
-    The unknowns are the angles at the nodes and the length of each piece, followed by a and b (2).
-    `points` is the
-    number of points, and `closes` is True if the last point is the pole.
+    The unknowns are the angles at the nodes and the length of each piece, followed by a and b (2). `points` is
+    the number of points, and `closes` is True if the last point is the pole.
     """
 
     def __init__(self, points: int, closes: bool, nodes: int) -> None:
@@ -502,9 +501,6 @@ def meridian(
 
     Raises
     ------
-    InputError
-        A number is not finite, the start is on the axis, the length is not positive, or a and b cause too many
-        turns.
     NotConvergedError
         The curvature increases without limit.
 
@@ -532,24 +528,20 @@ def meridian(
 def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = None) -> Meridian:
     """Return the meridian through up to five points, or the nearest meridian to a profile.
 
-    A meridian has five parameters, so five points determine it, or four if the last point is the pole on
-    the axis. For
-    more points, or if every meridian through the points has extra turns, the sum of squared distances is
-    minimised. `deviation` is then the largest distance.
+    A meridian has five parameters, so five points determine it, or four if the last point is the pole on the
+    axis. For more points, or if every meridian through the points has extra turns, the sum of squared distances
+    is minimised. `deviation` is then the largest distance.
 
     Parameters
     ----------
     points : (n, 2) array_like or PlaneCurve
-        Points in order with x > 0, mm, or a profile curve. If the last point is on the axis, the
-        surface closes at
-        the pole. The meridian starts near the first point and ends near the last.
+        Points in order with x > 0, mm, or a profile curve. If the last point is on the axis, the surface closes
+        at the pole. The meridian starts near the first point and ends near the last.
     ring : float, optional
         Distance from the axis, mm, at which a surface that closes at the pole ends: see `meridian`.
 
     Raises
     ------
-    InputError
-        There are fewer than three points, points on or beyond the axis, or repeated points.
     NotConvergedError
         There is no meridian near the points.
 

@@ -481,9 +481,8 @@ def nearest_rod(
 ) -> NearestRod:
     """Return the rod that meets all limits and is nearest to a drawn curve, which need not be realizable.
 
-    The unknowns are the stiffness, the length and the start of the rod. Its shape follows from the
-    equilibrium of
-    moments (Eqs. 3 and 5), so every rod in the search is in equilibrium. The method is described in
+    The unknowns are the stiffness, the length and the start of the rod. Its shape follows from the equilibrium
+    of moments (Eqs. 3 and 5), so every rod in the search is in equilibrium. The method is described in
     `forming.sqp`.
 
     Parameters
@@ -499,52 +498,40 @@ def nearest_rod(
     supports : Supports, optional
         Supports of the ends; by default both are clamped.
     weights : optional
-        Weight of each part of the curve in the distance: a number, evenly spaced values, or a
-        function of the arc
-        length, mm.
+        Weight of each part of the curve in the distance: a number, evenly spaced values, or a function of the
+        arc length, mm.
     measure : "mean", "closest" or "max"
-        Distance to minimise. "mean" is the mean of squared distances between rod and curve at equal
-        fractions of their lengths.
-        "closest" uses the nearest points instead, and "max" is the largest distance.
+        Distance to minimise. "mean" is the mean of squared distances between rod and curve at equal fractions
+        of their lengths. "closest" uses the nearest points instead, and "max" is the largest distance.
     samples : int
         Number of nodes of the rod.
     coefficients : int
-        Number of B-spline coefficients of the stiffness. By default there are 20, and about 4 more
-        for each half
-        turn of the curve.
+        Number of B-spline coefficients of the stiffness. By default there are 20, and about 4 more for each
+        half turn of the curve.
     section : BoundedLaw, optional
-        Section law, as in `optimal_rod`. Its limits also limit the stiffness ratio. With gravity, the
-        rod carries
-        the weight of its sections, and only the direction of gravity has an effect. `limits.sheet` limits the
-        strain. For a `LeavesLaw`, the nearest rod of continuously varying thickness is found first,
-        and is then
-        approximated by plies (`lay_leaves`).
+        Section law, as in `optimal_rod`. Its limits also limit the stiffness ratio. With gravity, the rod
+        carries the weight of its sections, and only the direction of gravity has an effect. `limits.sheet`
+        limits the strain. For a `LeavesLaw`, the nearest rod of continuously varying thickness is found first,
+        and is then approximated by plies (`lay_leaves`).
     natural_curvature : float or RestCurvature
-        Curvature of the unbent rod kappa_0, 1/mm. For a `RestCurvature`, the length of the rod agrees
-        with that of
-        the pre-bent strip within 1 %.
+        Curvature of the unbent rod kappa_0, 1/mm. For a `RestCurvature`, the length of the rod agrees with that
+        of the pre-bent strip within 1 %.
     start : NearestRod, optional
-        Result of a similar request, such as the same curve before a small change. The search begins
-        with its rod.
-        This takes two thirds of the time, or a tenth if many initial guesses were needed. If the
-        result violates
-        limits or is much farther away than before, the search is repeated from new initial guesses.
+        Result of a similar request, such as the same curve before a small change. The search begins with its
+        rod. This takes two thirds of the time, or a tenth if many initial guesses were needed. If the result
+        violates limits or is much farther away than before, the search is repeated from new initial guesses.
 
     Returns
     -------
     NearestRod
-        Nearest rod. If the drawn curve meets the limits, the rod has the least stiffness ratio within
-        0.5 %. If
+        Nearest rod. If the drawn curve meets the limits, the rod has the least stiffness ratio within 0.5 %. If
         the limits cannot be met, the best rod is returned: see `status`, `met` and `binding`.
 
     Raises
     ------
-    InputError
-        Limits contradict each other or the curve.
     NotConvergedError
-        There is no initial rod, because the curve bends too much, or because the weight is far too
-        large for the
-        stiffness.
+        There is no initial rod, because the curve bends too much, or because the weight is far too large for
+        the stiffness.
 
     References
     ----------

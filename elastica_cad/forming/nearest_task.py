@@ -77,13 +77,7 @@ class NearestTask:
 
     @classmethod
     def of(cls, request: RodSpec) -> "NearestTask":
-        """Return the task of a request.
-
-        Raises
-        ------
-        InputError
-            Limits contradict each other or the curve.
-        """
+        """Return the task of a request."""
         target, samples = TargetCurve.of(request.curve), request.samples or SEARCH_SAMPLES
         limits, keep = request.limits or Limits(), request.keep or Keep()
         coefficients = request.coefficients
@@ -212,7 +206,7 @@ class NearestTask:
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        # without weight and section law, the state of the rod is that of the search
+        # without weight and section law, the rod has the state that the search found
         if self.request.gravity is None and section is None:
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)

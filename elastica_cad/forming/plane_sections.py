@@ -44,11 +44,6 @@ class Mesh:
     faces : (m, 3) array_like of int
         Indices of the vertices of each triangle. The orientation has no effect.
 
-    Raises
-    ------
-    InputError
-        An array has a wrong shape, a number is not finite, a vertex of a face does not exist, or no face remains.
-
     Examples
     --------
     >>> square = Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(0, 1, 2), (0, 2, 3), (2, 2, 1)])
@@ -88,13 +83,7 @@ class Mesh:
         return float(np.linalg.norm(np.ptp(self.vertices[np.unique(self.faces)], axis=0)))
 
     def scaled(self, factor: float) -> "Mesh":
-        """Return the mesh with all coordinates multiplied by `factor`.
-
-        Raises
-        ------
-        InputError
-            The factor is not positive.
-        """
+        """Return the mesh with all coordinates multiplied by `factor`."""
         if not (is_number(factor) and factor > 0):
             raise InputError(f"a mesh is scaled by a positive factor, not {factor!r}")
         return Mesh(self.vertices * factor, self.faces)
@@ -244,11 +233,6 @@ def mesh_sections(
     -------
     tuple of PlaneSection
         A section for each plane, in order. If a plane misses the mesh, its section has no lines, and a message.
-
-    Raises
-    ------
-    InputError
-        The mesh is invalid (see `Mesh`), or the planes are not a sequence of frames.
 
     Examples
     --------

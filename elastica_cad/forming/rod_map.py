@@ -100,11 +100,6 @@ class SectionScale:
 
         The shape of a rod without weight does not depend on the scale. Thin strips withstand larger curvatures
         than thick strips. This also applies to laminates whose backing is as wide as the base.
-
-        Raises
-        ------
-        InputError
-            The limits exclude every section.
         """
         least, largest = law.limits
         ratio = limits.largest_ratio

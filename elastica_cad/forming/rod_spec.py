@@ -36,11 +36,6 @@ class RodSpec(RodRequest):
         Requested largest and least width of the strip, mm, with which `smooth_curve` decides.
     weights, measure, coefficients
         Options of the search for the nearest rod, as in `nearest_rod`.
-
-    Raises
-    ------
-    InputError
-        The requested smoothing is impossible.
     """
 
     limits: Limits | None = None

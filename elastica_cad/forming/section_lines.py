@@ -73,11 +73,6 @@ class SectionLine:
         """Return the pieces of the line, split at the positions nearest to `points` (k, 2).
 
         There are k + 1 pieces of an open line, and k of a closed line.
-
-        Raises
-        ------
-        InputError
-            There are no points, or two points give the same position.
         """
         wanted = np.atleast_2d(np.asarray(points, dtype=float))
         if wanted.shape[1] != 2 or not np.all(np.isfinite(wanted)):
@@ -104,13 +99,7 @@ class SectionLine:
         return self._split(cuts) if cuts.size else (self,)
 
     def split_at_corners(self, turn: float) -> tuple["SectionLine", ...]:
-        """Return the pieces of the line, split at corners whose direction changes by more than `turn`, rad.
-
-        Raises
-        ------
-        InputError
-            The angle is not between 0 and pi.
-        """
+        """Return the pieces of the line, split at corners whose direction changes by more than `turn`, rad."""
         if not 0 < turn < np.pi:
             raise InputError(f"corners turn by an angle between 0 and pi rad, not {turn!r}")
         points = np.concatenate([self.points, self.points[1:2]]) if self.is_closed else self.points
@@ -168,13 +157,7 @@ class PlaneSection:
 
     @property
     def line(self) -> SectionLine:
-        """The line of a section that has only one line.
-
-        Raises
-        ------
-        InputError
-            The section has no line, or several lines; then use `lines`.
-        """
+        """The line of a section that has only one line."""
         if len(self.lines) != 1:
             reason = (
                 self.reports[0]
@@ -403,11 +386,6 @@ def section_curves(
     reports : tuple of str
         Notes of the sections, and a reason for each line without a curve.
 
-    Raises
-    ------
-    InputError
-        The tolerance, wavelength or angle is invalid.
-
     Examples
     --------
     >>> u = np.linspace(0, np.pi, 60)
@@ -587,11 +565,6 @@ def smooth_polyline(
         Pairs of arc lengths, mm, between which the polyline is smoothed; by default everywhere.
     count : int
         Number of returned points.
-
-    Raises
-    ------
-    InputError
-        The wavelength is not positive, or all points coincide.
 
     Examples
     --------

@@ -27,11 +27,6 @@ def parallel_planes(
 
     The y axis of each plane is as near to `up` as possible.
 
-    Raises
-    ------
-    InputError
-        A direction is zero, or `up` is along the normal.
-
     Examples
     --------
     >>> [frame.origin.tolist() for frame in parallel_planes((0, 0, 0), (0, 1, 0), (0, 5))]
@@ -59,11 +54,6 @@ def radial_planes(
     zero : (3,) array_like
         Direction of the angle 0. Only its component normal to the axis has an effect.
 
-    Raises
-    ------
-    InputError
-        A direction is zero, or `zero` is along the axis.
-
     Examples
     --------
     >>> radial_planes((0, 0, 0), (0, 0, 1), [np.pi / 2])[0].x_axis.round(12).tolist()
@@ -89,11 +79,6 @@ def planes_along(
         `ends=True`.
     up : (3,) array_like
         The y axis of each plane is as near to this direction as possible.
-
-    Raises
-    ------
-    InputError
-        There are fewer than two different points or no planes, or the path has the direction of `up`.
 
     Examples
     --------
@@ -309,13 +294,7 @@ class Split(Protocol):
 
 @dataclass(frozen=True)
 class PlaneSplit:
-    """Split at the plane through `point` with the normal `normal`.
-
-    Raises
-    ------
-    InputError
-        The normal is zero.
-    """
+    """Split at the plane through `point` with the normal `normal`."""
 
     normal: Annotated[Triple, Option("Normal of the plane.")]
     point: Annotated[Triple, Option("Point of the plane.", "mm")] = (0.0, 0.0, 0.0)
@@ -353,13 +332,7 @@ class PointSplit:
 
 @dataclass(frozen=True)
 class CornerSplit:
-    """Split at corners whose direction changes by more than `corners`, rad.
-
-    Raises
-    ------
-    InputError
-        The angle is not between 0 and pi.
-    """
+    """Split at corners whose direction changes by more than `corners`, rad."""
 
     corners: Annotated[float, Option("Split where the line turns by more than this angle.", "rad", least=0)]
 
@@ -405,13 +378,7 @@ class SectionSpec:
     wavelength: float = 0.0
 
     def curves(self, surface: Surface) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
-        """Return the curves of all lines that a strip can follow, and notes.
-
-        Raises
-        ------
-        InputError
-            The planes are invalid, or no strip can follow any section.
-        """
+        """Return the curves of all lines that a strip can follow, and notes."""
         half = self.cuts.half if self.half is None else self.half
         divided = [self._divide(section) for section in surface.cut(self.cuts.frames(surface), half)]
         curves, reports = section_curves(

@@ -103,8 +103,6 @@ def split(
     NotRealizable
         No number of supports is sufficient, because the curvature touches zero, or because there are too few
         `places`.
-    InputError
-        The ratio is less than 1, or a value of `places` is not finite or not on the curve.
 
     References
     ----------

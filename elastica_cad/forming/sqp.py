@@ -34,24 +34,22 @@ class ProgramSettings(NamedTuple):
     Attributes
     ----------
     steps, lifted_steps : int
-        Largest numbers of quadratic programs in a search, and of lifted steps (see `lift`). A search
-        usually needs
-        less than half of its number. Lifted steps converge quadratically or not at all.
+        Largest numbers of quadratic programs in a search, and of lifted steps (see `lift`). A search usually
+        needs less than half of its number. Lifted steps converge quadratically or not at all.
     progress_tolerance : float
         Predicted relative reduction of the objective by a step below which the search ends.
     resolution : float
         Absolute accuracy of the objective, which is half a mean of squared distances; about 1 um for
         a strip of 300 mm.
     smallest_radius, lifted_radius : float
-        Radius of the trust region, in scales, at which the search ends without success, and the
-        radius of lifted
-        steps.
+        Radius of the trust region, in scales, at which the search ends without success, and the radius of
+        lifted steps.
     ascent_radius : float
         Radius, in scales, below which a step that increases the objective ends the search.
     damping, lifted_damping : float
-        Damping of steps and of the first lifted step, relative to the largest second derivative of
-        the objective.
-        It makes the quadratic program strictly convex, and selects the smallest of several possible changes.
+        Damping of steps and of the first lifted step, relative to the largest second derivative of the
+        objective. It makes the quadratic program strictly convex, and selects the smallest of several possible
+        changes.
     damping_cost : float
         Largest cost that damping adds to a step of length 1 in scales, as a fraction of the objective.
     least_damping : float
@@ -60,16 +58,13 @@ class ProgramSettings(NamedTuple):
         Lifted steps end if a step changes the state by less than `lifted_tolerance`, rad, and reduces the
         objective to more than the fraction `lifted_progress`.
     patience, stall_fraction, stall_violation : int, float, float
-        The search ends if `patience` steps reduce the violation to more than the fraction
-        `stall_fraction`, unless
-        the violation is less than `stall_violation`.
+        The search ends if `patience` steps reduce the violation to more than the fraction `stall_fraction`,
+        unless the violation is less than `stall_violation`.
     same_optimum : float
-        Distance from a known optimum at which a search ends, as a fraction of the distance of that
-        optimum from
+        Distance from a known optimum at which a search ends, as a fraction of the distance of that optimum from
         the target.
     sensitivity : float
-        Square root of the second derivative of the objective, per scale, above which the scale of an
-        unknown is
+        Square root of the second derivative of the objective, per scale, above which the scale of an unknown is
         reduced.
 
     newton_steps : int
@@ -77,9 +72,8 @@ class ProgramSettings(NamedTuple):
     bound_tolerance : float
         Distance from a bound, in scales, below which an unknown counts as at the bound.
     closed_defect : float
-        Defect below which a point counts as in equilibrium, because the square of the defect is less
-        than rounding
-        errors.
+        Defect below which a point counts as in equilibrium, because the square of the defect is less than
+        rounding errors.
     divergence_defect, start_defect : float
         Defect above which Newton corrections diverge (about a quarter turn), and largest defect of an initial
         point. An initial point with a larger defect is replaced by the point in equilibrium with the same

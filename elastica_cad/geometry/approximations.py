@@ -133,9 +133,8 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
     ----------
     motion : callable
         Function of parameters (n,), an order and a flag. It returns positions (n, 2) for the order 0, and
-        derivatives for the order 1. If the flag is True, values at knots are left limits. The
-        function is smooth
-        inside each part.
+        derivatives for the order 1. If the flag is True, values at knots are left limits. The function is
+        smooth inside each part.
     stretches : tuple of arrays
         Initial interpolation parameters of each smooth part; the last parameter of a part is the
         first of the next part.

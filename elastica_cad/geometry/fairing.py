@@ -104,7 +104,7 @@ _HALVINGS = 14  # number of bisections of the range of smoothing lengths
 # fraction of the tolerance that is used at the samples, because the distance between samples may be larger
 _USED = 0.96
 _SLIDE = 1e4  # weight of motion along the curve, relative to motion normal to it
-_FINE = 1.5  # least number of spans in the smoothing length
+_FINE = 1.5  # least ratio of the smoothing length to the length of a span
 _DENSE = 8  # number of points of each span at which the distance is measured
 
 
@@ -159,11 +159,6 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
     ----------
     unbent : (bool, bool)
         Flags for the start and the end: True if the curvature must be 0 there.
-
-    Raises
-    ------
-    InputError
-        The curve has corners, or the tolerance is not positive or too small for a spline of 768 pieces.
 
     Examples
     --------

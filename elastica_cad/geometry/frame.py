@@ -24,11 +24,6 @@ class Frame:
     x_axis, y_axis : (3,) array_like
         Perpendicular directions; they are normalised.
 
-    Raises
-    ------
-    InputError
-        Numbers are not finite, or the axes are not perpendicular.
-
     Examples
     --------
     >>> upright = Frame(x_axis=(1, 0, 0), y_axis=(0, 0, 1))

@@ -524,7 +524,7 @@ class NurbsCurve:
         self, knots: FloatArray, control_points: FloatArray, weights: FloatArray | None,
         provenance: Provenance | None = None,
     ) -> Self:  # fmt: skip
-        """Skip the checks of a new curve."""
+        """Return a part or a moved copy of this curve without checks."""
         curve = object.__new__(type(self))
         for array in (knots, control_points, weights):
             if array is not None:
@@ -760,11 +760,6 @@ class NurbsCurve:
         """Return the exact image under a projective map: matrix @ (x, y, 1) divided by its third component.
 
         The image of a realizable curve with clamped ends is realizable too (paper, section 4.3).
-
-        Raises
-        ------
-        InputError
-            The matrix is singular, or it maps a point of the curve to infinity.
         """
         knots, points, weights = map_spline(
             self.knots,

@@ -35,11 +35,6 @@ def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path
     tolerance : float
         Largest error of an offset spline, mm, measured between its interpolation points.
 
-    Raises
-    ------
-    InputError
-        The loop, or a feature of it, is too narrow for the offset; or a spline is too sharply curved.
-
     Examples
     --------
     >>> grown = offset_path(Path.rectangle(40, 10), 1.0)

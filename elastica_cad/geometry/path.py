@@ -171,11 +171,6 @@ class Path:
     closed : bool
         True if the last segment ends at the start of the first segment.
 
-    Raises
-    ------
-    InputError
-        The list of segments is empty, or their ends do not meet.
-
     Examples
     --------
     >>> plate = Path.rectangle(40, 10)
@@ -266,13 +261,7 @@ class Path:
 
     @cached_property
     def area(self) -> float:
-        """Area inside a closed path, mm2: positive if the path is anticlockwise, negative if clockwise.
-
-        Raises
-        ------
-        InputError
-            The path is open.
-        """
+        """Area inside a closed path, mm2: positive if the path is anticlockwise, negative if clockwise."""
         if not self.closed:
             raise InputError("an open path has no area: close it first")
         return sum(segment.swept_area(self.start) for segment in self.segments)

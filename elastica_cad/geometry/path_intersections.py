@@ -187,7 +187,7 @@ def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
 
 
 def _newton(a: Segment, b: Segment, u: float, v: float) -> tuple[float, float] | None:
-    """Return None if the crossing is not on the segments."""
+    """Return the crossing found by Newton's method, or None if it is not on the segments."""
     for _ in range(30):
         inside_u, inside_v = min(max(u, 0.0), 1.0), min(max(v, 0.0), 1.0)
         (ax, ay, adx, ady), (bx, by, bdx, bdy) = (
@@ -223,11 +223,6 @@ FLAT_MM = 0.002
 
 def clip_across(path: Path, low: float, high: float) -> Path:
     """Return the part of a closed path with low <= x <= high, closed by straight lines; its curves are exact.
-
-    Raises
-    ------
-    InputError
-        The path is outside of this range, or the part consists of several pieces.
 
     Examples
     --------

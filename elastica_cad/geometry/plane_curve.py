@@ -154,12 +154,6 @@ class PlaneCurve(NurbsCurve):
     provenance : Provenance, optional
         Record of the curve's origin in a file.
 
-    Raises
-    ------
-    InputError
-        The numbers do not define a curve with a tangent everywhere. Examples are too few control points, knots that
-        decrease or break the curve apart, weights that are not positive, zero length, and a cusp.
-
     Examples
     --------
     >>> curve = PlaneCurve.spline([(0, 0), (30, 40), (60, 40), (90, 0)], degree=3)

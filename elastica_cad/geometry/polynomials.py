@@ -227,7 +227,7 @@ def interior_roots(c: FloatArray) -> list[Root]:
 
 
 def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
-    """Return the numbers (k,) of sign changes in rows, without zeros, and True (k,) for rows with zeros."""
+    """Return the numbers (k,) of sign changes in rows, without zeros, and flags (k,) of rows with zeros."""
     blurred = (sign == 0).any(axis=1)
     if blurred.any():
         sign = sign.copy()

@@ -35,12 +35,6 @@ def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
         Matrix of the map. The image of (x, y) is matrix @ (x, y, 1) divided by its third component; this
         component is 1 at the first handle.
 
-    Raises
-    ------
-    InputError
-        There are not four points each, two handles coincide, or three are collinear. If handles are
-        exchanged, points of a curve may be mapped to infinity; `transformed` refuses such a map.
-
     Examples
     --------
     >>> square = [(0, 0), (1, 0), (1, 1), (0, 1)]

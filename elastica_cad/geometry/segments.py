@@ -228,14 +228,7 @@ class Arc:
         return Arc(self.center, self.radius, self.end_angle, self.start_angle)
 
     def transformed(self, matrix: ArrayLike) -> "Arc":
-        """Return the image of the arc under a 3x3 matrix that moves, rotates, mirrors or scales.
-
-        Raises
-        ------
-        InputError
-            The matrix would map the arc to an ellipse; `Path.transformed` replaces the arc by a spline in this
-            case.
-        """
+        """Return the image of the arc under a 3x3 matrix that moves, rotates, mirrors or scales."""
         m = require_affine(matrix)
         if not is_similarity(m):
             raise InputError(

@@ -453,8 +453,6 @@ def adaptive_spline(
 
     Raises
     ------
-    InputError
-        The function is not finite.
     NotConvergedError
         The function has a jump or kink that is not in `breaks`, or noise above the tolerance.
     """
@@ -531,7 +529,10 @@ def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Floa
 
 
 def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArray) -> FloatArray:
-    """Replaces `make_lsq_spline` of SciPy, whose import takes longer than all fits of a command."""
+    """Return least-squares coefficients.
+
+    `make_lsq_spline` of SciPy is not used, because its import takes longer than all fits of a command.
+    """
     basis, index = spans.local_basis(x.ravel())
     first, weight = spans.first[index], weights.ravel()[:, None]
     rows, targets = basis * weight, values.reshape(x.size, -1) * weight
@@ -794,13 +795,7 @@ def _scatter(data: FloatArray, error: FloatArray, tolerance: float) -> str:
 
 
 def distinct_points(points: ArrayLike) -> FloatArray:
-    """Return the points (n, 2) to fit, without equal neighbours.
-
-    Raises
-    ------
-    InputError
-        The array has not two columns, or there are fewer than two different points.
-    """
+    """Return the points (n, 2) to fit, without equal neighbours."""
     data = finite("points", points)
     if data.ndim != 2 or data.shape[1] != 2:
         raise InputError(f"points to fit must be rows of x, y: shape (n, 2), not {data.shape}")

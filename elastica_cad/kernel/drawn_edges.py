@@ -28,12 +28,6 @@ def plane_curve(
     NURBS, lines and conics are converted exactly, and offset curves are approximated to 1e-6 mm. The direction of
     the curve and the axes of the plane are chosen as in `placed_curve`. Without `plane`, the side of the plane
     follows from the drawn edges and later rotations of the shapes.
-
-    Raises
-    ------
-    InputError
-        The shape is a face or body, or the edges are not in one plane or not in the given plane. Other reasons are
-        edges without length, gaps between edges, and corners.
     """
     if _has_faces(shape):
         raise InputError(

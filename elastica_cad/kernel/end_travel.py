@@ -86,9 +86,7 @@ def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
 
 
 def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, float]) -> SkinMesh:
-    """Return the surface mesh of a flat layer.
-
-    The layer is meshed when bent into a circular arc, because there each point determines its position in the flat
+    """Mesh a layer bent into a circular arc, because there each point determines its position in the flat
     pattern.
     """
     body = make_solid(BentSolid.wrapped(circle, layer.outline, layer.holes, heights=heights))
@@ -103,9 +101,8 @@ def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, f
 
 
 def _unrolled(points: FloatArray, radius: float) -> FloatArray:
-    """Return the positions in the flat strip of points (n, 3) of a strip that is bent into a circular arc.
-
-    They are (along the strip, across it, height), mm. The centre of the arc is the origin.
+    """Convert points (n, 3) of a strip bent into an arc about the origin to (along, across, height), mm, in
+    the flat strip.
     """
     flat = np.column_stack([points[:, 2]] * 3)
     turn = np.arctan2(points[:, 1], points[:, 0])
@@ -150,12 +147,6 @@ class Travel:
         Final position of the end after a translation, mm, in this plane.
     angle : float, optional
         Final angle of the end after a rotation, rad, with the full turns along the strip, as in `bend`.
-
-    Raises
-    ------
-    InputError
-        Both or none of `end` and `angle` are given, the end already has this position, or the point is out of
-        reach.
 
     Examples
     --------
@@ -228,14 +219,13 @@ class Travel:
         return Frame(self.frame.point(self._rod.position[-1]), x, np.cross(z, x))
 
     def _ends(self, share: float) -> dict[str, Any]:
-        """Return the keyword arguments of `bend` for a fraction of the path."""
         if self.angle is None:
             return {"end": self._rod.position[-1] + share * self._way}
         return {"angles": (None, float(self._rod.angle[-1] + share * self._turn))}
 
     @cached_property
     def _stations(self) -> tuple[Rod, ...]:
-        """Shapes along the path that are initial guesses for other shapes. The first is the designed shape."""
+        """Shapes along the path, from the designed shape on, that are initial guesses for other shapes."""
         return (self.strip.rod_to_bend, *self.rods(STATIONS + 1)[1:])
 
     def rods(self, frames: int) -> tuple[Rod, ...]:
@@ -279,12 +269,6 @@ class Travel:
             Colour of the base sheet: red, green and blue from 0 to 1. By default it is the colour of its material.
         force : bool
             If True, an existing file is overwritten.
-
-        Raises
-        ------
-        InputError
-            `frames` is less than 2, `seconds` is not positive, or the name does not end in .glb. Or the file
-            exists or cannot be written.
         """
         if FilePath(path).suffix.lower() != ".glb":
             raise InputError(f"{FilePath(path).name} is not a binary glTF file. Use a name ending in .glb.")
@@ -305,11 +289,6 @@ def travel_of(rib: StripBody, end: Point | None, angle: float | None) -> Travel:
     """Return the travel of the end of a bent body to a point, mm, or to an angle, degrees.
 
     A point is given in space, or by two coordinates in the `frame` of the body. The angle is in this frame.
-
-    Raises
-    ------
-    InputError
-        The body is not bent, or the point is not in the plane of its curve. For other reasons see `Travel`.
     """
     require_record(rib, StripBody, "what slides", "a bent strip")
     if rib._made.home is None:

@@ -61,11 +61,6 @@ def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = Non
     path : path-like
     bed : Frame, optional
         Plane that becomes z = 0, with its z axis upward. By default the body is not moved.
-
-    Raises
-    ------
-    InputError
-        The file exists or cannot be written.
     """
     bed = bed or Frame()
     nets = face_triangles(body, chord=PRINTED_MM, turn=TURN_RAD)
@@ -87,13 +82,7 @@ def _normals(corners: np.ndarray) -> np.ndarray:
 
 
 def write_glb(parts: Sequence[NamedShape], path: str | PathLike[str], *, name: str) -> None:
-    """Write parts with their positions, names and colours to a GLB file, in metres and with y upward.
-
-    Raises
-    ------
-    InputError
-        The file exists or cannot be written.
-    """
+    """Write parts with their positions, names and colours to a GLB file, in metres and with y upward."""
     k = kernel()
     for part in parts:
         k.BRepMesh_IncrementalMesh(bare(part.shape), SHOWN_MM, False, TURN_RAD, True)

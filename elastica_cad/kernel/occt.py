@@ -70,7 +70,6 @@ def _solid_of(record: BodyRecord | PrismSolid) -> Shape:
 
 
 def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
-    """Return the result of a boolean operation between a shape and other shapes."""
     if not others:
         return shape
     builder = kernel().BOPAlgo_BOP()
@@ -94,7 +93,6 @@ def _with_few_faces(shape: Shape) -> Shape:
 
 
 def _only_solid(shape: Shape) -> Shape:
-    """Return the solid in a compound that has only one solid."""
     solids = sub_shapes(shape, kernel().TopAbs_ShapeEnum.TopAbs_SOLID)
     if len(solids) != 1:
         raise InputError(
@@ -104,9 +102,9 @@ def _only_solid(shape: Shape) -> Shape:
 
 
 def sub_shapes(shape: Shape, *kinds: Any) -> list[Shape]:
-    """Return the sub-shapes of the first kind, in order.
+    """Return the sub-shapes of the kind `kinds[0]`, in order.
 
-    If there is a second kind, sub-shapes inside that kind are omitted.
+    Sub-shapes inside the kind `kinds[1]`, if it is given, are omitted.
     """
     explorer = kernel().TopExp_Explorer(shape, *kinds)
     shapes = []

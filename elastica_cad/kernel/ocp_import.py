@@ -59,7 +59,7 @@ def kernel() -> SimpleNamespace:
             f"solids and STEP need OpenCASCADE: {how_to_install('build123d')} (or cadquery)"
         ) from error
     except ImportError as error:
-        raise _unsound(error) from error
+        raise _loading_error(error) from error
     version = str(getattr(OCP, "__version__", "?"))
     release = version.split(".", maxsplit=1)[0]
     if release not in REMARKS:
@@ -74,7 +74,7 @@ def kernel() -> SimpleNamespace:
         module, name = REMARKS[release]
         names["Remarks"] = getattr(import_module(f"OCP.{module}"), name)
     except (ImportError, AttributeError) as error:
-        raise _unsound(error) from error
+        raise _loading_error(error) from error
     for kind in ("Vertex", "Edge", "Wire", "Face", "Shell", "Solid"):
         names[f"as_{kind.lower()}"] = getattr(names["TopoDS"], f"{kind}_s", None) or getattr(
             names["TopoDS"], kind
@@ -98,8 +98,7 @@ def library_trouble(library: str, error: ImportError) -> str:
     return kernel_trouble() or note("it cannot be loaded ({error}); install the named package", error=error)
 
 
-def _unsound(error: Exception) -> MissingDependencyError:
-    """Return the error for an installed OCP that cannot be loaded."""
+def _loading_error(error: Exception) -> MissingDependencyError:
     reason = note("OpenCASCADE (OCP) is installed but cannot be loaded ({error})", error=error)
     brought = {
         name: version

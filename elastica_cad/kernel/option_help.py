@@ -21,10 +21,10 @@ DRAWN = {
 def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
     """Return a decorator that adds the keys of `options` to docstring and signature of a class or function.
 
-    A key is declared as `Annotated["type", "help"]` in a typed dictionary. If two classes have the same key, the
-    first describes it. Keys that the docstring already describes are not repeated. With `drawn`, the first
-    parameters are path, sheet and width. In the signature, the keys replace `**options`, with `...` for their
-    defaults.
+    A key is declared as `Annotated["type", "help"]` in a typed dictionary. If two classes have the same key,
+    the first class describes the key. Keys that the docstring already describes are not repeated. With `drawn`,
+    the first parameters are path, sheet and width. In the signature, the keys replace `**options`, with `...`
+    for their defaults.
 
     Examples
     --------

@@ -46,11 +46,6 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
         A section for each plane, in order. Points are on the surface. A line has at most 1000 points, or as many
         as its chords need to be within 0.001 mm of it. A plane that misses the shape gives a section without
         lines.
-
-    Raises
-    ------
-    InputError
-        The object is not a shape.
     """
     k, shape = kernel(), bare(shape)
     if not isinstance(shape, k.TopoDS_Shape) or shape.IsNull():

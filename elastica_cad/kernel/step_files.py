@@ -59,11 +59,6 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
         Function to run.
     size : int
         Size of the file that the task reads, bytes.
-
-    Raises
-    ------
-    InputError
-        The copy crashed or exceeded its time limit.
     """
     if not hasattr(os, "fork"):
         return
@@ -127,9 +122,9 @@ def _has_many_wires(shape: Shape) -> bool:
 
 
 def _with_wires_apart(shape: Shape) -> Shape:
-    """Return the shape with separate vertices for every wire of a face, as in the writer of OpenCASCADE.
+    """Give every wire of a face separate vertices, as the writer of OpenCASCADE does.
 
-    For this, OpenCASCADE compares all pairs of wires, in a time proportional to the square of their number. This
+    The writer compares all pairs of wires, in a time proportional to the square of their number. This
     function changes only wires that share a vertex.
     """
     k = kernel()
@@ -218,11 +213,6 @@ def write_step(
     """Write parts with names and colours to a STEP file (AP214, millimetres).
 
     Several parts form an assembly with the name `name`, by default the name of the file.
-
-    Raises
-    ------
-    InputError
-        The list of parts is empty, the file exists (without `force`), or the folder is not writable.
     """
     if not parts:
         raise InputError("There is nothing to write. Pass at least one part.")
@@ -291,7 +281,6 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
 
 
 def _is_elementary(shape: Shape) -> bool:
-    """Return True if all faces of a shape are elementary surfaces."""
     k = kernel()
     known = [getattr(k.GeomAbs_SurfaceType, f"GeomAbs_{name}") for name in ELEMENTARY]
     faces = sub_shapes(bare(shape), k.TopAbs_ShapeEnum.TopAbs_FACE)
@@ -367,11 +356,6 @@ def read_step_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
     """Return the curves of a STEP or BREP file, and the numbers of other items.
 
     Edges of faces are ignored.
-
-    Raises
-    ------
-    InputError
-        The file is not a STEP file, or it has no free edges.
     """
     chains, skipped = free_chains(read_step_shape(file))
     if not chains:
@@ -403,13 +387,7 @@ def _scaled(chain: Run, scale: float) -> PlaneCurve:
 
 
 def read_step_shape(path: Path) -> Shape:
-    """Return all shapes in a STEP or BREP file, in mm.
-
-    Raises
-    ------
-    InputError
-        OpenCASCADE cannot read the file.
-    """
+    """Return all shapes in a STEP or BREP file, in mm."""
     kernel()
     try_in_a_copy(lambda: _read_shape(path), path.stat().st_size)
     return _read_shape(path)

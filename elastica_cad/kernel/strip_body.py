@@ -149,13 +149,7 @@ libraries."""
 
 
 def color_numbers(color: Any) -> tuple[float, ...]:
-    """Return a colour as 3 or 4 numbers from 0 to 1. It is given as a colour of a library, its name, or numbers.
-
-    Raises
-    ------
-    InputError
-        The object is not a colour.
-    """
+    """Return a colour as 3 or 4 numbers from 0 to 1. It is given as a colour of a library, its name, or numbers."""
     k = kernel()
     named = k.Quantity_Color()
     read = k.Quantity_Color.ColorFromHex_s if str(color).startswith("#") else k.Quantity_Color.ColorFromName_s
@@ -339,7 +333,7 @@ class StripBody:
         return replace(self.strip, rod=bend(self.strip.rod_to_bend, **led))
 
     def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
-        """Return a point in coordinates of the plane of the curve. Two coordinates are returned unchanged."""
+        """Return a point in the plane of the curve; two coordinates are returned unchanged."""
         try:
             row = numbers_of(point)
         except (TypeError, ValueError):

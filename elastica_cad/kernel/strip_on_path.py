@@ -67,7 +67,7 @@ NO_CURVES = {
     "Rod": "ec.Strip(rod, sheet, max_width=...)",
     "NearestRod": "ec.Strip(found.rod, sheet, max_width=...)",
 }
-"""Records that users pass in place of a curve, with the object to pass instead."""
+"""Names of records that are not curves, with the object that the user must pass instead."""
 
 
 class FixtureOptions(StripOptions, FixtureSizes, total=False):
@@ -100,12 +100,6 @@ def make_strip_on(
         Plane of the drawing. It determines which side of the path is up, if the path is parallel to it.
     **options
         `StripOptions`, and `max_width`.
-
-    Raises
-    ------
-    InputError
-        The edges are not a smooth plane curve or are in another plane, or an option is unknown or cannot be used
-        for a finished strip. For other reasons see `StripSpec.make`.
     """
     from elastica_cad.strip.strip_spec import StripSpec, changes_suggested_in_python
 
@@ -197,10 +191,7 @@ def _require_tabs(ends: Any) -> None:
 
 
 def _slots_in_rad(slots: Any) -> tuple[Slot, ...]:
-    """Return slots with their inclinations, given in degrees, in rad.
-
-    Issue a warning if they look like radians.
-    """
+    """Issue a warning if the inclinations look like radians."""
     given = several("slots", slots, Slot, "Slot")
     warn_of_radians([slot.lean for slot in given], LEAST_LEAN_DEGREES)
     return tuple(replace(slot, lean=radians(slot.lean)) for slot in given)
@@ -234,15 +225,9 @@ def make_fixture_on(
 
 
 def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[SectionCurve, ...]":
-    """Return the curves of the sections of a face or body by planes, each with its plane in space.
+    """`planes` are planes of any CAD library, or a `SectionSpec`; `half` selects the parts with x >= 0.
 
-    `planes` are planes of any CAD library, or a `SectionSpec`. With `half`, only the parts with x >= 0 are used. A
-    warning is issued for each omitted line.
-
-    Raises
-    ------
-    InputError
-        The shape has no faces, or no section is suitable for a strip.
+    Issue a warning for each omitted line.
     """
     from elastica_cad.forming.section_spec import GivenCuts, SectionSpec
     from elastica_cad.kernel.shape_sections import shape_surface
@@ -303,7 +288,6 @@ def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> No
 
 
 def _frame_of(plane: Any) -> Frame:
-    """Return the frame of a plane of any CAD library."""
     if isinstance(plane, Frame):
         return plane
     for names in (("origin", "x_dir", "y_dir"), ("origin", "xDir", "yDir")):
@@ -313,5 +297,4 @@ def _frame_of(plane: Any) -> Frame:
 
 
 def _is_vector(value: Any) -> bool:
-    """Return True if the value is a vector of a CAD library."""
     return hasattr(value, "toTuple") or all(hasattr(value, name) for name in ("X", "Y", "Z", "__iter__"))

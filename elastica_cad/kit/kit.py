@@ -58,13 +58,7 @@ def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -
 def cutting_files(
     drawing: Drawing, stem: str, cutting: Cutting, sheet: Sheet, description: str = ""
 ) -> tuple[File, ...]:
-    """Return the DXF and SVG files of each part of a drawing. File names of parts after the first are numbered.
-
-    Raises
-    ------
-    InputError
-        The kerf is unknown, or a service does not accept a cut.
-    """
+    """Return the DXF and SVG files of each part of a drawing. File names of parts after the first are numbered."""
     options = cutting.options(sheet)
     return tuple(
         File(

@@ -88,20 +88,15 @@ def kit_contents(
         Entries of the design file from which the strips were made. The report lists the deviations from them.
     effects : bool
         If True, the shape of every finished strip in its holders is computed, with its deviation.
-
-    Raises
-    ------
-    InputError
-        A part is larger than a sheet, or a part cannot be cut or handled and `ignore_limits` is not set.
     """
     spec = spec or KitSpec()
     requests = {entry.label: entry.spec for entry in entries}
-    model = _joined(model, spec, requests)
-    messages = [*_bent_blanks(model), *_strip_faults(model, spec, requests), *_unstable(model)]
+    model = _with_plates_over_joints(model, spec, requests)
+    messages = [*_pre_bend_notes(model), *_strip_faults(model, spec, requests), *_instability_notes(model)]
     holders = list[Holder]()
     joined = _spliced(model, spec, requests)
     strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
-    pieces = (*_cut(strips, joined), *(plate.piece for plate in model.plates), *spec.extras(model))
+    pieces = (*_parts_to_cut(strips, joined), *(plate.piece for plate in model.plates), *spec.extras(model))
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
     shared = dict[tuple[str, Sheet | None, Nesting], list[tuple[str, tuple[Piece, ...]]]]()
     for request in spec.holders:
@@ -123,14 +118,14 @@ def kit_contents(
     messages += missing_slots(model.placed, model.joints, brief=True)
     unheld = unheld_ends(model, holders) if model.plates or holders else {}
     messages += _unheld_messages(model, unheld)
-    held, notes = _held(model, (*model.plates, *holders), unheld) if effects else ({}, ())
+    held, notes = _shapes_in_holders(model, (*model.plates, *holders), unheld) if effects else ({}, ())
     messages += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     messages += _bar_messages(spec)
     messages += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
     return KitContents(model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(messages))
 
 
-def _joined(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> Model:
+def _with_plates_over_joints(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> Model:
     """Return the model with plates over the joints of its strips, clear of slots."""
     known = {id(strip): joined_within(strip, _shop_of(strip, spec, requests)) for strip in model.strips}
     if all(known[id(strip)] is strip for strip in model.strips):
@@ -154,7 +149,7 @@ def _numbers_ends(model: Model, spec: KitSpec) -> bool:
 
 
 def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> FabricationLimits:
-    """Return the limits of the workshop. The stock is at most as large as a nested sheet without its borders."""
+    """The stock is at most as large as a nested sheet without its borders."""
     shop = requests[strip.label].shop if strip.label in requests else spec.shop
     if shop.lap is None:
         return shop
@@ -164,8 +159,8 @@ def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
     return replace(shop, stock=(min(first, long), min(second, short)))
 
 
-def _cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
-    """Return the parts to cut for strips. A strip that is joined from pieces is replaced by its pieces."""
+def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
+    """Replace strips that are joined from pieces by their pieces."""
     parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
     pieces: list[Piece] = []
     for piece in strips:
@@ -192,8 +187,7 @@ def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]
     return tuple(text for text in dict.fromkeys(messages) if text not in known)
 
 
-def _unstable(model: Model) -> list[str]:
-    """Return a note for each strip whose designed shape is unstable."""
+def _instability_notes(model: Model) -> list[str]:
     verdicts = ((part, stability(part.strip.rod)) for part in model.parts)
     return [
         note("{name}: {verdict}", name=part.name, verdict=str(verdict), severity="warning")
@@ -202,8 +196,8 @@ def _unstable(model: Model) -> list[str]:
     ]
 
 
-def _bent_blanks(model: Model) -> list[str]:
-    """Return notes on pre-bent strips, because their drawings do not show the bend. Equal notes are merged."""
+def _pre_bend_notes(model: Model) -> list[str]:
+    """Pre-bent strips need a note, because their drawings do not show the bend."""
     alike = dict[str, list[str]]()
     for part in model.parts:
         alike.setdefault(pre_bend_message(part.strip), []).append(part.name)
@@ -227,7 +221,6 @@ def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -
 
 
 def _bar_messages(spec: KitSpec) -> list[str]:
-    """Return a note if the reference bar is omitted, because the files are for a cutting service."""
     if spec.reference_bar is None or not spec.cutting.service:
         return []
     return [
@@ -252,7 +245,7 @@ def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -
     ]  # fmt: skip
 
 
-def _held(
+def _shapes_in_holders(
     model: Model, holders: Sequence[Holder], unheld: Mapping[int, object]
 ) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
     """Return the shape of each strip in its holders, and notes on play of tabs and missing rest shapes."""
@@ -276,10 +269,10 @@ def _held(
             notes.append(f"{name}: {shape}")
         else:
             held_shapes[name] = shape
-    return held_shapes, (*notes, *_strays(model, held_shapes))
+    return held_shapes, (*notes, *_deviation_notes(model, held_shapes))
 
 
-def _strays(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
+def _deviation_notes(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
     """Return a note on interlocked strips that deviate by more than the clearance of slots."""
     names = distinct_names(model.placed)
     locked = {names[k] for joint in model.joints for k in joint.members}

@@ -71,7 +71,8 @@ class SavedKit:
 def check_kit_folder(name: str, folder: str | Path, *, force: bool = False) -> None:
     """Raise InputError if the kit of a model with this name cannot be written to the folder.
 
-    It is called before the model is computed. Existing lists of a kit are refused unless `force` is set.
+    It is called before the model is computed. A folder that contains the lists of a kit is refused unless
+    `force` is set.
     """
     check_folder(folder, _lists(file_word(name)), force=force)
 
@@ -95,18 +96,13 @@ def model_kit(
         If True, include separate files of every part. For a cutting service, they are always included, without
         nested sheets.
     archives : bool
-        If True, include two ZIP files. The first has the files to cut or print, with every part once. The second
-        has all other files.
-
-    Raises
-    ------
-    InputError
-        Two parts have files of the same name.
+        If True, include two ZIP files. One file has the files to cut or print, with every part once.
+        The other file has all files except DXF and STL.
     """
     model, spec, cutting = contents.model, contents.spec, contents.spec.cutting
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
     name, files, taken = file_word(model.name), list[File](), set[str]()
-    listed = contents.cut_list.in_files(_homes(contents, parts=parts))
+    listed = contents.cut_list.in_files(_file_of_each_piece(contents, parts=parts))
     blocks = (replace(row, file=f"{PARTS}/{row.file}" if step else "") for row in listed.printed)
     listed = replace(listed, printed=tuple(blocks))
     csv, txt, json, page = _lists(name)
@@ -140,7 +136,7 @@ def model_kit(
             )
         files, taken = [*files, *cut], taken | names
     if step:
-        files += _blocks(contents)
+        files += _block_files(contents)
     files.append(File(json, lambda path: write_json(path, report), "report"))
     files.append(File(page, lambda path: write_text(path, _start_page(contents, report)), "this page"))
     files += _archives(name, files, PARTS if cutting.service else SHEETS) if archives else ()
@@ -205,11 +201,6 @@ def save_model(
     -------
     SavedKit
         The folder and its files.
-
-    Raises
-    ------
-    InputError
-        A part is larger than a sheet, a strip cannot be cut or handled, or a file exists.
 
     Examples
     --------
@@ -290,8 +281,8 @@ def _templates(contents: KitContents) -> list[Piece]:
     return templates
 
 
-def _homes(contents: KitContents, *, parts: bool) -> dict[str, str]:
-    """Return the name of the file from which each piece is cut: that of the part or that of its nested sheet."""
+def _file_of_each_piece(contents: KitContents, *, parts: bool) -> dict[str, str]:
+    """Return the file from which each piece is cut: a separate file, or that of the nested sheet."""
     named = contents.spec.cutting.file_name
     if parts:
         return {piece.name: f"{PARTS}/{named(piece.file_stem, 'dxf')}" for piece in contents.pieces}
@@ -303,7 +294,6 @@ def _homes(contents: KitContents, *, parts: bool) -> dict[str, str]:
 
 
 def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
-    """Return the start page of the kit, with links to its files."""
     listed = contents.cut_list
     lines = [
         f"{count_strips(contents.model)}; {counted(listed.count, 'piece')}, "
@@ -327,7 +317,6 @@ def _taken(pieces: int) -> str:
 
 
 def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
-    """Return a sentence with the number of printed blocks and their files."""
     count = len(contents.blocks)
     if not count:
         return []
@@ -339,9 +328,8 @@ def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
 
 
 def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]:
-    """Return an archive of the files to cut or print, with every part once, and an archive of other files.
-
-    The second has all files except DXF and STL.
+    """Return an archive of the files to cut or print, with every part once, and an archive of all but DXF and
+    STL files.
     """
     names = [file.name for file in files]
     cut = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
@@ -363,7 +351,7 @@ def _pack(files: Sequence[str], path: Path) -> None:
 
 
 def _assemblies(contents: KitContents, stem: str) -> tuple[File, File]:
-    """Return the files of the assembly that a CAD kernel writes. The bodies are computed only once."""
+    """Compute the bodies only once."""
     from elastica_cad.kernel.mesh_files import write_glb
     from elastica_cad.kernel.step_files import model_shapes, write_step
 
@@ -379,8 +367,7 @@ def _assemblies(contents: KitContents, stem: str) -> tuple[File, File]:
     )
 
 
-def _blocks(contents: KitContents) -> list[File]:
-    """Return the file of the block of each fixture, placed on the printer bed."""
+def _block_files(contents: KitContents) -> list[File]:
     blocks = contents.blocks
     stems = distinct(file_word(block.label) for block in blocks)
     return [

@@ -174,10 +174,7 @@ class StripResult:
             save(drawing, path, **version)
 
     def _picture(self) -> Callable[[Path], object]:
-        """Return a function that draws the picture.
-
-        It can be pickled without importing modules of kits and designs.
-        """
+        """The result can be pickled without importing modules of kits and designs."""
         from elastica_cad.plot.canvas import draw_file
         from elastica_cad.plot.strip_pictures import strip_sheet
 

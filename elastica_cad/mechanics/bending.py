@@ -144,9 +144,6 @@ def bend(
 
     Raises
     ------
-    InputError
-        The ends are farther apart than the length, a load acts where the support allows no movement, or an array
-        has a wrong shape.
     NotConvergedError
         No equilibrium found; the message states how far the continuation came.
 

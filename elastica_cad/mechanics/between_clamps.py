@@ -125,9 +125,6 @@ def elastica_between(
 
     Raises
     ------
-    InputError
-        The length is too short, the ends coincide without angles, or a force acts on a held end. This error also
-        occurs if the end is free and the start is not clamped.
     NotConvergedError
         As `bend`.
 

@@ -173,11 +173,6 @@ def bracing_of(
         Unit tangents of the edges.
     edge_length : float
         Length of an edge, mm.
-
-    Raises
-    ------
-    InputError
-        Neither an end nor an element stops the rod from sliding on its rails.
     """
     edges = _Edges(tangents, edge_length, supports)
     n, free = edges.count, edges.free

@@ -79,12 +79,6 @@ class Calibration:
             permanent bend. Give exactly one.
         kerf, poisson_ratio, shear_modulus, grain, kind
             As in `Sheet`.
-
-        Raises
-        ------
-        InputError
-            The calibration has no thickness or density, or not exactly one of `max_strain` and `least_radius` is
-            given.
         """
         if self.youngs_modulus is None or self.thickness is None or self.density is None:
             raise InputError(
@@ -172,15 +166,6 @@ def calibrate_cantilever(
         Thickness, mm, and density, kg/m3; if both are given, the result contains E.
     thickness_error, density_error : float
         Standard deviations of thickness and density, mm and kg/m3; they affect the uncertainty of E only.
-
-    Returns
-    -------
-    Calibration
-
-    Raises
-    ------
-    InputError
-        The droop is not between 0 and the overhang, it is too near to one of these limits, or an error is negative.
 
     Notes
     -----

@@ -132,8 +132,6 @@ def creep(rod: Rod, factor: float) -> Creep:
 
     Raises
     ------
-    InputError
-        The factor is negative or not finite.
     NotConvergedError
         The strip collapses during creep, because no equilibrium exists near the first shape.
 
@@ -166,13 +164,7 @@ def creep(rod: Rod, factor: float) -> Creep:
 
 
 def require_creep(factor: object) -> float:
-    """Return the creep factor, or refuse an invalid one.
-
-    Raises
-    ------
-    InputError
-        The factor is negative, not finite, or not a number.
-    """
+    """Return the creep factor, or refuse an invalid one."""
     if not is_number(factor):
         raise InputError(f"creep is {factor!r}: give the creep factor, a number of 0 or more, such as 0.8")
     if factor < 0:

@@ -65,14 +65,7 @@ class LaminatedSection:
         return self._stiffness(*self._widths(base_width, backing_width))
 
     def backing_width(self, base_width: ArrayLike, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the backing widths (n,), mm, for bending stiffnesses E I (n,), N mm2, from quadratic equations.
-
-        Raises
-        ------
-        InputError
-            E I is less than that of the base alone or more than that of two layers of full width. The message
-            states the position.
-        """
+        """Return the backing widths (n,), mm, for bending stiffnesses E I (n,), N mm2, from quadratic equations."""
         w1 = positive(base_width, "base width")
         EI = positive(bending_stiffness, "bending stiffness")
         w1, EI = matched(w1, EI)
@@ -217,12 +210,6 @@ class LaminatedSection:
 
         Every smaller ratio, with a thicker backing, is possible too. The result is inf if the base needs no
         backing.
-
-        Raises
-        ------
-        InputError
-            No thickness is possible, because a backing of width `least_backing` is too stiff where the stiffness
-            must be low.
         """
         K, w1 = positive(stiffness, "stiffness"), positive(base_width, "base width")
 
@@ -404,10 +391,6 @@ def laminate_factor(
     section : LaminatedSection
     natural_curvature : array_like
         Curvature kappa_0 before bending, 1/mm.
-
-    Returns
-    -------
-    (n,) array
 
     Notes
     -----

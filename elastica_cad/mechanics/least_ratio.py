@@ -193,7 +193,7 @@ def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Pro
 
 
 def _without_jump(profile: Profile, place: float, *, keep_left: bool) -> Profile:
-    """Give both sides of the jump its left (`keep_left`) or right value."""
+    """Return the profile with the left (`keep_left`) or right value on both sides of its jump at `place`."""
     first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
     coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
     return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
@@ -284,8 +284,6 @@ def optimal_rod(
     ------
     NotRealizable
         No admissible stiffness exists; `check` of the error states why and where.
-    InputError
-        The options conflict, the curve has a kink, or no rod within the stiffness limits carries the weight.
 
     References
     ----------
@@ -443,7 +441,7 @@ def _rod_of(
 
 
 def _unbent_rod(request: RodRequest) -> Rod:
-    """Under weight the curve must be vertical."""
+    """Under weight, the moments are zero only if the curve is vertical."""
     check, nodes = request.check, request.nodes
     n = nodes.s.size
     B, weight = request.bending_stiffness or request.largest_stiffness, request.weight
@@ -654,16 +652,10 @@ def optimal_laminate(
     masses : tuple of PointMass
         Masses that hang on the strip.
 
-    Returns
-    -------
-    Laminate
-
     Raises
     ------
     NotRealizable
         As `optimal_rod`.
-    InputError
-        The stiffness does not fit into the width; the message states a sufficient thickness ratio.
     NotConvergedError
         The iteration for weight and stiffness does not converge.
 
@@ -824,7 +816,7 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return at least 1 in spite of errors of the profile."""
+    """Return the relative stiffness at arc lengths `s`, at least 1 in spite of errors of the profile."""
     return np.maximum(rod.profile(s), 1.0)
 
 

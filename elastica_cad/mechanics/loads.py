@@ -38,11 +38,6 @@ class Gravity:
     direction : (2,) array_like
         Direction of gravity in the plane of the curve; its length has no effect.
 
-    Raises
-    ------
-    InputError
-        The length is not positive and finite, or the direction is zero.
-
     Examples
     --------
     >>> Gravity(96.0, (3, -4)).e.round(9).tolist()
@@ -289,12 +284,6 @@ class Supports:
     start, end : End or str
         An `End`, or a name that `End.named` accepts.
 
-    Raises
-    ------
-    InputError
-        The rod could move as a rigid body, because a coordinate is free at both ends or nothing prevents rotation.
-        Two free ends are allowed for rods that are held by elements between the ends.
-
     Examples
     --------
     >>> Supports("clamped", "pinned").end
@@ -515,7 +504,7 @@ class RestCurvature(EqualByValue):
     def at(self, s: FloatArray, derivative: int = 0, *, left: bool = False) -> FloatArray:
         """Return the natural curvature, 1/mm, or its derivatives at arc lengths s, mm.
 
-        At a jump the right or `left` value.
+        At a jump the result is the value on the right, or on the left with `left`.
         """
         s = np.clip(s, 0.0, self.length)
         for place, _ in self.profile.breaks:
@@ -570,13 +559,7 @@ NaturalCurvature: TypeAlias = float | RestCurvature
 
 
 def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray:
-    """Return the natural curvature, 1/mm: a number, or values (n,) at nodes `s` (n,), mm, along the whole strip.
-
-    Raises
-    ------
-    InputError
-        The lengths of the rod and of the pre-bent strip differ.
-    """
+    """Return the natural curvature, 1/mm: a number, or values (n,) at nodes `s` (n,), mm, along the whole strip."""
     return rest.at(s * rest.stretch_to(float(s[-1]))) if isinstance(rest, RestCurvature) else rest
 
 

@@ -36,11 +36,6 @@ def optimal_rods(
         Results in the order of `curves`. For a curve that no rod can take, the error that `optimal_rod` raises,
         such as `NotRealizable`.
 
-    Raises
-    ------
-    InputError
-        `curves` is not a sequence, or `executor` is not an Executor.
-
     Examples
     --------
     >>> arch = PlaneCurve.spline([(0, 0), (30, 60), (70, 60), (100, 0)], degree=3)

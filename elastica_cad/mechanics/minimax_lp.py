@@ -24,9 +24,8 @@ class Exchange(NamedTuple):
     box : float
         Bound of the scaled unknowns, which are of order 1; the bounds define the first vertex.
     feasible : float
-        Largest violation of a condition that counts as a rounding error. It is relative to 1, or to
-        the ratio R if
-        the condition contains R.
+        Largest violation of a condition that counts as a rounding error. It is relative to 1, or to the ratio R
+        if the condition contains R.
     pivot : float
         Least coefficient, as a fraction of the largest, of a condition that may become inactive.
     most : int

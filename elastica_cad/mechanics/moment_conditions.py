@@ -182,8 +182,8 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
 def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
     """Return the moments at the ends of panels, with exact zeros where kappa - kappa_0 is zero.
 
-    The rounding errors at these zeros would be large relative to the moment next to a zero. They are interpolated
-    linearly between the zeros and subtracted.
+    The rounding errors at these zeros would be large relative to the moment next to a zero. The errors
+    are interpolated linearly between the zeros and subtracted.
     """
     vanishes = np.zeros(panels.count + 1, dtype=bool)
     vanishes[:-1] = panels.zero_left

@@ -55,13 +55,7 @@ class MaterialLaw(ABC):
         return self
 
     def require_injective(self, largest_curvature: float) -> None:
-        """Refuse a law that is not injective up to `largest_curvature` (1/mm).
-
-        Raises
-        ------
-        InputError
-            The law is not injective; the message states the limit of curvature.
-        """
+        """Refuse a law that is not injective up to `largest_curvature` (1/mm)."""
         limit = self.injective_limit
         if largest_curvature > limit * (1 + _ROUNDING_SHARE):
             raise InputError(
@@ -74,23 +68,11 @@ class MaterialLaw(ABC):
             )
 
     def require_design(self, largest_curvature: float) -> None:
-        """Make sure that a strip can be designed for curvatures up to `largest_curvature` (1/mm).
-
-        Raises
-        ------
-        InputError
-            The law is not injective up to this curvature.
-        """
+        """Make sure that a strip can be designed for curvatures up to `largest_curvature` (1/mm)."""
         self.require_injective(largest_curvature)
 
     def curvature(self, effective: ArrayLike) -> FloatArray:
-        """Return the inverse of `effective_curvature` (n,) in the range where it is monotonic, by bisection.
-
-        Raises
-        ------
-        InputError
-            The moment is larger than the largest moment of the law.
-        """
+        """Return the inverse of `effective_curvature` (n,) in the range where it is monotonic, by bisection."""
         m = np.asarray(effective, dtype=float)
         largest = float(np.abs(m).max(initial=0.0))
         top = min(largest, self.injective_limit)
@@ -295,11 +277,6 @@ class TabulatedLaw(MaterialLaw):
         Positive, increasing curvatures, 1/mm; the point (0, 0) is added.
     moments : (m,) array_like
         Moments in any unit, because they are divided by the slope at curvature 0.
-
-    Raises
-    ------
-    InputError
-        There are fewer than two points, the curvatures do not increase, or a value is not positive.
 
     Examples
     --------

@@ -88,10 +88,6 @@ def correct(
     damping : float
         Smallest fraction of a step. If a smaller fraction is needed, the start is far from the solution, and the
         result may be on another branch of equilibria.
-
-    Returns
-    -------
-    state, iterations
     """
     current = state
     step = newton_step(current, _residual_beyond(current, kept))
@@ -401,13 +397,7 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
 
 
 def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
-    """Return the equilibrium under the full dead load on the branch that leaves the straight state in mode `mode`.
-
-    Raises
-    ------
-    InputError
-        The load is too small to buckle the rod in this mode.
-    """
+    """Return the equilibrium under the full dead load on the branch that leaves the straight state in `mode`."""
     system = state.system
 
     def scaled(factor: float) -> RodState:

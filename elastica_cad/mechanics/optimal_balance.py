@@ -112,7 +112,7 @@ def _with_weight(request: RodRequest) -> BalancedStiffness:
 
 
 def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -> Weight:
-    """Return the weight; if its `own` is True, that of a strip of least bending stiffness B, N mm2, is added."""
+    """Return the weight; with `own`, the weight of a strip of least bending stiffness B, N mm2, is added."""
     step = bending_stiffness / gravity.length**3
     return replace(weight, beta=_raised(weight.beta, step), own=False) if weight.own else weight
 
@@ -224,7 +224,7 @@ def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
 
 
 def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """By a search, because the weight of the strip depends on tau."""
+    """Search for tau, because the weight of the strip depends on tau."""
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
@@ -253,7 +253,7 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
 
 
 def _ratio_at(load: WeightedPanels, tau: float) -> float:
-    """Return infinity if no stiffness carries the weight."""
+    """Return the least stiffness ratio, or infinity if no stiffness carries the weight."""
     try:
         problem = load.against(tau)
         optimum = problem.ratio(problem.at_compliance(tau))
@@ -530,8 +530,8 @@ def _unsettled(law: BoundedLaw, change: float) -> NotConvergedError:
 def extrapolated(first: float, second: float, third: float) -> float:
     """Return the limit of a sequence from its last three logarithms, by Aitken's method.
 
-    If they do not converge geometrically, the last logarithm is returned. The extrapolation is at most
-    `LONGEST_JUMP`.
+    If the logarithms do not converge geometrically, the last logarithm is returned. The extrapolation is at
+    most `LONGEST_JUMP`.
     """
     step, before = third - second, second - first
     if before == 0 or not -0.9 < step / before < SLOWEST_RATE:

@@ -109,13 +109,7 @@ def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
 
 
 def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
-    """Return a stiffness profile and its values at nodes s (n,), mm, both divided by the least of these values.
-
-    Raises
-    ------
-    InputError
-        The stiffness is not positive.
-    """
+    """Return a stiffness profile and its values at nodes s (n,), mm, both divided by the least of these values."""
     if not profile.is_positive:
         raise InputError("rod stiffness must be positive everywhere along the rod")
     K = profile(s)
@@ -476,11 +470,6 @@ class Rod:
             Rod whose moments and forces are zero. With gravity it is not in equilibrium, and `residual` is its
             imbalance.
 
-        Raises
-        ------
-        InputError
-            The length or the stiffness is not positive.
-
         Examples
         --------
         >>> Rod.straight(100.0, [1, 2, 3]).ratio
@@ -698,13 +687,7 @@ class Rod:
 
     @cached_property
     def discrete(self) -> DiscreteRod:
-        """Discrete rod for stability, with angles and forces of the edges, and tangent stiffness at the nodes.
-
-        Raises
-        ------
-        InputError
-            Two neighbouring nodes coincide.
-        """
+        """Discrete rod for stability, with angles and forces of the edges, and tangent stiffness at the nodes."""
         steps = np.diff(self.position, axis=0)
         apart = (steps[:, 0] != 0) | (steps[:, 1] != 0)
         if not apart.all():

@@ -220,13 +220,7 @@ class ScaleRange:
 
     @property
     def scale(self) -> float:
-        """Largest scale that can be built, as in the paper: as much added material as the outer width allows.
-
-        Raises
-        ------
-        InputError
-            No scale can be built; the message states the conflicting stations.
-        """
+        """Largest scale that can be built, as in the paper: as much added material as the outer width allows."""
         if not self.feasible:
             raise InputError(
                 f"no bending stiffness per unit of K suits all stations: station {self.lowest_at} needs at "

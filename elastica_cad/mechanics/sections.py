@@ -62,11 +62,6 @@ def anticlastic_factor(
     array
         Factor on E I, with the broadcast shape.
 
-    Raises
-    ------
-    InputError
-        Width or thickness is not positive, nu is outside [0, 1), or values are not finite.
-
     Notes
     -----
     The deflection v(y) across the strip minimises the energy of bending and stretching:
@@ -261,11 +256,6 @@ def crack_energy(poisson_ratio: float, grain: float = 1.0) -> float:
         Poisson's ratio nu, dimensionless.
     grain : float
         Ratio of sqrt(E / G) of the sheet to sqrt(E / G) of a sheet without grain.
-
-    Raises
-    ------
-    InputError
-        Poisson's ratio is not from 0 to 0.5, or `grain` is not positive.
 
     Examples
     --------

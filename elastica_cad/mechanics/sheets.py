@@ -482,11 +482,6 @@ class Sheet:
         Surface strain at which the sheet breaks. By default wood and brittle plastics break at 1.5 times
         `max_strain`, and other sheets do not break (`mechanics.section_limits`).
 
-    Raises
-    ------
-    InputError
-        A value is impossible, or a range does not contain its value.
-
     Examples
     --------
     >>> ply = Sheet("my-ply", thickness=0.8, youngs_modulus=9250.0, density=680.0, max_strain=0.008)
@@ -594,13 +589,7 @@ class Sheet:
         return value
 
     def require_plausible(self) -> None:
-        """Refuse values that are so small or large that their unit must be wrong.
-
-        Raises
-        ------
-        InputError
-            A value is outside the range of all sheets.
-        """
+        """Refuse values that are so small or large that their unit must be wrong."""
         for key, entry in sheet_keys().items():
             if key in PLAUSIBLE and is_number(figure := getattr(self, entry.name)):
                 plausible_number(figure, key, f"sheet {self.name!r}", entry.name)
@@ -632,11 +621,6 @@ class Sheet:
     def of(cls, given: "Sheet | str") -> "Sheet":
         """Return a given sheet, or the sheet with a given name (see `named`).
 
-        Raises
-        ------
-        InputError
-            The value is neither a sheet nor a name.
-
         Examples
         --------
         >>> Sheet.of("mdf-3").thickness
@@ -661,11 +645,6 @@ class Sheet:
             A name of `sheet_names`, a file such as "my.toml", or a sheet in a file, "my.toml:NAME".
         folder : Path, optional
             Folder of the files; by default the working folder.
-
-        Raises
-        ------
-        InputError
-            The name is unknown (the message lists the nearest names), or `load_sheets` cannot read the file.
         """
         if not isinstance(name, str | PathLike):
             raise InputError(
@@ -897,12 +876,6 @@ def load_sheets(path: str | Path) -> dict[str, Sheet]:
     ``nominal_poisson_ratio`` for estimates only), ``grain``, ``kind``, ``source`` and ranges such as
     ``youngs_modulus_range_MPa = [8200, 10300]``. ``grain`` is a word, or an angle of 0 or 90 degrees.
 
-    Raises
-    ------
-    InputError
-        The file does not exist or is not TOML, a key is unknown, or a value is missing or impossible. The message
-        states the file, the sheet and the key.
-
     Examples
     --------
     >>> from tempfile import TemporaryDirectory
@@ -917,13 +890,7 @@ def load_sheets(path: str | Path) -> dict[str, Sheet]:
 
 
 def sheets_from_table(table: object, *, where: str) -> dict[str, Sheet]:
-    """Return the sheets of the parsed table ``sheets`` of a TOML file; messages call the file `where`.
-
-    Raises
-    ------
-    InputError
-        As `load_sheets`.
-    """
+    """Return the sheets of the parsed table ``sheets`` of a TOML file; messages call the file `where`."""
     if not isinstance(table, Mapping) or not table:
         raise InputError(f"{where} contains no sheet: add a table [sheets.NAME]")
     figures = {name: _fields(name, entry, where) for name, entry in table.items()}

@@ -177,7 +177,7 @@ class SidewaysSection:
 
 
 def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> float:
-    """By default that of an isotropic sheet; refuse an impossible value."""
+    """Return G / E, by default that of an isotropic sheet; refuse an impossible value."""
     nu = require_number(poisson_ratio, "poisson_ratio")
     if not -1 < nu < 1:
         raise InputError(
@@ -332,11 +332,6 @@ def sideways_stability(
         Poisson's ratio nu; an isotropic sheet has G / E = 1 / (2 (1 + nu)).
     shear_ratio : float, optional
         G / E of a sheet with grain, as in `Sheet.shear_ratio`.
-
-    Raises
-    ------
-    InputError
-        A width or thickness is not positive, or the argument is not a rod.
 
     Notes
     -----

@@ -64,11 +64,6 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     The recursion is that of the paper, section 7.1. If the angle is free at the start, the solution zeta starts
     with the slope 0. The rows of a coordinate that is not held at both ends are omitted.
 
-    Raises
-    ------
-    InputError
-        The tension is so large that the recursion overflows.
-
     Examples
     --------
     A straight, unloaded cantilever has no conjugate point.
@@ -115,10 +110,6 @@ def determinant_gradient(
     load_slope : (n+1, 2) array, optional
         Derivative of the weight of each node by its stiffness, 1/mm2. It is load / K if the weight is
         proportional to K.
-
-    Returns
-    -------
-    (n+1,) array
     """
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod")
     for name, values in (("weights", weights), ("moments", moments)):
@@ -168,11 +159,6 @@ def conjugate_point(rod: DiscreteRod) -> float | None:
     It is the length s of the shortest piece [0, s] of the rod that is not stable if it is clamped at s. It is
     found by bisection on the number of unstable modes of the piece. This method excludes the zero of the
     determinant at s = 0.
-
-    Raises
-    ------
-    InputError
-        The angle is free at the end of the rod; use the reversed rod.
     """
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     if not rod.held_angles[1]:
@@ -357,27 +343,20 @@ class Stability:
 def stability(rod: Rod) -> Stability:
     """Return the stability of a rest shape with its weight, supports and elements between its ends.
 
-    The computation takes O(n) operations. Two independent methods must agree. They are the number of
-    negative eigenvalues of the second variation with the end constraints (LDL^t), and its lowest
-    eigenvalue (inverse iteration). The result also contains the stability determinant of the Jacobi
-    equation
-    (paper, section 6.2). The determinant is valid with weight too, because weight changes only the force. All
-    methods use the stiffness dM/dkappa (`Rod.tangent_stiffness`). For a wide strip (`section`) that becomes
-    stiffer when it is bent, it is up to a tenth more than M / kappa.
+    The computation takes O(n) operations. Two independent methods must agree. They are the number of negative
+    eigenvalues of the second variation with the end constraints (LDL^t), and its lowest eigenvalue (inverse
+    iteration). The result also contains the stability determinant of the Jacobi equation (paper, section 6.2).
+    The determinant is valid with weight too, because weight changes only the force. All methods use the
+    stiffness dM/dkappa (`Rod.tangent_stiffness`). For a wide strip (`section`) that becomes stiffer when it is
+    bent, it is up to a tenth more than M / kappa.
 
     Parameters
     ----------
     rod : Rod
         Rod in equilibrium, from `optimal_rod`, `bend` or `nearest_rod`.
 
-    Returns
-    -------
-    Stability
-
     Raises
     ------
-    InputError
-        The rod is far from equilibrium; call `bend` first.
     NotConvergedError
         The two methods disagree.
 

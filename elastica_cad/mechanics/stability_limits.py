@@ -90,14 +90,8 @@ def stability_limit(rod: Rod, path: Path, *, side: int | None = None) -> Stabili
     side : {+1, -1}, optional
         Side to which a straight rod is bent (see `bend`).
 
-    Returns
-    -------
-    StabilityLimit
-
     Raises
     ------
-    InputError
-        The rod is unstable at the start, or the path is invalid.
     NotConvergedError
         No equilibrium is found at the start of the path.
 

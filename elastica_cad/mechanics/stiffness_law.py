@@ -288,7 +288,7 @@ class LaidLeaves(ThicknessLaw):
 
     @property
     def stack(self) -> "LaidLeaves":
-        """The law itself."""
+        """Stack of glued plies: the law itself."""
         return self
 
     @property
@@ -414,12 +414,10 @@ def scale_within(
     law : BoundedLaw
         Law for the stations in their bent state.
     stiffness : (n,) array
-        Relative
-        stiffness of the stations.
+        Relative stiffness of the stations.
     solved : float, optional
-        B of a rod that is in equilibrium already. A rod with weight is in equilibrium only with the
-        weight of its
-        sections, so its B is returned. The sections of a weightless rod may be increased to their limits,
+        B of a rod that is in equilibrium already. A rod with weight is in equilibrium only with the weight of
+        its sections, so its B is returned. The sections of a weightless rod may be increased to their limits,
         which include the limit of strain.
     """
     least, largest = law.limits

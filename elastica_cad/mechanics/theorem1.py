@@ -149,12 +149,10 @@ class EquilibriumCheck:
         Arc lengths, mm, at which the curvature minus the natural curvature (kappa - kappa_0) changes
         its sign.
     line : InflectionLine or None
-        Line through the inflections. For a single inflection it is the middle of the admissible
-        lines. None if no
-        line is needed.
+        Line through the inflections. For a single inflection it is the middle of the admissible lines. None if
+        no line is needed.
     off_line : tuple of (float, float)
-        Arc length, mm, of every point through which the line must pass, and the distance of the point
-        from the
+        Arc length, mm, of every point through which the line must pass, and the distance of the point from the
         line, mm.
     crossings, touches : tuple of float
         Arc lengths, mm, of inadmissible crossings and contacts between line and curve.
@@ -172,9 +170,9 @@ class EquilibriumCheck:
     bent_beforehand : bool
         True if the strip is not flat before it is bent.
     undecided : Undecided or None
-        Only for a curve that was fitted to points: the comparison with another curve that fits the
-        points equally
-        well. The other curve has a different result, or lacks inflections for which this curve is refused.
+        Only for a curve that was fitted to points: the comparison with another curve that fits the points
+        equally well. The other curve has a different result, or lacks inflections for which this curve is
+        refused.
     """
 
     realizable: bool
@@ -432,11 +430,6 @@ def require_bendable(curve: PlaneCurve) -> None:
     """Refuse objects other than curves, and curves with a corner, also where a closed curve starts and ends.
 
     No strip can follow a corner.
-
-    Raises
-    ------
-    InputError
-        The curve has a corner; the message states its position and a remedy.
     """
     require_curve(curve)
     corners = curve.tangent_breaks
@@ -555,11 +548,6 @@ The curvature of a shorter span would consist of rounding errors.
 
 def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     """Return the same closed curve with its start and end at the arc length `s`, mm.
-
-    Raises
-    ------
-    InputError
-        The curve is open, or `s` is not from 0 to its length.
 
     Examples
     --------

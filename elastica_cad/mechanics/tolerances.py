@@ -75,8 +75,6 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
 
     Raises
     ------
-    InputError
-        `max_width` is missing for a loss of width, or the loss is at least the least width.
     NotConvergedError
         No rest shape is found.
     """
@@ -218,11 +216,6 @@ class ToleranceRanges:
         Loss of width, mm.
     thickness_wave, wave_phase : (low, high)
         Amplitude, as a fraction, and phase, rad, of a wave of the thickness along the strip.
-
-    Raises
-    ------
-    InputError
-        The limits of a range are exchanged, or factors are not positive.
     """
 
     stiffness_range: Range = (0.9, 1.1)
@@ -384,15 +377,6 @@ def tolerance_study(
         Seed of the random numbers; results do not depend on the executor.
     executor : concurrent.futures.Executor, optional
         Executor (threads or processes) that computes the bent rods.
-
-    Returns
-    -------
-    ToleranceStudy
-
-    Raises
-    ------
-    InputError
-        The number of samples is not from 1 to `MOST_SAMPLES`, or the loss of width is at least the least width.
 
     Examples
     --------

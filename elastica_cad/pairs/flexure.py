@@ -185,8 +185,6 @@ class Flexure:
 
     Raises
     ------
-    InputError
-        The part is too thin to be cut, or touches itself; the message has suggestions.
     StrainError
         The strain exceeds what the sheet can withstand.
 
@@ -270,7 +268,12 @@ class Flexure:
                 starts = self.rods if self._are_apart(*rests) else self.rods[:1]
                 shapes += [self._nodal(self._push(start, scale)) for start in starts]
             else:
-                shapes.append((self._bends_of(self._led_rods), scale**2 * self._pull_of(self._led_rods)))
+                shapes.append(
+                    (
+                        self._bends_of(self._rods_with_moved_end),
+                        scale**2 * self._pull_of(self._rods_with_moved_end),
+                    )
+                )
         except NotConvergedError:
             return scale  # `warnings` reports it
         bends, stretch = (np.vstack(rows) for rows in zip(*shapes, strict=True))
@@ -303,10 +306,10 @@ class Flexure:
         return self.sheet.youngs_modulus * self.sheet.thickness * self.scale**3 / 12
 
     def _strains(self, bends: FloatArray, stretch: FloatArray, scale: float) -> FloatArray:
-        """Return the largest strain (..., n) at the nodes.
+        """Return the largest strain (..., n) at the nodes from changes of curvature (1/mm) and axial strains
+        (..., n).
 
-        It is computed from changes of curvature (1/mm) and axial strains (..., n). The ends are within the
-        fillets and have the strain of the fillets.
+        Ends within the fillets have the strain of the fillets.
         """
         s, h = self.pair.first.s, scale * self.pair.first.stiffness ** (1 / 3)
         bent = np.abs(bends) * h / 2 * curved_beam_factor(h * np.abs(self.pair.natural_curvature))
@@ -320,7 +323,6 @@ class Flexure:
         return np.asarray(strains)
 
     def _bends_of(self, rods: Iterable[Rod]) -> FloatArray:
-        """Return the changes of curvature (k, n), 1/mm, of shapes of the part."""
         return np.array([rod.curvature - self.pair.natural_curvature for rod in rods])
 
     def _pull_of(self, rods: Iterable[Rod]) -> FloatArray:
@@ -596,7 +598,7 @@ class Flexure:
         if self.pair.bistable:
             x, y = self.pushed[1]
         else:
-            x, y = -self._led_rods[int(self.travel.force.argmax())].force[-1]
+            x, y = -self._rods_with_moved_end[int(self.travel.force.argmax())].force[-1]
         return float(np.degrees(np.arctan2(y, x)))
 
     @cached_property
@@ -671,9 +673,8 @@ class Flexure:
         )  # fmt: skip
 
     def _push(self, start: Rod, scale: float, *places: float) -> PushPath:
-        """Return the path of a push straight to the other state.
-
-        Steps are finer up to each of the travels `places`, mm.
+        """Return the path of a push to the other state, with finer steps up to each of the travels `places`,
+        mm.
         """
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
@@ -697,7 +698,7 @@ class Flexure:
         return bend, stretch
 
     @cached_property
-    def _led_rods(self) -> Sequence[Rod]:
+    def _rods_with_moved_end(self) -> Sequence[Rod]:
         """Return the rods while the end moves along a straight line and turns uniformly; the start is fixed."""
         first, second = self.rods
         end, angle = second.position[-1], float(second.angle[-1])
@@ -715,7 +716,7 @@ class Flexure:
 
     def _led(self) -> FlexureTravel:
         first, second = self.rods
-        rods, B = self._led_rods, self.bending_stiffness
+        rods, B = self._rods_with_moved_end, self.bending_stiffness
         energy = B * np.array([rod.bending_energy for rod in rods])
         force = B * np.array([np.hypot(*rod.force[-1]) for rod in rods])
         strains = self._strains(self._bends_of(rods), self.scale**2 * self._pull_of(rods), self.scale)
@@ -753,8 +754,7 @@ class Flexure:
         near = np.abs(s[:, None] - s[None]) <= APART * (half[:, None] + half[None]) + s[1] - s[0]
         return float(np.where(near, np.inf, apart).min())
 
-    def _gap_on_the_way(self, travel: FlexureTravel) -> float:
-        """Return the least `_gap` of some shapes between the states, mm."""
+    def _least_gap_on_path(self, travel: FlexureTravel) -> float:
         shapes = travel.position[:: max(1, len(travel.position) // SHAPES)]
         gaps = [self._gap(self.line_through(shape)) for shape in shapes]
         return min(gaps)
@@ -823,7 +823,7 @@ class Flexure:
                 messages.append(note("between the states the strain reaches {most:.2g} %, but the sheet "
                                      "withstands {limit:.2g} % for long", severity="warning", most=100 * most,
                                   limit=100 * self.sheet.max_strain))  # fmt: skip
-            if (gap := self._gap_on_the_way(travel)) < LEAST_GAP_MM:
+            if (gap := self._least_gap_on_path(travel)) < LEAST_GAP_MM:
                 messages.append(note("between the states, two places of the part come within {gap} of each "
                                      "other",
                                   severity="warning", gap=Length(max(gap, 0.0))))  # fmt: skip

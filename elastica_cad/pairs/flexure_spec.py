@@ -147,8 +147,6 @@ class FlexureSpec(EqualByValue):
         ------
         NotRealizable
             No strip within the limits has both curves as rest shapes.
-        InputError
-            The part cannot be cut, or touches itself; the message has suggestions.
         """
         return Flexure(
             self.pair, Sheet.of(self.sheet), least_thickness=self.least_thickness, pad=self.pad, fillet=self.fillet,

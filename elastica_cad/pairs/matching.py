@@ -72,7 +72,7 @@ class MatchedPair:
 
 
 def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCurve]:
-    """Return both curves, reversed if this gives them a common start or the same clamps.
+    """Return both curves in directions that give them a common start or the same clamps, if possible.
 
     A curve may be drawn from either end.
     """
@@ -98,16 +98,6 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
         length minimises the changes of both curves. If the ends of both curves agree after a rigid motion (within
         1 % of the length and 2 degrees, with the same total turning), they become exactly the same clamps.
         "shape": each curve is scaled about its start.
-
-    Returns
-    -------
-    MatchedPair
-
-    Raises
-    ------
-    InputError
-        A curve cannot have the common length with its ends fixed, because it is straight or the lengths differ
-        too much.
 
     Examples
     --------
@@ -138,7 +128,7 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     lengths = [curve.length for curve in (first, second)]
     length = _least_change(drawn, lengths)
     changed = [drawn_curve.of_length(length) for drawn_curve in drawn]
-    moved = [_moved(*both) for both in zip((first, second), changed, strict=True)]
+    moved = [_largest_displacement(*both) for both in zip((first, second), changed, strict=True)]
     return MatchedPair(changed[0], changed[1], (moved[0], moved[1]), alike)
 
 
@@ -149,12 +139,12 @@ def _scaled(first: PlaneCurve, second: PlaneCurve) -> MatchedPair:
         start = curve.evaluate(np.array(curve.domain[0]))
         points = start + (curve.control_points - start) * (length / curve.length)
         changed.append(curve.with_control_points(points))
-    moved = [_moved(*both) for both in zip((first, second), changed, strict=True)]
+    moved = [_largest_displacement(*both) for both in zip((first, second), changed, strict=True)]
     alike = _are_alike(_Drawn.of(changed[0]), _Drawn.of(changed[1]), EQUAL)
     return MatchedPair(changed[0], changed[1], (moved[0], moved[1]), alike)
 
 
-def _moved(before: PlaneCurve, after: PlaneCurve) -> float:
+def _largest_displacement(before: PlaneCurve, after: PlaneCurve) -> float:
     """Return the largest distance between points at the same fraction of the length, mm."""
     if after is before:
         return 0.0
@@ -204,8 +194,8 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
 class _Drawn:
     """Curve and its requested clamps: start (2,), end (2,), both angles (2,).
 
-    The angle of its tangent changes by c + alpha u + <beta, integral of position>. Here u is the fraction of the
-    length, c the change at the start, and alpha and beta (2,) are unknowns.
+    The angle of the tangent changes by c + alpha u + <beta, integral of position>. Here u is the fraction of
+    the length, c the change at the start, and alpha and beta (2,) are unknowns.
     """
 
     curve: PlaneCurve
@@ -218,7 +208,6 @@ class _Drawn:
 
     @property
     def chord(self) -> FloatArray:
-        """Vector (2,) from start to end, mm."""
         return self.clamps[1] - self.clamps[0]
 
     @cached_property
@@ -292,7 +281,6 @@ class _Drawn:
         return float((functions @ numbers) ** 2 @ weight)
 
     def of_length(self, length: float) -> PlaneCurve:
-        """Return the curve changed to a given length."""
         numbers = self.numbers(length)
         if numbers is None:
             raise NotConvergedError(f"no small change of the curve leads to the length {length}")

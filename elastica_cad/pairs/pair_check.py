@@ -88,11 +88,6 @@ def check_pair(first: PlaneCurve, second: PlaneCurve) -> PairCheck:
     PairCheck
         Result; its `str()` states why and where no strip is possible.
 
-    Raises
-    ------
-    InputError
-        A curve has corners or is closed, or the lengths differ.
-
     References
     ----------
     Paper, Theorem 1, with the difference of two curvatures instead of the curvature.
@@ -168,10 +163,7 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
 
 
 def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
-    """Return True if both curves have the same clamps.
-
-    Their ends relative to the start tangent, and their total turning, are compared.
-    """
+    """Compare the ends in the frame of the start tangent, and the total turning of the tangent."""
     (chord, turn), (other, other_turn) = (_clamps_of(curve) for curve in (first, second))
     return bool(
         np.hypot(*(chord - other)) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS
@@ -229,7 +221,6 @@ def _with_orders(
 
 
 def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
-    """Return the zero at an end of the curve, at arc length s, mm."""
     curve = difference.curve
     t = curve.domain[int(s > 0)]
     slope = float(difference.slope_at(t, left=s > 0))
@@ -437,6 +428,5 @@ def _rows(number: FloatArray, first: FloatArray, second: FloatArray) -> FloatArr
 
 
 def _tangents_at(curve: PlaneCurve, s: FloatArray) -> FloatArray:
-    """Return unit tangents (n, 2) at arc lengths s (n,), mm."""
     d1 = curve.derivatives(curve.parameter(np.clip(s, 0.0, curve.length)), 1)[1]
     return np.asarray(d1 / np.hypot(d1[:, :1], d1[:, 1:]))

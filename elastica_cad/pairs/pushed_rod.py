@@ -270,16 +270,13 @@ class _Chain:
         return r, t, np.arctan2(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0], (a * b).sum(axis=1))
 
     def bends(self, x: FloatArray) -> FloatArray:
-        """Return the changes of curvature (n + 1,) at the nodes."""
         return np.asarray(self._edges(x)[2] / self.weight - self.natural)
 
     def stretch(self, x: FloatArray) -> FloatArray:
-        """Return the axial strains (n + 1,) at the nodes."""
         strain = self._edges(x)[0] / self.edge - 1
         return np.asarray((np.append(strain, strain[-1]) + np.append(strain[0], strain)) / 2)
 
     def energy(self, x: FloatArray) -> float:
-        """Return the energy of bending and stretching."""
         r, _, turn = self._edges(x)
         bent = self.stiffness * self.weight @ (turn / self.weight - self.natural) ** 2
         return float(bent + self.axial * self.edge @ (r / self.edge - 1) ** 2) / 2
@@ -409,7 +406,7 @@ class _Chain:
 
 
 def _solved(band: FloatArray, right: FloatArray) -> FloatArray | None:
-    """Return the solution of a symmetric band system, or None if the matrix is not positive definite."""
+    """Return None if the symmetric band matrix is not positive definite."""
     from scipy.linalg import LinAlgError, solveh_banded
 
     try:

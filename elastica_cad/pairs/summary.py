@@ -21,14 +21,14 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
     live : bool
         True to show "…" instead of the stability, which is computed later.
     """
-    path = [] if quick else [Row(note("Force"), _force(part))]
+    path = [] if quick else [Row(note("Force"), _force_sentence(part))]
     first, second = part.rest_deviations
     rest = note(
         "at rest the part is up to {far} ({first}) and {other} ({second}) from its curves, because its forces "
         "stretch it",
         far=about(first), other=about(second), **_names(part),
     )  # fmt: skip
-    stability = Row(note("Stability"), LATER) if live else _stability(part)
+    stability = Row(note("Stability"), LATER) if live else _stability_row(part)
     rows = [_size(part), _strain(part, quick=quick), stability, *path, Row(note("Accuracy"), rest)]
     return in_order(rows)
 
@@ -61,8 +61,7 @@ def _strain(part: Flexure, *, quick: bool) -> Row:
     return Row(note("Strain"), text, severity="note" if allowed else "warning")
 
 
-def _stability(part: Flexure) -> Row:
-    """Return the row for the stability of both states, in the plane and sideways."""
+def _stability_row(part: Flexure) -> Row:
     (first, second), sides = part.pair.stability, part.sideways
     ratings = (first.rating, second.rating, *(side.rating for side in sides))
     details = [
@@ -81,8 +80,7 @@ def _stability(part: Flexure) -> Row:
     return Row(note("Stability"), text, details, "warning")
 
 
-def _force(part: Flexure) -> Refusal:
-    """Return a sentence about the forces between the states."""
+def _force_sentence(part: Flexure) -> Refusal:
     turn = round(part.force_direction)
     if not part.pair.bistable:
         return note(

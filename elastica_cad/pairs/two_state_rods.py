@@ -185,16 +185,10 @@ def two_state_rod(
     samples : int, optional
         Number of nodes of both states; by default 601.
 
-    Returns
-    -------
-    TwoStateRod
-
     Raises
     ------
     NotRealizable
         No rod within the limits has both rest shapes; `check` of the error states why and where.
-    InputError
-        A curve has corners or is closed, or the lengths differ.
 
     References
     ----------
@@ -219,16 +213,16 @@ def two_state_rod(
             raise InputError(f"{name} is {value!r}: give one of {', '.join(map(repr, known))}")
     check, paired, least = examine_pair(first, second)
     if free is not None:
-        return _within(limits, _with_free_state(check, free, count))
+        return _refuse_beyond_limits(limits, _with_free_state(check, free, count))
     if not check.realizable:
         raise NotRealizable(check)
     if paired is None or least is None:
-        return _within(limits, _with_free_state(check, "first", count))
+        return _refuse_beyond_limits(limits, _with_free_state(check, "first", count))
     if objective == "thickness":
         numbers = _thickest(paired, limits)
     else:
         numbers = _least(paired, least, limits)
-    return _within(limits, _rod_of(paired, numbers, count))
+    return _refuse_beyond_limits(limits, _rod_of(paired, numbers, count))
 
 
 def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> FloatArray:
@@ -253,7 +247,6 @@ def _stiffness_rows(paired: PairedPanels) -> FloatArray:
 
 
 def _first_curvature(paired: PairedPanels) -> FloatArray:
-    """Return the curvature (N, p) of the first curve at the nodes."""
     t = paired.panels.t
     return paired.check.first.curvature_at(t.ravel()).reshape(t.shape)
 
@@ -347,16 +340,17 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
 
 
 def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return the point between `start` and `goal`, nearest to `goal`, at which the bounds hold.
-
-    The largest value of the functions may not increase.
+    """Return the point between `start` and `goal`, nearest to `goal`, at which bounds hold and functions do
+    not increase.
     """
     values = [(rows @ start + offset, rows @ (goal - start)) for rows, offset in functions]
     most = max(float(value.max()) for value, _ in values) * (1 + BOUNDED)
-    room = [(most - value, change) for value, change in values]
-    room += [(np.maximum(rows @ start + offset, 0.0), -(rows @ (goal - start))) for rows, offset in bounds]
+    reserves = [(most - value, change) for value, change in values]
+    reserves += [
+        (np.maximum(rows @ start + offset, 0.0), -(rows @ (goal - start))) for rows, offset in bounds
+    ]
     share = 1.0
-    for left, change in room:
+    for left, change in reserves:
         rising = change > 0
         share = min(share, float((left[rising] / change[rising]).min(initial=1.0)))
     return np.asarray(start + share * (goal - start))
@@ -431,7 +425,6 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
 
 
 def _rod_of(paired: PairedPanels, numbers: FloatArray, samples: int) -> TwoStateRod:
-    """Return the rod for the numbers (6,) of its moments."""
     check, panels, size = paired.check, paired.panels, paired.check.length
     nodes = check.first.survey if samples == DEFAULT_SAMPLES else check.first.sample(samples)
     other = check.second.at(np.minimum(nodes.s, check.second.length))
@@ -485,8 +478,7 @@ def _with_free_state(check: PairCheck, free: State, samples: int) -> TwoStateRod
     return TwoStateRod(*states, replace(check, realizable=True, reasons=()), free)
 
 
-def _within(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
-    """Return the rod, or refuse it if it exceeds a limit."""
+def _refuse_beyond_limits(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
     values = {
         "ratio": pair.ratio,
         "natural_curvature": float(np.abs(pair.natural_curvature).max()),

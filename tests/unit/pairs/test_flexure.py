@@ -252,7 +252,7 @@ def test_the_direction_of_the_force_is_that_of_the_push(low):
 
 def test_the_direction_of_the_force_on_an_end_agrees_with_the_energy(stand):
     """The work of the force and of the moment on the end is the difference of the energy."""
-    rods, k = stand._led_rods, int(stand.travel.force.argmax())
+    rods, k = stand._rods_with_moved_end, int(stand.travel.force.argmax())
     before, after = (min(max(n, 0), len(rods) - 1) for n in (k - 1, k + 1))
     moments = [stand.bending_stiffness * rods[n].moment[-1] for n in (before, after)]
     turn = np.radians(stand.force_direction)
