@@ -14,7 +14,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_curve import PlaneCurve, integrate_tangents
 from elastica_cad.geometry.polynomials import LEFT, NODES, WEIGHTS, PanelFunction, in_panels, locate_in_panels
 from elastica_cad.mechanics.theorem1 import require_bendable
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 
 Kept: TypeAlias = Literal["ends", "shape"]
 
@@ -110,7 +110,7 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     for curve in (first, second):
         require_bendable(curve)
         if curve.is_closed:
-            raise InputError("a closed curve has no ends to hold: open the curve")
+            raise InputError("A closed curve has no ends to hold. Open the curve.")
     if not is_one_of(keep, ("ends", "shape")):
         raise InputError(f"keep is {keep!r}: give 'ends' or 'shape'")
     if keep == "shape":
@@ -182,10 +182,11 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
     if not np.isfinite(change(length)):
         raise InputError(
             "the curves are {first:.5g} and {second:.5g} long, and no small change of the curves between "
-            "their fixed ends makes these lengths equal. Draw curves of more similar length, or scale the "
-            'curves with keep="shape"',
+            "their fixed ends makes these lengths equal. Draw curves of more similar length, or scale them "
+            "({field} = shape).",
             first=Length(lengths[0]),
             second=Length(lengths[1]),
+            field=FieldName("match"),
         )
     return length
 

@@ -40,7 +40,7 @@ from elastica_cad.mechanics.theorem1 import (
     lengths,
     require_bendable,
 )
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 
 EQUAL_LENGTHS_SHARE = 1e-4
 """Largest relative difference of the lengths of two curves; if it is larger, use `matched_pair` first."""
@@ -145,15 +145,15 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
         require_bendable(curve)
         if curve.is_closed:
             raise InputError(
-                "a strip with two states needs two ends, but a closed curve has no ends: open the curve"
+                "A strip with two states needs two ends, but a closed curve has no ends. Open the curve."
             )
     if abs(second.length / first.length - 1) > EQUAL_LENGTHS_SHARE:
         raise InputError(
             "the first curve is {first:.6g} long, the second {second:.6g}, but the strip has the same length "
-            'in both. Make the lengths equal with matched_pair(first, second, keep="ends") (match = "ends", '
-            "--match ends)",
+            "in both. Make the lengths equal ({field} = ends).",
             first=Length(first.length),
             second=Length(second.length),
+            field=FieldName("match"),
             changes=[Change("match", "ends")],
         )
     start = second.evaluate(np.array(second.domain[0]))

@@ -91,7 +91,7 @@ def test_a_clip_by_mouse(tmp_path):
     state, verdict, reasons, bistable, sheet = found["made"]
     assert (state, reasons, bistable, sheet) == (["Up-to-date"], [], True, "pom-2")
     assert "snaps between them" in verdict
-    assert "snaps at about" in found["rows"]
+    assert "snaps over at about" in found["rows"]
     assert found["chart"][0]
     assert found["chart"][1] > 100
     assert all(value > 0 for value in found["force"])

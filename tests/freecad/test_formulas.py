@@ -1,7 +1,7 @@
 """Choices that are given by formulas: what is none of them is told with its property and its formula."""
 
 import pytest
-from freecad.elastica_wb.features import baseplate, curves, flat, model, proxy, strip
+from freecad.elastica_wb.features import baseplate, curves, flat, flexure, model, proxy, strip
 from freecad.elastica_wb.features.pieces import cuts_of
 from freecad.elastica_wb.features.proxy import Feature
 from freecad.elastica_wb.host.sheet_store import sheet_list
@@ -78,6 +78,8 @@ def test_every_list_of_choices_outlives_its_formula(document, made):
         baseplate.create(document, [made]),
         curves.section(document, [made]),
         curves.nearest(document, made.Curve[0]),
+        baseplate.create_rings(document, [made]),
+        flexure.create(document, made.Curve[0], (), made.Curve[0], ()),
     ]
     with_choices = {kind for kind in Feature.__subclasses__() if kind.choices}
     assert with_choices == {type(obj.Proxy) for obj in everything}

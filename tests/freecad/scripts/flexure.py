@@ -1,49 +1,77 @@
-"""A part with two states by hand: two sketches, the panel with its force curve, forms, files, a refusal."""
+"""A part with two states from an empty document to its files: two sketches drawn and picked by the mouse, the panel
+with its force curve, forms, files, a refusal."""
 
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 
-import FreeCAD as App
 import FreeCADGui as Gui
 from inside import (
     OUT,
     answers,
     at_rest,
+    begun,
     button,
     choose,
+    click,
     fit,
+    mouse,
     open_panel,
     panel,
     picture,
     press,
+    press_button,
     run,
     scroll_to,
     sketch,
     told,
+    tree_row,
     trigger,
+    type_into,
     typed,
     until,
     wait,
     window,
 )
+from sketching import draw, new_sketch
 
-UP = [(15, 75), (57, 75), (87, 102), (126, 102), (162, 102), (201, 75), (240, 75)]
-DOWN = [(15, 51), (51, 51), (81, 27), (120, 27), (162, 27), (204, 51), (240, 51)]
+UP = [(-195, 12), (-153, 12), (-123, 39), (-84, 39), (-46, 39), (-9, 12), (30, 12)]
+DOWN = [(-195, -12), (-159, -12), (-129, -36), (-90, -36), (-46, -36), (-9, -12), (30, -12)]
+
+
+def drawn(places):
+    """A sketch with one spline, by the mouse."""
+    choose()  # a new sketch would lie on what is selected
+    new_sketch()
+    fit("Top")
+    fit(height=300)  # all places are left of the panels of FreeCAD 1.1
+    draw(places)
+    made = Gui.ActiveDocument.getInEdit().Object
+    press_button("Close")
+    until(lambda: Gui.ActiveDocument.getInEdit() is None)
+    until(lambda: Gui.activeWorkbench().name() == "ElasticaWorkbench")
+    return made
+
+
+def picked(*sketches):
+    """Rows of the tree, clicked one after another with the control key down."""
+    for number, one in enumerate(sketches):
+        tree, item = tree_row(one)
+        mouse("keydown" if number else "keyup", "ctrl")
+        click(tree.viewport(), at=tree.visualItemRect(item).center())
+    mouse("keyup", "ctrl")
+    until(lambda: Gui.Selection.getSelection() == list(sketches))
 
 
 def work():
     window()
-    document = App.newDocument("Clip")
-    document.UndoMode = 1
-    Gui.activateWorkbench("ElasticaWorkbench")
+    document = begun("Clip")
     window()
-    first = sketch(document, UP, degree=3, name="Up", poles=False)
-    second = sketch(document, DOWN, degree=3, name="Down", poles=False)
-    small = sketch(document, [(x / 2, y / 2 - 60) for x, y in UP], degree=3, name="Small", poles=False)
+    first, second = drawn(UP), drawn(DOWN)
     fit("Top")
-    choose(first)
+    picture("drawn.png")
+    picked(first)
     press("Elastica_Flexure")
     until(told)
     answers["one curve"] = told()
@@ -53,7 +81,9 @@ def work():
         box.close()
     dialogs._open_boxes.clear()
 
-    open_panel("Elastica_Flexure", first, second)
+    picked(first, second)
+    press("Elastica_Flexure")
+    until(lambda: Gui.Control.activeDialog() and panel().form.isVisible())
     one = panel()
     part = document.getObject("Flexure")
     until(lambda: part.State == ["Up-to-date"])
@@ -85,7 +115,7 @@ def work():
 
     open_panel("Elastica_Export", part)
     answers["pieces"] = [piece.name for piece in panel().pieces]
-    panel().form.folder.setText(str(OUT / "files"))
+    type_into(panel().form.folder, str(OUT / "files"))
     button()
     until(lambda: (OUT / "files").is_dir() and told())
     answers["files"] = sorted(path.name for path in (OUT / "files").iterdir())
@@ -94,6 +124,7 @@ def work():
         box.close()
     dialogs._open_boxes.clear()
 
+    small = sketch(document, [(x / 2, y / 2 - 90) for x, y in UP], degree=3, name="Small", poles=False)
     open_panel("Elastica_Flexure", small, second)
     refused = document.getObject("Flexure001")
     at_rest()

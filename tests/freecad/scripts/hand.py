@@ -28,6 +28,7 @@ from inside import (
     picture,
     press,
     press_button,
+    press_on_card,
     run,
     sketch,
     still,
@@ -206,10 +207,7 @@ def use_nearest(document):
     answers["refused"] = live.session().card.answer.verdict.value
     picture("refused.png")
     refused = bad.Geometry[0].NbPoles
-    card = live.session().card
-    if not card.button.isVisible():  # a small view folds the card
-        click(card.fold)
-    click(card.button)
+    press_on_card("button")
     until(lambda: bad.Geometry[0].NbPoles != refused)
     until(lambda: live.session().card.answer.verdict.value != "cannot")
     live_at_rest()

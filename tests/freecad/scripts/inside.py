@@ -445,6 +445,16 @@ def live_at_rest():
     until(rests)
 
 
+def press_on_card(part):
+    """A button of the card over a sketch, by the mouse; a small view folds the card first."""
+    from freecad.elastica_wb.live import session as live
+
+    card = live.session().card
+    if not getattr(card, part).isVisible():
+        click(card.fold)
+    click(getattr(card, part))
+
+
 def drag(start, steps, shift, name="", grab=lambda: None):
     """A real mouse takes what is at a point in space and moves it by `steps` times `shift` pixels.
 

@@ -12,11 +12,11 @@ from inside import (
     ARCH,
     answers,
     begun,
-    click,
     drag,
     fit,
     live_at_rest,
     picture,
+    press_on_card,
     run,
     sketch,
     trigger,
@@ -76,7 +76,7 @@ def work():
     fit(height=320)
     until(lambda: live.session() is not None)
     live_at_rest()
-    click(live.session().card.keep)
+    press_on_card("keep")
     until(lambda: drawn.ElasticaKeep)
     answers["stored"] = [drawn.ElasticaKeep, live.session().card.keep.isChecked()]
     before, _ = poles(drawn)
@@ -104,7 +104,7 @@ def work():
     answers["drags"] = [DRAGS, refused[:3], stopped]
     apart = np.subtract(*poles(drawn))
     answers["circles"] = float(np.abs(apart).max())
-    click(live.session().card.keep)
+    press_on_card("keep")
     moved(drawn, 2, start[2] + (0, -400))
     answers["off"] = [drawn.ElasticaKeep, verdict(drawn) != ""]
 

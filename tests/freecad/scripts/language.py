@@ -81,7 +81,7 @@ def work():
         click(field)
         until(lambda: field.view().isVisible())
         picture("preferences.png")
-        keys("Up", "Return")  # over the title of the group
+        keys("Up", "Up", "Return")  # over the title of the group
         until(lambda: field.currentText() != shown)
         answers["preferences"] = [shown, field.currentText()]
         box.accept()

@@ -25,6 +25,7 @@ from inside import (
     panel,
     press,
     press_button,
+    press_on_card,
     run,
     scroll_to,
     sketch,
@@ -182,10 +183,7 @@ def reshape(document):
     until(lambda: live.session() is not None and live.session().near is not None)
     fit()
     refused = bad.Geometry[0].NbPoles
-    card = live.session().card
-    if not card.button.isVisible():  # a small view folds the card
-        click(card.fold)
-    click(card.button)
+    press_on_card("button")
     until(lambda: bad.Geometry[0].NbPoles != refused)
     live_at_rest()
     Gui.ActiveDocument.resetEdit()

@@ -91,7 +91,7 @@ def make_flexure() -> None:
     drawn = chosen_curves()
     if len(drawn) != len(STATES):
         raise InputError(
-            "A part with two states needs two curves, but {count} are selected. Select two sketches.",
+            "A part with two states needs two curves; number of selected curves: {count}. Select two sketches.",
             count=len(drawn),
         )
     (first, first_edges), (second, second_edges) = drawn
