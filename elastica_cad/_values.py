@@ -48,12 +48,12 @@ def require_positive(value: object, what: str, unit: str = "mm") -> None:
     """Raise InputError unless the value is a finite number above 0."""
     if not (is_number(value) and value > 0):
         shown_value = repr(value) if isinstance(value, str) else value
-        wanted = "positive" if is_number(value) else "a number above 0"
+        requirement = "positive" if is_number(value) else "a number above 0"
         raise InputError(
             "{what} is {told}: it must be {wanted}, in {unit}",
             what=what,
             told=shown_value,
-            wanted=wanted,
+            wanted=requirement,
             unit=unit,
             where={"field": what},
         )
@@ -289,12 +289,12 @@ def and_more(items: Sized, noun: str = "") -> str:
     >>> and_more("a", "pair"), and_more("abc", "pair"), and_more("abc")
     ('', ' (and 2 more pairs)', ' (and 2 more)')
     """
-    others = len(items) - 1
-    if others < 1:
+    count = len(items) - 1
+    if count < 1:
         return ""
     if not noun:
-        return note(" (and {others} more)", others=others)
-    return note(" (and {more})", more=counted(others, f"more {noun}"))
+        return note(" (and {others} more)", others=count)
+    return note(" (and {more})", more=counted(count, f"more {noun}"))
 
 
 def distinct_digits(first: float, other: float, digits: str) -> tuple[float, float]:

@@ -16,7 +16,9 @@ CUTTABLE_RATIO = 9.5
 """Stiffness ratio at which a strip 30 mm wide is barely wide enough for cutting at its narrowest point."""
 
 UNLIMITED_RATIO = 1000.0
-"""Largest stiffness ratio if no limit is given. Its widths, such as 0.1 and 100 mm, are beyond any machine."""
+"""Largest stiffness ratio if no limit is given. The widths of such a strip, for example 0.1 and 100 mm, are
+beyond any machine.
+"""
 
 TAB_LENGTH = 10.0
 """Length of a tab."""
@@ -25,7 +27,7 @@ RING_TAB_LENGTH = 8.0
 """Length of a tab that is held by a ring: it passes through 3 mm of material, and the rest is glued."""
 
 KERF = 0.0
-"""Kerf for which cutting files are corrected. It is 0, because many cutting services correct their kerf."""
+"""Kerf for which cutting files are corrected: 0, because many cutting services correct their kerf."""
 
 LASER_KERF = 0.2
 """Kerf for a two-state part if the kerf of its sheet is unknown."""
@@ -34,7 +36,7 @@ CLEARANCE = 0.1
 """Difference between the width of a slot and the thickness of the sheet in it."""
 
 PLAY = 0.3
-"""Clearance on each side of a tab in its slot. It is small, because tabs may be close to each other."""
+"""Clearance on each side of a tab in its slot. The clearance is small, because tabs may be close to each other."""
 
 BORDER = 8.0
 """Width of material beside slots and seats of a plate."""

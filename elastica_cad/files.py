@@ -61,8 +61,8 @@ def read_curves(
     fit_tolerance : float
         Largest distance of measured points from their curve, mm.
     unit : str, optional
-        Unit of the numbers in the file: "mm", "cm", "m", "in", "ft" or "px". It overrides the unit stated in
-        the file.
+        Unit of the numbers in the file: "mm", "cm", "m", "in", "ft" or "px". This unit overrides the unit
+        stated in the file.
 
     Returns
     -------
@@ -195,12 +195,12 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
         from elastica_cad.formats.mesh_files import MESH_SUFFIXES, mesh_surface
 
         if suffix not in MESH_SUFFIXES:
-            known = ", ".join((*MESH_SUFFIXES, *KERNEL_SUFFIXES))
+            suffixes = ", ".join((*MESH_SUFFIXES, *KERNEL_SUFFIXES))
             raise InputError(
                 "{path} ends in {suffix!r}, which is not a known type of mesh or CAD body. Use {known}.",
                 path=path,
                 suffix=suffix,
-                known=known,
+                known=suffixes,
             )
         return mesh_surface(path, unit=unit, scale=scale)
     try:

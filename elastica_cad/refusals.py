@@ -28,7 +28,7 @@ class _Worded:
 
 
 class Length(_Worded, float):
-    """Length in mm. It is shown with its unit and at least three digits, unless the template defines a format.
+    """Length in mm. The length is shown with unit and at least three digits, unless the template defines a format.
 
     Examples
     --------
@@ -97,7 +97,7 @@ class Either(Listed):
 
 
 class Span(Listed):
-    """Range of lengths. It is shown as a single length if both ends have equal digits."""
+    """Range of lengths. The range is shown as a single length if both ends have equal digits."""
 
     LAST = "{some} to {last}"
 

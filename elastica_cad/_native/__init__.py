@@ -73,17 +73,17 @@ def sensitivities(
     *, stiffness: FloatArray, moments: FloatArray, all_angles: FloatArray, tangents: FloatArray,
     pull: FloatArray, shear: FloatArray, shares: FloatArray, rest: FloatArray, basis: FloatArray, e: FloatArray,
     carried: tuple[FloatArray, FloatArray] | None, length: float, start_moment: float, start_angle: float,
-    closing: bool,
+    to_equilibrium: bool,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:  # fmt: skip
     """Return the derivatives of angles, moments and positions, as `forming.rod_map.StripGrid.sensitivities`."""
     nodes, coefficients = basis.shape
-    columns = coefficients + 7 + closing
+    columns = coefficients + 7 + to_equilibrium
     out = np.empty((nodes + 1, columns)), np.empty((nodes, columns)), np.empty((nodes, 2, columns))
     sums, slopes = (None, None) if carried is None else map(_plain, carried)
     given = map(_plain, (stiffness, moments, all_angles, tangents, pull, shear, shares, rest, basis, e))
     _loops().sensitivities(
         nodes, coefficients, *given, sums, slopes, length, start_moment, start_angle, carried is not None,
-        closing, *out,
+        to_equilibrium, *out,
     )  # fmt: skip
     return out
 
@@ -103,7 +103,7 @@ def lowest_mode(
 
 def interior_points(
     hessian: FloatArray, gradient: FloatArray, lower: FloatArray, upper: FloatArray, rows: FloatArray,
-    right: FloatArray, price: FloatArray, one_sided: BoolArray, accuracy: float,
+    right: FloatArray, penalty: FloatArray, one_sided: BoolArray, accuracy: float,
 ) -> tuple[tuple[FloatArray, FloatArray, FloatArray, FloatArray], bool, int]:  # fmt: skip
     """Return the solution of `forming.quadratic_program`: x, and multipliers of rows, lower and upper bounds.
 
@@ -111,6 +111,6 @@ def interior_points(
     """
     n, m = gradient.size, right.size
     out = np.empty(n), np.empty(m), np.empty(n), np.empty(n)
-    given = map(_plain, (hessian, gradient, lower, upper, rows, right, price, one_sided))
+    given = map(_plain, (hessian, gradient, lower, upper, rows, right, penalty, one_sided))
     converged, iterations = _loops().interior_points(n, m, *given, accuracy, *out)
     return out, bool(converged), int(iterations)

@@ -21,7 +21,8 @@ MOST_ROWS = 56
 class Constraint(ABC):
     """Constraint of the search for the nearest rod, with k values that depend on the rod.
 
-    The values must be 0, or at least 0 if `one_sided`. They are scaled so that a large violation is of order 1.
+    The values must be 0, or at least 0 if `one_sided`. The values are scaled so that a large violation is of
+    order 1.
 
     Attributes
     ----------
@@ -29,7 +30,7 @@ class Constraint(ABC):
         Name in messages.
     one_sided : bool
         True if the values must be at least 0; False if they must be 0.
-    price : float
+    penalty : float
         Largest penalty for violating one value by 1.
     near_balance_only : bool
         True if the constraint is only meaningful for rods nearly in equilibrium.
@@ -37,7 +38,7 @@ class Constraint(ABC):
 
     name: str
     one_sided: bool = False
-    price: float = 100.0
+    penalty: float = 100.0
     near_balance_only: bool = False
 
     @abstractmethod
@@ -60,11 +61,11 @@ def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
         return indices
     high = np.concatenate([[-np.inf], urgency, [-np.inf]])
     peak = (urgency >= high[:-2]) & (urgency >= high[2:])
-    kept = np.zeros(indices.size, dtype=bool)
-    kept[np.flatnonzero(peak[indices])[: MOST_ROWS // 2]] = True
-    others = np.flatnonzero(~kept)
-    kept[others[:: -(-others.size // (MOST_ROWS - kept.sum()))]] = True
-    return indices[kept]
+    selected = np.zeros(indices.size, dtype=bool)
+    selected[np.flatnonzero(peak[indices])[: MOST_ROWS // 2]] = True
+    remaining = np.flatnonzero(~selected)
+    selected[remaining[:: -(-remaining.size // (MOST_ROWS - selected.sum()))]] = True
+    return indices[selected]
 
 
 def _all_rows(rows: FloatArray) -> tuple[IntArray, FloatArray]:
@@ -316,7 +317,7 @@ class MarginLimit(Constraint):
     limit: float
     name: str = "margin"
     one_sided: bool = True
-    price: float = 1.0
+    penalty: float = 1.0
     near_balance_only: bool = True
 
     @property
@@ -359,8 +360,8 @@ class MarginLimit(Constraint):
 class FollowedMarginLimit(MarginLimit):
     """Limit of the stability margin for sections whose stiffness depends on the curvature.
 
-    The stiffness K is M / (kappa - kappa_0), but a disturbance is resisted by dM/dkappa. This is more than K for a
-    strip that stiffens as it bends, and less for a pre-bent strip that is bent straight.
+    The stiffness K is M / (kappa - kappa_0), but a disturbance is resisted by dM/dkappa. dM/dkappa is more than
+    K for a strip that stiffens as it bends, and less for a pre-bent strip that is bent straight.
 
     Attributes
     ----------
@@ -409,7 +410,7 @@ class LargestSection(Constraint):
     size: float
     name: str = "largest section"
     one_sided: bool = True
-    price: float = 1.0
+    penalty: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Return the ratio of largest to present stiffness at the nodes (n+1,), minus 1 and a safety margin."""
@@ -447,7 +448,7 @@ class BendLimit(Constraint):
     """Condition that the change of curvature |M / K| at every node is at most its limit."""
 
     one_sided: bool = True
-    price: float = 1.0
+    penalty: float = 1.0
 
     @abstractmethod
     def share(self, stiffness: FloatArray) -> FloatArray:
@@ -538,7 +539,7 @@ class LeastStiffness(Constraint):
 
     name: str = "stiffness bounds"
     one_sided: bool = True
-    price: float = 1.0
+    penalty: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
         """Return 1 - min K (1,). The bounds of the coefficients prevent positive values."""

@@ -224,12 +224,12 @@ class LargestDistance:
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
         """Return a local model of the largest distance, from the nodes with the largest distances."""
         _, normal = offsets(self.target, rod)
-        signed, far = self._peaks(rod)
+        signed, farthest = self._peaks(rod)
         p = rod.z.size
         across = _across(normal, sensitivities)
-        slopes = self.factors[far, None] * across[far]
+        slopes = self.factors[farthest, None] * across[farthest]
         # signed distance in equilibrium; it is negative if a node is on the other side of the target
-        at = signed[far] + slopes[:, p]
+        at = signed[farthest] + slopes[:, p]
         rows = np.sign(at)[:, None] * slopes[:, :p]
         # the small mean-square term selects one of several steps with the same largest distance
         return LocalModel(

@@ -76,7 +76,7 @@ def editable_curve(rod: Rod) -> PlaneCurve:
 def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
     """Return an `editable_curve` with only `spans` equal spans, whose inflections are still on one line.
 
-    The curve only approximates the rod. It may violate limits that the rod meets.
+    The curve only approximates the rod. The curve may violate limits that the rod meets.
 
     Raises
     ------
@@ -169,8 +169,8 @@ def _zeros(s: FloatArray, kappa: FloatArray) -> FloatArray:
 def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     """Return the least-squares spline for position and curvature, with given spans.
 
-    It is exact at the ends and at the inflections. The derivative of the curvature is exact there too, because it
-    determines the stiffness at an inflection.
+    The spline is exact at the ends and at the inflections. The derivative of the curvature is exact there too,
+    because it determines the stiffness at an inflection.
     """
     from scipy.interpolate import BSpline
 
@@ -204,9 +204,9 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
             spline(inner, 3),
         ]
     )
-    slope, kept = shape.slope(inner)[:, None], np.interp(inner, shape.s, shape.rest)[:, None]
+    slope, rest_curvature = shape.slope(inner)[:, None], np.interp(inner, shape.s, shape.rest)[:, None]
     turns = rest * np.column_stack([-np.sin(bent), np.cos(bent)])
-    D = np.vstack([there, along[: 2 + paced.size], turns, slope * across - kept**2 * along[2:]])
+    D = np.vstack([there, along[: 2 + paced.size], turns, slope * across - rest_curvature**2 * along[2:]])
     return PlaneCurve(knots, _constrained_least_squares(A, B, C, D), DEGREE)
 
 

@@ -91,10 +91,12 @@ class Smoothing:
         """Curve that the strip takes: smoothed, or as drawn."""
         if self.fairing is None:
             return self.drawn
-        drawn, outlier = self.drawn.provenance, outlier_message(self.drawn)
-        if drawn is not None:  # outliers among the measured points are reported for the smoothed curve too
-            drawn = replace(drawn, measured=drawn.measured if outlier else None)
-        return self.fairing.curve.drawn_as(drawn)
+        provenance, outlier = self.drawn.provenance, outlier_message(self.drawn)
+        if (
+            provenance is not None
+        ):  # outliers among the measured points are reported for the smoothed curve too
+            provenance = replace(provenance, measured=provenance.measured if outlier else None)
+        return self.fairing.curve.drawn_as(provenance)
 
     @property
     def moved(self) -> float:
@@ -151,18 +153,18 @@ class Smoothing:
     def change_by_noise(self) -> float:
         """Change of the curvature by smoothing of noisy points, as a fraction of the largest curvature.
 
-        It is 0 for curves without measured points. It is also 0 for curves that no strip can take, because their
-        error message already mentions the noise.
+        The change is 0 for curves without measured points, and for curves that no strip can take, because the
+        error message of such a curve already mentions the noise.
         """
         points = measured_points(self.drawn)
         if points is None or not examine(self.drawn, self.supports or Supports()).realizable:
             return 0.0
-        drawn, smooth = (
+        unsmoothed, smooth = (
             curve.sample(PLACES).curvature
             for curve in (self.drawn, round_corners(self.drawn, points.reach)[0])
         )
         largest = float(np.abs(smooth).max())
-        return float(np.abs(drawn - smooth).max()) / largest if largest else 0.0
+        return float(np.abs(unsmoothed - smooth).max()) / largest if largest else 0.0
 
     @property
     def noise(self) -> tuple[str, ...]:
@@ -253,10 +255,10 @@ def smooth_curve(
 ) -> Smoothing:
     """Smooth a drawn curve if necessary, and return the drawn and the smoothed curve.
 
-    By default a curve is smoothed if the width of the strip would have a step of more than 0.2 mm and 2 %. Such a
-    step is caused by a jump of the curvature, or of its derivative at an inflection. The curve moves by at most
-    0.1 mm and 5e-4 of its length. It is not smoothed if this would add an inflection or increase the stiffness
-    ratio by 5 % or more.
+    By default a curve is smoothed if the width of the strip would have a step of more than 0.2 mm and 2 %. Such
+    a step is caused by a jump of the curvature, or of its derivative at an inflection. The curve moves by at
+    most 0.1 mm and 5e-4 of its length. The curve is not smoothed if smoothing would add an inflection or
+    increase the stiffness ratio by 5 % or more.
 
     Parameters
     ----------

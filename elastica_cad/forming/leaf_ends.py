@@ -101,10 +101,10 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     """
     if not isinstance(law, LeavesLaw):
         raise InputError(f"the law is {law!r}: give a LeavesLaw(sheet, leaves, width)")
-    drawn = relaxed.curve.sample(NODES).position
+    points = relaxed.curve.sample(NODES).position
     searches: dict[tuple[tuple[int, ...], ...], _Search] = {}
     for rounding in ROUNDINGS:
-        search = _Search.of(relaxed, law, drawn, rounding, tangents)
+        search = _Search.of(relaxed, law, points, rounding, tangents)
         searches.setdefault(tuple(map(tuple, search.steps.tolist())), search)
     stacks = [answer for search in searches.values() if (answer := search.answer()) is not None]
     if not stacks:
@@ -117,7 +117,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         bare = _Search(
             relaxed,
             law,
-            drawn,
+            points,
             np.zeros((0, 2), dtype=int),
             np.zeros(0),
             tuple(range(1, law.fewest + 1)),
@@ -186,13 +186,13 @@ class _Search:
 
         start = np.concatenate([self.places, self.relaxed.angle[[0, -1]][self.turned]])
         try:
-            known = self._bent(start, self.relaxed)
+            first_rod = self._bent(start, self.relaxed)
         except (InputError, NotConvergedError):
             return None
-        shape = [known]
+        shape = [first_rod]
         missed = partial(self._missed, shape=shape)
         if not start.size:
-            return self._record(start, known, settled=True)
+            return self._record(start, first_rod, settled=True)
         low = np.full(start.size, -np.inf)
         high = np.full(start.size, np.inf)
         low[: self.places.size], high[: self.places.size] = 0.0, 1.0
@@ -205,7 +205,7 @@ class _Search:
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
         """Return the offsets from the drawn points / (length of the rod * square root of the number of nodes).
 
-        They are large if the stack has no rest shape.
+        The offsets are large if the stack has no rest shape.
         """
         try:
             rod = self._bent(x, shape[0])

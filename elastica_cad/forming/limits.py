@@ -148,13 +148,13 @@ class Limits:
     strain : float, optional
         Strain limit in place of that of the sheet. It requires `sheet`, for its thickness.
     width : (2,) array_like, optional
-        Least and largest width of a solid strip, mm. Their quotient limits the stiffness ratio.
+        Least and largest width of a solid strip, mm. The quotient of both widths limits the stiffness ratio.
     length : (2,) array_like, optional
         Least and largest length of the strip, mm.
     keep_out : sequence of HalfPlane and Box
         Regions that the rod must avoid.
     stiffness_bounds : pair, optional
-        Lower and upper bound of K / min K along the strip. Each is None, a number, evenly spaced values, or a
+        Lower and upper bound of K / min K along the strip. Each bound is None, a number, evenly spaced values, or a
         function of the arc length on the drawn curve, mm.
 
     Examples

@@ -77,8 +77,8 @@ def nearest_rods(
         _values_each("gravity", gravity, count), _values_each("supports", supports, count),
     )  # fmt: skip
     tasks = [
-        _Task(curve, *given, options=options)
-        for curve, given in zip(curves, zip(*columns, strict=True), strict=True)
+        _Task(curve, *arguments, options=options)
+        for curve, arguments in zip(curves, zip(*columns, strict=True), strict=True)
     ]
     results: dict[int, NearestRod] = {}
     for i, near in _in_order_of_completion(tasks, executor, LISTED):

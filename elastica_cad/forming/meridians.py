@@ -157,7 +157,7 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
 class _Equations:
     """Equations of a meridian.
 
-    They are x kappa = a + <b, gamma> at nodes, ends of pieces at the given points, and continuous angles.
+    The equations are x kappa = a + <b, gamma> at nodes, ends of pieces at the given points, and continuous angles.
 
     The unknowns are the angles at the nodes and the length of each piece, followed by a and b (2). `points` is
     the number of points, and `closes` is True if the last point is the pole.
@@ -392,7 +392,7 @@ TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farthe
 NARROW_SHARE = 1e-3
 """Distance from the axis at which a meridian ends by default, as a fraction.
 
-It is relative to the sum of its length and the distance of its start from the axis."""
+The fraction is relative to the sum of the length of the meridian and the distance of its start from the axis."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -432,7 +432,7 @@ class Meridian:
     def width(self, strips: int) -> Profile:
         """Return the width of a strip, mm, if the surface has `strips` strips.
 
-        It is 2 tan(pi / strips) times the distance from the axis.
+        The width is 2 tan(pi / strips) times the distance from the axis.
         """
         if strips < 3:
             raise InputError(f"strips={strips}: a surface of revolution needs 3 strips or more")
@@ -455,7 +455,7 @@ class Meridian:
     def rod(self) -> Rod:
         """Rod of a strip.
 
-        Its stiffness is proportional to the distance from the axis, and its moment to a + <b, gamma>.
+        The stiffness is proportional to the distance from the axis, and the moment to a + <b, gamma>.
         """
         nodes = self.curve.sample(NODES)
         x = nodes.position[:, 0]
@@ -568,8 +568,8 @@ def meridian_through(points: ArrayLike | PlaneCurve, *, ring: float | None = Non
         )
         curve = _curve(shape, size, end)
     except NotConvergedError as problem:
-        way_out = TO_THE_POLE if data[-1, 0] < NEAR_AXIS_SHARE * data[:, 0].max() else ""
-        raise NotConvergedError(f"{problem}: {HOPELESS}{way_out}") from problem
+        advice = TO_THE_POLE if data[-1, 0] < NEAR_AXIS_SHARE * data[:, 0].max() else ""
+        raise NotConvergedError(f"{problem}: {HOPELESS}{advice}") from problem
     closes = end < length
     if len(chosen) == len(data):
         gaps = np.hypot(*(size * shape.points - data).T)

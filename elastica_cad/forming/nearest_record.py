@@ -60,8 +60,8 @@ class Binding:
         Decrease of the distance, mm, to first order, per unit by which the limit is relaxed. For a kept property,
         it is per mm or rad by which the property may change.
     broken : float
-        Violation of the limit. It is in rad for angles, a multiple of the length of the drawn curve for positions
-        and lengths, and a fraction of the limit for other limits.
+        Violation of the limit. The violation is in rad for angles, a multiple of the length of the drawn curve
+        for positions and lengths, and a fraction of the limit for other limits.
     """
 
     name: str
@@ -163,8 +163,8 @@ class NearestRod:
     def curve(self) -> PlaneCurve:
         """Rest shape as a spline of degree 4 with few control points, for further editing.
 
-        Its distance from the rod is at most 1e-3 mm. Without weight, its inflections are on one line, so that
-        `check_equilibrium` accepts it. For glued plies it is the curve of the rod.
+        The distance of the spline from the rod is at most 1e-3 mm. Without weight, its inflections are on one
+        line, so that `check_equilibrium` accepts it. For glued plies it is the curve of the rod.
         """
         from elastica_cad.forming.editable_curve import editable_curve
 
@@ -208,9 +208,9 @@ class NearestRod:
 
     def _repr_svg_(self) -> str:
         """Return a picture of the drawn curve and the rod."""
-        drawn = [(self.target.sample(DRAWN_POINTS).position, GREY, False)]
+        target_line = [(self.target.sample(DRAWN_POINTS).position, GREY, False)]
         bent = [] if self.found is None else [(self.found.position, BLUE, False)]
-        return svg_of_lines(drawn + bent, repr(self))
+        return svg_of_lines(target_line + bent, repr(self))
 
     @property
     def verdict(self) -> str:
@@ -301,8 +301,8 @@ def _name(near: NearestRod, binding: Binding) -> str:
         return note("the length" if near.keep.length else "the range of lengths")
     if kind.endswith("tangent"):
         end = int(kind == "end tangent")
-        kept = near.keep.both_tangents[end]
-        return note("the {side} end's angle", side=note(_side(near, end))) if kept else ""
+        is_kept = near.keep.both_tangents[end]
+        return note("the {side} end's angle", side=note(_side(near, end))) if is_kept else ""
     return note(_NAMES.get(kind, ""))
 
 

@@ -157,8 +157,8 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
         good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
         if not good and (spent < most or enough == np.inf):
             # known optima are compared by mean distance, so they are not used for the largest distance
-            known = [] if task.request.measure == "max" else list(filter(_is_optimum, outcomes))
-            outcomes.append(minimize(problem, start(), known=known))
+            optima = [] if task.request.measure == "max" else list(filter(_is_optimum, outcomes))
+            outcomes.append(minimize(problem, start(), known=optima))
     best = min(outcomes, key=_rank)
     off, steps = task.off(best.point) / task.target.diagonal, sum(outcome.iterations for outcome in outcomes)
     return _compared(Search(task, problem, best, (), steps, off), outcomes)
@@ -399,8 +399,8 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
     target = TargetCurve.of(curve)
     position = (laid.rod.position - target.origin) / target.size
     deviation = measure_deviation(target, position) * target.size
-    drawn = curve.sample(laid.rod.s.size).position
-    mean = float(np.sqrt(((laid.rod.position - drawn) ** 2).sum(axis=1).mean()))
+    points = curve.sample(laid.rod.s.size).position
+    mean = float(np.sqrt(((laid.rod.position - points) ** 2).sum(axis=1).mean()))
     return NearestRod(
         found=laid.rod, target=curve, deviation=deviation, mean_deviation=mean,
         status=judge_search(missed, deviation / (target.diagonal * target.size), laid.settled),
@@ -481,7 +481,7 @@ def nearest_rod(
 ) -> NearestRod:
     """Return the rod that meets all limits and is nearest to a drawn curve, which need not be realizable.
 
-    The unknowns are the stiffness, the length and the start of the rod. Its shape follows from the equilibrium
+    The unknowns are the stiffness, the length and the start of the rod. The shape follows from the equilibrium
     of moments (Eqs. 3 and 5), so every rod in the search is in equilibrium. The method is described in
     `forming.sqp`.
 
@@ -509,10 +509,10 @@ def nearest_rod(
         Number of B-spline coefficients of the stiffness. By default there are 20, and about 4 more for each
         half turn of the curve.
     section : BoundedLaw, optional
-        Section law, as in `optimal_rod`. Its limits also limit the stiffness ratio. With gravity, the rod
-        carries the weight of its sections, and only the direction of gravity has an effect. `limits.sheet`
-        limits the strain. For a `LeavesLaw`, the nearest rod of continuously varying thickness is found first,
-        and is then approximated by plies (`lay_leaves`).
+        Section law, as in `optimal_rod`. The limits of the section also limit the stiffness ratio. With
+        gravity, the rod carries the weight of its sections, and only the direction of gravity has an effect.
+        `limits.sheet` limits the strain. For a `LeavesLaw`, the nearest rod of continuously varying thickness
+        is found first, and is then approximated by plies (`lay_leaves`).
     natural_curvature : float or RestCurvature
         Curvature of the unbent rod kappa_0, 1/mm. For a `RestCurvature`, the length of the rod agrees with that
         of the pre-bent strip within 1 %.

@@ -83,8 +83,8 @@ class NearestTask:
         coefficients = request.coefficients
         if coefficients is None:
             half_turns = float(np.abs(np.diff(target.angle)).sum()) / np.pi
-            wanted = _FEWEST_COEFFICIENTS + round(_COEFFICIENTS_PER_HALF_TURN * half_turns)
-            coefficients = min(_MOST_COEFFICIENTS, wanted, (samples - 1) // 2)
+            needed = _FEWEST_COEFFICIENTS + round(_COEFFICIENTS_PER_HALF_TURN * half_turns)
+            coefficients = min(_MOST_COEFFICIENTS, needed, (samples - 1) // 2)
         scale = None
         if request.section is not None:
             bent = _nodal_bend(target, request.natural_curvature, samples)
@@ -93,9 +93,9 @@ class NearestTask:
             limits = replace(limits, ratio=scale.ratio)
         for region in limits.keep_out:
             ends = zip(("start", "end"), keep.both_ends, target.position[[0, -1]], strict=True)
-            for side, kept, point in ends:
+            for side, is_kept, point in ends:
                 inside = -float(region.clearance((point * target.size + target.origin)[None])[0][0])
-                if kept and inside > 1e-9 * target.size:
+                if is_kept and inside > 1e-9 * target.size:
                     raise InputError(
                         "the fixed {side} of the curve is {inside} inside a keep-out region: move the curve "
                         "or the region, or free this end",
@@ -116,7 +116,7 @@ class NearestTask:
     def is_scaled_freely(self) -> bool:
         """True if K has no scale during the search.
 
-        This is so without a section law, and for laws whose limits depend on the curvature of the rod.
+        K has no scale without a section law, and for laws whose limits depend on the curvature of the rod.
         """
         return self.section is None or self.section.law.follows_bend
 

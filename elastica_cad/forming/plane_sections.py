@@ -63,18 +63,18 @@ class Mesh:
         area = _areas(points, rows)
         keep = (area > 0) & np.all(rows != np.roll(rows, 1, axis=1), axis=1)
         reports += _complaint(points, rows[~keep], len(rows), "has no area", "have no area", ": left out")
-        kept = rows[keep]
-        _, first = np.unique(np.sort(kept, axis=1), axis=0, return_index=True)
-        again = np.ones(len(kept), dtype=bool)
+        remaining = rows[keep]
+        _, first = np.unique(np.sort(remaining, axis=1), axis=0, return_index=True)
+        again = np.ones(len(remaining), dtype=bool)
         again[first] = False
         reports += _complaint(
-            points, kept[again], len(rows), "is there twice", "are there twice", ": left out once"
+            points, remaining[again], len(rows), "is there twice", "are there twice", ": left out once"
         )
-        kept = kept[~again]
-        if not len(kept):
+        remaining = remaining[~again]
+        if not len(remaining):
             raise InputError("all triangles of the mesh have zero area: export the mesh again")
-        reports += _edge_complaints(points, kept)
-        for name, value in (("vertices", points), ("faces", kept), ("reports", tuple(reports))):
+        reports += _edge_complaints(points, remaining)
+        for name, value in (("vertices", points), ("faces", remaining), ("reports", tuple(reports))):
             object.__setattr__(self, name, value)
 
     @property
@@ -110,8 +110,8 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
     if not np.all(np.isfinite(points)):
         bad = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
         raise InputError(f"vertex {bad} of the mesh is not finite: {points[bad].tolist()}")
-    far = float(np.abs(points).max())
-    if far > FARTHEST_MM:
+    largest = float(np.abs(points).max())
+    if largest > FARTHEST_MM:
         bad = int(np.abs(points).max(axis=1).argmax())
         raise InputError(
             (
@@ -119,7 +119,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
                 "mesh"
             ),
             bad=bad,
-            far=Length(far),
+            far=Length(largest),
         )
     if rows.min() < 0 or rows.max() >= len(points):
         raise InputError(

@@ -44,8 +44,8 @@ class QuadraticProgram:
     """Minimise x^T H x / 2 + g^T x plus penalties for violated constraints, with lower <= x <= upper.
 
     Constraint k is A_k x = r_k, or A_k x >= r_k if `one_sided`, with row k of A = `rows` and r = `right`. The
-    penalty for a violation by u is `price[k]` u. If the price exceeds the Lagrange multiplier, the solution meets
-    the constraint exactly.
+    penalty for a violation by u is `penalty[k]` u. If `penalty[k]` exceeds the Lagrange multiplier, the solution
+    meets the constraint exactly.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class QuadraticProgram:
         Finite bounds of x.
     rows, right : (m, p), (m,) arrays
         A and r of the m constraints.
-    price : (m,) array
+    penalty : (m,) array
         Penalties, positive.
     one_sided : (m,) boolean array
     """
@@ -66,7 +66,7 @@ class QuadraticProgram:
     upper: FloatArray
     rows: FloatArray
     right: FloatArray
-    price: FloatArray
+    penalty: FloatArray
     one_sided: BoolArray
 
 
@@ -109,12 +109,12 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accur
     if free.any():
         inner = QuadraticProgram(
             p.hessian[np.ix_(free, free)], pull[free], p.lower[free], p.upper[free], p.rows[:, free], gap,
-            p.price, p.one_sided,
+            p.penalty, p.one_sided,
         )  # fmt: skip
         solve = _in_python if _native.compiled is None else _compiled
         x[free], y, converged, iterations = solve(inner, accuracy)
     else:
-        y, converged, iterations = p.price * np.where(p.one_sided, gap > 0, np.sign(gap)), True, 0
+        y, converged, iterations = p.penalty * np.where(p.one_sided, gap > 0, np.sign(gap)), True, 0
     pull = p.hessian @ x + p.gradient - y @ p.rows
     return QuadraticSolution(x, y, np.maximum(pull, 0), np.maximum(-pull, 0), converged, iterations)
 
@@ -122,7 +122,7 @@ def solve_quadratic(program: QuadraticProgram, *, accuracy: float = METHOD.accur
 def _compiled(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatArray, bool, int]:
     """Return x, y, whether the tolerance was reached, and the number of factorisations, by compiled code."""
     (x, y, _, _), converged, iterations = _native.interior_points(
-        p.hessian, p.gradient, p.lower, p.upper, p.rows, p.right, p.price, p.one_sided, accuracy
+        p.hessian, p.gradient, p.lower, p.upper, p.rows, p.right, p.penalty, p.one_sided, accuracy
     )
     return x, y, converged, iterations
 
@@ -135,7 +135,7 @@ def _in_python(p: QuadraticProgram, accuracy: float) -> tuple[FloatArray, FloatA
     """Return the result of `_compiled`, computed in Python."""
     n, m = p.gradient.size, p.right.size
     scale = 1 / max(1e-30, float(np.abs(p.gradient).max()), float(np.abs(np.diag(p.hessian)).max()))
-    g, y_high = p.gradient * scale, p.price * scale
+    g, y_high = p.gradient * scale, p.penalty * scale
     y_low = np.where(p.one_sided, 0.0, -y_high)
     lower, upper = np.concatenate([p.lower, y_low]), np.concatenate([p.upper, y_high])
     matrix = np.block([[p.hessian * scale, -p.rows.T], [p.rows, np.zeros((m, m))]])

@@ -79,7 +79,7 @@ fitted sizes."""
 class SectionScale:
     """Relation between bending stiffness and K: E I = `scale` K with 1 <= K <= `ratio`.
 
-    It is within the limits of a section law.
+    The stiffness is within the limits of a section law.
 
     Attributes
     ----------
@@ -410,7 +410,7 @@ class StripGrid:
         return bool(np.any(self.e))
 
     def shoot(self, z: FloatArray) -> MappedRod:
-        """Return the rod in equilibrium. Its last moment is not finite if numbers overflow."""
+        """Return the rod in equilibrium. The last moment of the rod is not finite if numbers overflow."""
         K, force, length = self._given(z)
         u = self.unknowns
         angles, moments = shoot(
@@ -423,21 +423,22 @@ class StripGrid:
         """Return a rod with given angles (n+2,) and moments (n+1,), which need not be in equilibrium."""
         return self._assemble(z, angles, moments, *self._given(z))
 
-    def sensitivities(self, rod: MappedRod, *, closing: bool = False) -> Sensitivities:
+    def sensitivities(self, rod: MappedRod, *, to_equilibrium: bool = False) -> Sensitivities:
         """Return the derivatives of angles, moments and positions with respect to z.
 
         The linearised recursion couples each angle and moment to the two before it, so all columns are the
-        solution of one banded triangular system. With `closing`, a last column p is the change that brings the rod
-        into equilibrium, to first order.
+        solution of one banded triangular system. With `to_equilibrium`, a last column p is the change that
+        brings the rod into equilibrium, to first order.
         """
-        columns = self.unknowns.count + closing
+        columns = self.unknowns.count + to_equilibrium
         if _native.compiled is None:
-            return self._sensitivities_in_python(rod, columns, closing)
+            return self._sensitivities_in_python(rod, columns, to_equilibrium)
         derivatives = _native.sensitivities(
             stiffness=rod.stiffness, moments=rod.moments, all_angles=rod.all_angles, tangents=rod.tangents,
             pull=rod.pull, shear=rod.shear, shares=self.shares, rest=self._rest, basis=self.basis, e=self.e,
             carried=self.carried(rod) if self.heavy else None, length=rod.length,
-            start_moment=rod.z[self.unknowns.moment], start_angle=rod.z[self.unknowns.angle], closing=closing,
+            start_moment=rod.z[self.unknowns.moment], start_angle=rod.z[self.unknowns.angle],
+            to_equilibrium=to_equilibrium,
         )  # fmt: skip
         return Sensitivities(self, rod, *derivatives)
 
@@ -445,7 +446,7 @@ class StripGrid:
     def _rest(self) -> FloatArray:
         return np.ascontiguousarray(np.broadcast_to(self.natural_curvature, self.shares.shape), dtype=float)
 
-    def _sensitivities_in_python(self, rod: MappedRod, columns: int, closing: bool) -> Sensitivities:
+    def _sensitivities_in_python(self, rod: MappedRod, columns: int, to_equilibrium: bool) -> Sensitivities:
         n, u = self.edges, self.unknowns
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares
@@ -468,7 +469,7 @@ class StripGrid:
                 (-edge * length * lift)[:, None], carried.slopes[:-1], out=drive_moment[:, u.stiffness]
             )
             drive_moment[:, u.length] -= edge * lift * carried.sums[:-1]
-        if closing:
+        if to_equilibrium:
             late = rod.z[u.moment] - M[0]
             drive_angle[:, -1] = (
                 rod.all_angles[:-1] + w * (M / K + self.natural_curvature) - rod.all_angles[1:]
@@ -484,7 +485,7 @@ class StripGrid:
         moments = np.zeros((n + 1, columns))
         moments[0, u.moment] = 1
         moments[1:] = solved[1::2]
-        if closing:
+        if to_equilibrium:
             angles[0, -1], moments[0, -1] = rod.z[u.angle] - rod.all_angles[0], late
         position = np.zeros((n + 1, 2, columns))
         step = position[1:]

@@ -45,7 +45,8 @@ _TOO_SENSITIVE = 1e50
 class RodProblem(NonlinearProgram[MappedRod]):
     """Minimise `distance` over the unknowns of `grid`, within bounds and under `constraints`.
 
-    A point is a rod. Its state consists of angles and moments, which follow from the unknowns by equilibrium.
+    A point is a rod. The state of a point consists of angles and moments, which follow from the unknowns by
+    equilibrium.
     """
 
     grid: StripGrid
@@ -58,9 +59,9 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return np.array([c.one_sided for c in self.constraints], dtype=bool)
 
     @cached_property
-    def highest_prices(self) -> FloatArray:
+    def highest_penalties(self) -> FloatArray:
         """Largest penalty for each constraint for violating a value by 1."""
-        return np.array([c.price for c in self.constraints], dtype=float)
+        return np.array([c.penalty for c in self.constraints], dtype=float)
 
     def objective(self, point: MappedRod) -> float:
         """Return the distance of a rod from the target."""
@@ -78,7 +79,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         """Return the rod with its derivatives, or None if they overflow."""
         if not np.isfinite(point.moments[-1]):
             return None
-        sensitivities = self.grid.sensitivities(point, closing=True)
+        sensitivities = self.grid.sensitivities(point, to_equilibrium=True)
         if not np.abs(sensitivities.angles).max() < _TOO_SENSITIVE:
             return None
         return Linearization(
@@ -145,7 +146,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
             at, jacobian = at + jacobian[:, p], jacobian[:, :p]
         number = np.repeat(np.arange(len(rows)), [index.size for index, _ in rows])
         return ConstraintRows(
-            number, np.concatenate([index for index, _ in rows]), at, jacobian, self.highest_prices[number],
+            number, np.concatenate([index for index, _ in rows]), at, jacobian, self.highest_penalties[number],
             self.one_sided[number],
         )  # fmt: skip
 
@@ -241,10 +242,10 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
     if blank is not None:
         wish = "keep length requires" if task.keep.length else "the limit length requires"
         least, most = (1.0, 1.0) if task.keep.length else (low, high)
-        room = LENGTHS_APART * (1 - _SAME_LENGTH)
+        tolerance = LENGTHS_APART * (1 - _SAME_LENGTH)
         low, high = (
-            max(low, (1 - room) * blank / target.size),
-            min(high, (1 + room) * blank / target.size),
+            max(low, (1 - tolerance) * blank / target.size),
+            min(high, (1 + tolerance) * blank / target.size),
         )
         if least > high or most < low:
             raise InputError(

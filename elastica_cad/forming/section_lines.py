@@ -74,10 +74,10 @@ class SectionLine:
 
         There are k + 1 pieces of an open line, and k of a closed line.
         """
-        wanted = np.atleast_2d(np.asarray(points, dtype=float))
-        if wanted.shape[1] != 2 or not np.all(np.isfinite(wanted)):
+        places = np.atleast_2d(np.asarray(points, dtype=float))
+        if places.shape[1] != 2 or not np.all(np.isfinite(places)):
             raise InputError(f"points to split {self.name} must be finite rows (k, 2), in mm, in its plane")
-        return self._split(np.sort([_nearest(self.points, p) for p in wanted]))
+        return self._split(np.sort([_nearest(self.points, p) for p in places]))
 
     def split_by(self, point: ArrayLike, normal: ArrayLike) -> tuple["SectionLine", ...]:
         """Return the pieces of the line, split at the plane through `point` (3,) with the normal `normal` (3,).
@@ -280,7 +280,7 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
 def _nearest(points: FloatArray, place: FloatArray) -> float:
     """Return the position on a polyline that is nearest to a point.
 
-    It is the index of a vertex plus a fraction of the following side.
+    The position is the index of a vertex plus a fraction of the following side.
     """
     step = np.diff(points, axis=0)
     u = np.clip(((place - points[:-1]) * step).sum(axis=1) / (step**2).sum(axis=1), 0.0, 1.0)
@@ -426,8 +426,8 @@ def _curve(
             place=Point(line.places[0]),
             changes=[AT_TWO_PLACES],
         )
-    drawn = _filled(line.points)
-    points = smooth_polyline(line.points, wavelength) if wavelength > 0 else drawn
+    vertices = _filled(line.points)
+    points = smooth_polyline(line.points, wavelength) if wavelength > 0 else vertices
     try:
         curve = PlaneCurve(*fit_spline(points, 4, tolerance), 4)
     except NotConvergedError as error:
@@ -442,9 +442,9 @@ def _curve(
     if notes and not wavelength:
         _refuse_corners(line, tolerance)
     removed = before - curve.inflections.size
-    places = np.concatenate([drawn, curve.sample(SAMPLES).position])
+    places = np.concatenate([vertices, curve.sample(SAMPLES).position])
     off = np.concatenate(
-        [distances(Spline(curve), drawn), polyline_distances(line.points, places[len(drawn) :])]
+        [distances(Spline(curve), vertices), polyline_distances(line.points, places[len(vertices) :])]
     )
     worst = int(off.argmax())
     if off[worst] > tolerance:
@@ -573,18 +573,18 @@ def smooth_polyline(
     >>> bool(np.abs(smooth_polyline(wavy, 20)[20:-20, 1]).max() < 0.05)
     True
     """
-    given = numbers(points, "points to smooth")
-    if given.ndim != 2 or not len(given) or not np.isfinite(given).all():
-        raise InputError(f"points to smooth must be finite rows (n, 2), in mm, not of shape {given.shape}")
+    vertices = numbers(points, "points to smooth")
+    if vertices.ndim != 2 or not len(vertices) or not np.isfinite(vertices).all():
+        raise InputError(f"points to smooth must be finite rows (n, 2), in mm, not of shape {vertices.shape}")
     if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
         raise InputError(f"count is {count!r}: smoothing gives points (k, 2), k from 4 to {MOST_SMOOTHED}")
     if not (is_number(wavelength) and wavelength > 0):
         raise InputError(f"smoothing needs a positive wavelength in mm, not {wavelength!r}")
-    s = lengths_along(given)
+    s = lengths_along(vertices)
     if s[-1] == 0:
         raise InputError("the points to smooth are all equal: give different points")
     at = np.linspace(0.0, s[-1], count)
-    even = np.column_stack([np.interp(at, s, column) for column in given.T])
+    even = np.column_stack([np.interp(at, s, column) for column in vertices.T])
     third = np.diff(np.eye(count), 3, axis=0)
     middle = (at[:-3] + at[3:]) / 2
     spans = numbers(where, "parts to smooth")

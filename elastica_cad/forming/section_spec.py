@@ -436,8 +436,8 @@ def _reasons(reports: Sequence[str]) -> str:
     refusals = (report for report in reports if isinstance(report, Refusal))
     named = [report for report in refusals if "name" in report.values or report.where]
     reasons: Sequence[str] = named or reports
-    left = len(reasons) - NAMED_REASONS
-    more = [note("and {count} more like these", count=left)] if left > 0 else []
+    omitted = len(reasons) - NAMED_REASONS
+    more = [note("and {count} more like these", count=omitted)] if omitted > 0 else []
     return sentences([*reasons[:NAMED_REASONS], *more]) if reasons else note("none is given")
 
 

@@ -197,7 +197,7 @@ class _Cut:
     def marks(self) -> FloatArray:
         """Positions at which pieces may have to end exactly.
 
-        They are corners, ends of straight parts, jumps of the curvature, and the end.
+        These positions are corners, ends of straight parts, jumps of the curvature, and the end.
         """
         marks = [corner.t for corner in self.curve.tangent_breaks]
         for zero in self.curve.curvature_zeros:
@@ -242,10 +242,10 @@ class _Cut:
 def _parameters(curve: PlaneCurve, places: ArrayLike | None) -> FloatArray | None:
     if places is None:
         return None
-    given = as_floats(places)
-    if given is None:
+    values = as_floats(places)
+    if values is None:
         raise InputError(f"places must be arc lengths in mm, not {places!r}")
-    s = np.unique(given)
+    s = np.unique(values)
     if not np.all(np.isfinite(s)):
         raise InputError("places of supports must be finite arc lengths, in mm")
     t = curve.parameter(s)

@@ -22,7 +22,7 @@ Point = TypeVar("Point")
 KEY_STRIDE = 1_000_000
 """Factor in the key of a row: key = constraint * KEY_STRIDE + index.
 
-It is larger than the number of values of any constraint."""
+The factor is larger than the number of values of any constraint."""
 
 
 class ProgramSettings(NamedTuple):
@@ -48,7 +48,7 @@ class ProgramSettings(NamedTuple):
         Radius, in scales, below which a step that increases the objective ends the search.
     damping, lifted_damping : float
         Damping of steps and of the first lifted step, relative to the largest second derivative of the
-        objective. It makes the quadratic program strictly convex, and selects the smallest of several possible
+        objective. Damping makes the quadratic program strictly convex, and selects the smallest of several possible
         changes.
     damping_cost : float
         Largest cost that damping adds to a step of length 1 in scales, as a fraction of the objective.
@@ -79,7 +79,7 @@ class ProgramSettings(NamedTuple):
         point. An initial point with a larger defect is replaced by the point in equilibrium with the same
         unknowns.
     tolerated_defect : float
-        Largest accepted defect if Newton corrections do not converge. Its effect is about 1 %.
+        Largest accepted defect if Newton corrections do not converge. The effect of such a defect is about 1 %.
     defect_reduction : float
         Fraction of the present defect below which the defect of a rejected point makes it acceptable.
     reliability : float
@@ -96,7 +96,7 @@ class ProgramSettings(NamedTuple):
     correction_bound : float
         Bound of these Newton steps and of their multipliers, as a multiple of the violation.
     correction_accuracy : float
-        Accuracy of these Newton steps. It is low, because the next step corrects the error.
+        Accuracy of these Newton steps. The accuracy is low, because the next step corrects the error.
     """
 
     steps: int = 80
@@ -169,7 +169,7 @@ class ConstraintRows:
     value : (j,) array
         Values without a step. In a `Linearization` they are those of the point in equilibrium.
     jacobian : (j, p) array
-    price : (j,) array
+    penalty : (j,) array
         Largest penalty for violating a row by 1.
     one_sided : (j,) boolean array
         True if the value must be at least 0; False if it must be 0.
@@ -179,7 +179,7 @@ class ConstraintRows:
     index: IntArray
     value: FloatArray
     jacobian: FloatArray
-    price: FloatArray
+    penalty: FloatArray
     one_sided: BoolArray
 
 
@@ -236,7 +236,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @property
     @abstractmethod
-    def highest_prices(self) -> FloatArray:
+    def highest_penalties(self) -> FloatArray:
         """Largest penalty (c,) of each constraint for violating a value by 1."""
 
     @abstractmethod
@@ -323,8 +323,8 @@ class Iterate(Generic[Point]):
             _, here, there = np.intersect1d(
                 _row_keys(rows), self.active.keys, assume_unique=True, return_indices=True
             )
-            room = np.minimum(z - program.lower, program.upper - z)
-            free = room > SETTINGS.bound_tolerance * program.scale
+            clearance = np.minimum(z - program.lower, program.upper - z)
+            free = clearance > SETTINGS.bound_tolerance * program.scale
             s = program.scale[free]
             gap = self.active.aim[there] - rows.value[here]
             # with more rows than free unknowns, least squares mainly satisfies the rows with large derivatives
@@ -357,20 +357,20 @@ class Iterate(Generic[Point]):
         """Violation of each row in equilibrium, to first order."""
         return self._broken(self.change[:-1])
 
-    def merit(self, prices: FloatArray) -> float:
+    def merit(self, penalties: FloatArray) -> float:
         """Return the merit: the objective plus the penalties for violations, in equilibrium."""
-        return self.objective + self._cost(self._broken_closed, prices)
+        return self.objective + self._cost(self._broken_closed, penalties)
 
-    def predicted_merit(self, step: FloatArray, prices: FloatArray) -> float:
+    def predicted_merit(self, step: FloatArray, penalties: FloatArray) -> float:
         """Return the merit after a step (p,), as predicted by the linearisation."""
-        return self._expected(step) + self._cost(self._broken(step), prices)
+        return self._expected(step) + self._cost(self._broken(step), penalties)
 
-    def is_reliable(self, promise: float, highest_price: float) -> bool:
+    def is_reliable(self, promise: float, highest_penalty: float) -> bool:
         """Return True if the error of the predicted equilibrium is small compared with the decrease `promise`."""
-        if not self.defect**2 * highest_price < SETTINGS.reliability * promise:  # whatever the objective
+        if not self.defect**2 * highest_penalty < SETTINGS.reliability * promise:  # whatever the objective
             return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
-        return self.defect**2 * (weight + highest_price) < SETTINGS.reliability * promise
+        return self.defect**2 * (weight + highest_penalty) < SETTINGS.reliability * promise
 
     def restores_feasibility(self, step: FloatArray) -> bool:
         """Return True if a step at least halves a large violation, even if the merit decreases little."""
@@ -390,9 +390,9 @@ class Iterate(Generic[Point]):
         value = rows.value + rows.jacobian @ step
         return np.where(rows.one_sided, np.maximum(-value, 0.0), np.abs(value))
 
-    def _cost(self, broken: FloatArray, prices: FloatArray) -> float:
-        """Return the sum of the violations `broken` of all constraint rows, each times its price."""
-        return float(prices[self.local.rows.constraint] @ broken)
+    def _cost(self, broken: FloatArray, penalties: FloatArray) -> float:
+        """Return the sum of the violations `broken` of all constraint rows, each times its penalty."""
+        return float(penalties[self.local.rows.constraint] @ broken)
 
 
 def iterate_at(
@@ -409,21 +409,21 @@ def meet_equalities(here: Iterate[Point]) -> Iterate[Point]:
 
 
 def follow_step(
-    start: Iterate[Point], step: FloatArray, active: ActiveSet, promise: float, highest_price: float
+    start: Iterate[Point], step: FloatArray, active: ActiveSet, promise: float, highest_penalty: float
 ) -> Iterate[Point] | None:
     """Return the iterate after a step (p + 1,), or None if its state does not converge.
 
     The state first changes linearly. Newton steps then bring the point into equilibrium and the active rows to
-    their predicted values, with the least change of the unknowns. They end when the second-order error is small
-    compared with the predicted decrease. Steps can be much larger than if the state were computed anew for the new
-    unknowns, and the Maratos effect is avoided.
+    their predicted values, with the least change of the unknowns. The Newton steps end when the second-order
+    error is small compared with the predicted decrease. Steps can be much larger than if the state were
+    computed anew for the new unknowns, and the Maratos effect is avoided.
     """
     here, change = start, step
     for _ in range(SETTINGS.newton_steps):
         after = iterate_at(start.program, here.local.moved(change), active)
         if after is None or not after.defect < SETTINGS.divergence_defect:
             return None
-        if after.is_reliable(promise, highest_price):
+        if after.is_reliable(promise, highest_penalty):
             return after
         here, change = after, after.change
     return here if here.defect < SETTINGS.tolerated_defect else None
@@ -494,7 +494,7 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
         point = here.local.moved(change)
         after = program.objective(point)
         changed = float(np.abs(here.local.state_jacobian @ change).max())
-        # the second term estimates how much the distance may increase when the point is brought into equilibrium
+        # the second term estimates by how much the distance may increase in the step to equilibrium
         if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
             best, least = point, rank
         if (
@@ -522,7 +522,7 @@ def minimize(
     NotConvergedError
         No initial point was found.
     """
-    walk = _Walk(_begin(program, start), np.zeros(program.highest_prices.size))
+    walk = _Walk(_begin(program, start), np.zeros(program.highest_penalties.size))
     iteration, broken, stalled = 0, [walk.here.violation], False
     while not (
         walk.settled or stalled or iteration == SETTINGS.steps or walk.radius <= SETTINGS.smallest_radius
@@ -551,12 +551,12 @@ class _Walk(Generic[Point]):
     Attributes
     ----------
     here : Iterate
-    prices : (c,) array
+    penalties : (c,) array
         Penalties of the constraints in the merit function.
     radius : float
         Radius of the trust region, in scales.
     damping_fraction : float
-        Fraction of the full damping. It is reduced if steps achieve the predicted decrease.
+        Fraction of the full damping. The fraction is reduced if steps achieve the predicted decrease.
     solved : pair of ConstraintRows and QuadraticSolution, or None
         The last quadratic program.
     settled : bool
@@ -566,7 +566,7 @@ class _Walk(Generic[Point]):
     """
 
     here: Iterate[Point]
-    prices: FloatArray
+    penalties: FloatArray
     radius: float = 1.0
     damping_fraction: float = 1.0
     solved: tuple[ConstraintRows, QuadraticSolution] | None = None
@@ -596,13 +596,13 @@ class _Walk(Generic[Point]):
             return False
         step, solution = solved
         self.solved = here.local.rows, solution
-        self.prices = _prices(here.program, here.local.rows, solution, self.prices)
+        self.penalties = _penalties(here.program, here.local.rows, solution, self.penalties)
         merit, floor = (
-            here.merit(self.prices),
+            here.merit(self.penalties),
             SETTINGS.progress_tolerance * here.objective + SETTINGS.resolution,
         )
-        promised = merit - here.predicted_merit(step, self.prices)
-        worth, highest = max(promised, floor), float(self.prices.max(initial=0.0))
+        promised = merit - here.predicted_merit(step, self.penalties)
+        worth, highest = max(promised, floor), float(self.penalties.max(initial=0.0))
         reliable = here.is_reliable(worth, highest)
         if reliable and promised <= floor and not here.restores_feasibility(step):
             if promised < -floor and self.radius > SETTINGS.ascent_radius:
@@ -613,7 +613,7 @@ class _Walk(Generic[Point]):
             self.settled = True
         touched = _touched(here, step, solution)
         trial = follow_step(here, np.append(step, 1.0), touched, worth, highest)
-        gain = -np.inf if trial is None else (merit - trial.merit(self.prices)) / worth
+        gain = -np.inf if trial is None else (merit - trial.merit(self.penalties)) / worth
         accepted = gain > 1e-4
         if trial is not None and accepted:
             self.here, self.active = trial, touched
@@ -625,14 +625,14 @@ class _Walk(Generic[Point]):
         return accepted or self.settled
 
     def _nearer(
-        self, trial: Iterate[Point] | None, promise: float, highest_price: float
+        self, trial: Iterate[Point] | None, promise: float, highest_penalty: float
     ) -> Iterate[Point] | None:
         """Return an iterate that is nearer to equilibrium, or None.
 
-        It is used if the predicted merit in equilibrium is not reliable.
+        The iterate is used if the predicted merit in equilibrium is not reliable.
         """
         here = self.here
-        nearer = follow_step(here, here.change, self.active, promise, highest_price)
+        nearer = follow_step(here, here.change, self.active, promise, highest_penalty)
         if nearer is None and trial is not None and trial.defect < SETTINGS.defect_reduction * here.defect:
             nearer = trial
         if nearer is None and self.radius < SETTINGS.ascent_radius:
@@ -674,21 +674,21 @@ def _touched(here: Iterate[Point], step: FloatArray, solution: QuadraticSolution
     """Return the equality constraints and the active inequality constraints after a step, with their values."""
     rows = here.local.rows
     y = solution.row_multipliers[: rows.value.size]
-    touched = ~rows.one_sided | (y > 1e-6 * rows.price)
+    touched = ~rows.one_sided | (y > 1e-6 * rows.penalty)
     return ActiveSet(_row_keys(rows)[touched], (rows.value + rows.jacobian @ step)[touched])
 
 
-def _prices(
+def _penalties(
     program: NonlinearProgram[Point], rows: ConstraintRows, solution: QuadraticSolution, before: FloatArray
 ) -> FloatArray:
     """Return the penalties of the merit function (Powell's rule).
 
-    They are 1.5 times the multipliers, but at least a tenth of the penalties `before`.
+    The penalties are 1.5 times the multipliers, but at least a tenth of the penalties `before`.
     """
     y = np.abs(solution.row_multipliers[: rows.value.size])
     largest = np.zeros_like(before)
     np.maximum.at(largest, rows.constraint, 1.5 * y)
-    return np.minimum(program.highest_prices, np.maximum(largest, 0.1 * before))
+    return np.minimum(program.highest_penalties, np.maximum(largest, 0.1 * before))
 
 
 def _solve_step(
@@ -709,7 +709,7 @@ def _solve_step(
     hessian, gradient = model.hessian * np.outer(s, s) + np.diag(damping / fine**2), model.gradient * s
     lower = np.maximum((program.lower - z) / s, -radius * fine)
     upper = np.minimum((program.upper - z) / s, radius * fine)
-    jacobian, value, price, one_sided = rows.jacobian * s, rows.value, rows.price, rows.one_sided
+    jacobian, value, penalty, one_sided = rows.jacobian * s, rows.value, rows.penalty, rows.one_sided
     if model.peaks.size:
         # an additional unknown t is at least as large as every peak; the large penalty makes these rows exact
         k, top = model.peaks.size, float(model.peaks.max())
@@ -717,9 +717,12 @@ def _solve_step(
         lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
         jacobian = np.block([[jacobian, np.zeros((value.size, 1))], [-model.peak_rows * s, np.ones((k, 1))]])
         value = np.append(value, top - model.peaks)
-        price, one_sided = np.append(price, np.full(k, 10.0)), np.append(one_sided, np.ones(k, dtype=bool))
+        penalty, one_sided = (
+            np.append(penalty, np.full(k, 10.0)),
+            np.append(one_sided, np.ones(k, dtype=bool)),
+        )
     solution = solve_quadratic(
-        QuadraticProgram(hessian, gradient, lower, upper, jacobian, -value, price, one_sided)
+        QuadraticProgram(hessian, gradient, lower, upper, jacobian, -value, penalty, one_sided)
     )
     if not np.all(np.isfinite(solution.x)):
         return None
@@ -732,8 +735,8 @@ def _solve_step(
 def _damping(here: Iterate[Point], most: float, share: float) -> float:
     """Return the damping of long steps that have little effect.
 
-    It is at most the fraction `most` of the largest entry of the Hessian. The cost of a step of length 1 in scales
-    is at most the fraction `share` of the objective.
+    The damping is at most the fraction `most` of the largest entry of the Hessian. The cost of a step of length
+    1 in scales is at most the fraction `share` of the objective.
     """
     model = here.local.model
     largest = most * float(model.hessian.diagonal().max())

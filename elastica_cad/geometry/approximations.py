@@ -132,7 +132,7 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
     Parameters
     ----------
     motion : callable
-        Function of parameters (n,), an order and a flag. It returns positions (n, 2) for the order 0, and
+        Function of parameters (n,), an order and a flag. The function returns positions (n, 2) for the order 0, and
         derivatives for the order 1. If the flag is True, values at knots are left limits. The function is
         smooth inside each part.
     stretches : tuple of arrays

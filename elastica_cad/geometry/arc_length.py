@@ -18,7 +18,7 @@ _FINE = 1e-14
 _NOISE_SHARE = 1e-8
 """Last Chebyshev coefficients, relative to the speed, up to which they may be rounding errors.
 
-They are rounding errors if halving the panel does not reduce them.
+Such coefficients are rounding errors if halving the panel does not reduce them.
 """
 
 _NARROWEST = 2.0**-40

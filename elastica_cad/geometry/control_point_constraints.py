@@ -202,15 +202,15 @@ class CollinearInflections:
         position, jacobian = _inflections(curve, self.t)
         apart = np.linalg.norm(position[:, None] - position[None], axis=2)
         i, j = np.unravel_index(int(apart.argmax()), apart.shape)
-        others = [k for k in range(len(position)) if k not in (i, j)]
-        if not others:
+        inner = [k for k in range(len(position)) if k not in (i, j)]
+        if not inner:
             return np.zeros(0), np.zeros((0, curve.control_points.size))
         chord, size = position[j] - position[i], apart[i, j]
         normal = left_of(chord) / size
-        offset = position[others] - position[i]
+        offset = position[inner] - position[i]
         along = offset @ chord / size**2
         # if the chord rotates, a point on it moves by the fraction `along` of the movement of the far end
-        step = jacobian[others] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
+        step = jacobian[inner] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
         return offset @ normal, np.asarray(np.einsum("k,ikq->iq", normal, step))
 
 

@@ -4,10 +4,10 @@ The smooth curve c is the spline of degree 4 with simple knots that minimises
 
     integral of (n . (c - drawn))^2 ds + l^6 integral of (d kappa / ds)^2 ds,
 
-where n is the normal of the drawn curve, s arc length, and kappa the curvature of c. It has the ends and end
-tangents of the drawn curve. On request the curvature is 0 at the ends. The smoothing length l is the largest for
-which the curve is within the tolerance. If the drawn curve is closed, c is periodic. The slope of the curvature
-is linearised about the curve of the previous iteration. All systems are sparse.
+where n is the normal of the drawn curve, s arc length, and kappa the curvature of c. The smooth curve has the
+ends and end tangents of the drawn curve. On request the curvature is 0 at the ends. The smoothing length l is
+the largest for which the curve is within the tolerance. If the drawn curve is closed, c is periodic. The slope
+of the curvature is linearised about the curve of the previous iteration. All systems are sparse.
 
 Corners of at most 5 degrees are removed first, by turning the handles beside them: the vectors from the corner to
 the neighbouring control points.
@@ -130,9 +130,9 @@ class Fairing:
 def may_step(curve: PlaneCurve) -> bool:
     """Return True if the width of a strip with this curve may have a step.
 
-    This is the case if the curvature jumps, or its slope jumps at an inflection. The result is False for curves
-    with corners or straight pieces, because they are not smoothed: corners are refused, and straight pieces are
-    intended.
+    The width has a step if the curvature jumps, or if the slope of the curvature jumps at an inflection. The
+    result is False for curves with corners or straight pieces, because they are not smoothed: corners are
+    refused, and straight pieces are intended.
     """
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
     rough = [b for b in breaks if b.continuity <= 2]
@@ -244,9 +244,9 @@ class _Problem:
         self.spans = bezier_spans(self.knots, DEGREE)
         local = (np.arange(_EACH) + 0.5) / _EACH
         self.s = (edges[:-1, None] + self.width * local).ravel()
-        drawn = curve.at(self.s)
-        self.data = drawn.position
-        self.along = np.column_stack([np.cos(drawn.angle), np.sin(drawn.angle)])
+        samples = curve.at(self.s)
+        self.data = samples.position
+        self.along = np.column_stack([np.cos(samples.angle), np.sin(samples.angle)])
         self.across = left_of(self.along)
         self.basis = [self.spans.local_basis(self.s, k)[0] for k in range(4)]
         self.support = np.repeat(self.spans.first, _EACH)[:, None] + np.arange(DEGREE + 1)
@@ -389,21 +389,21 @@ def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     >>> len(kinked.tangent_breaks), len(smooth.tangent_breaks), round(moved, 4)
     (1, 0, 0.01)
     """
-    drawn = curve.provenance
-    if drawn is not None and drawn.measured is not None and drawn.measured.is_noisy:
-        fitted = PlaneCurve(*smoothest_spline(drawn.measured.points, DEGREE, smooth), DEGREE)
-        moved = _largest_distance(drawn.measured.points, fitted)
-        return fitted.drawn_as(drawn.of_part()), moved
+    provenance = curve.provenance
+    if provenance is not None and provenance.measured is not None and provenance.measured.is_noisy:
+        fitted = PlaneCurve(*smoothest_spline(provenance.measured.points, DEGREE, smooth), DEGREE)
+        moved = _largest_distance(provenance.measured.points, fitted)
+        return fitted.drawn_as(provenance.of_part()), moved
     if not curve.has_corners or curve.degree < 2:
         return curve, 0.0
-    if drawn is not None and drawn.vertices is not None:
-        fitted, moved = fit_polyline(drawn.vertices, FIT_TOLERANCE)
-        return (fitted.drawn_as(drawn.of_part()), moved) if moved <= smooth else (curve, 0.0)
+    if provenance is not None and provenance.vertices is not None:
+        fitted, moved = fit_polyline(provenance.vertices, FIT_TOLERANCE)
+        return (fitted.drawn_as(provenance.of_part()), moved) if moved <= smooth else (curve, 0.0)
     healing = _healed(curve, SMOOTHING_SHARE * smooth)
     if not healing.healed:
         return curve, 0.0
     rounded = PlaneCurve(healing.knots, healing.control_points, healing.degree, healing.weights)
-    return rounded.drawn_as(drawn), healing.moved
+    return rounded.drawn_as(provenance), healing.moved
 
 
 def smooth_for_corners(curve: PlaneCurve) -> float | None:
@@ -420,10 +420,10 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     >>> smooth_for_corners(kinked)
     0.06
     """
-    drawn = curve.provenance
-    if drawn is not None and drawn.vertices is not None:
+    provenance = curve.provenance
+    if provenance is not None and provenance.vertices is not None:
         with suppress(NotConvergedError):
-            needed = round_corners(curve, POLYLINE_SHARE * np.ptp(drawn.vertices, axis=0).max())[1]
+            needed = round_corners(curve, POLYLINE_SHARE * np.ptp(provenance.vertices, axis=0).max())[1]
             return _one_figure(1.01 * needed, np.ceil) if needed else None
         return None
     corners = [corner.angle for corner in curve.tangent_breaks]

@@ -42,7 +42,7 @@ MOST_DECIMALS = 9
 REACH = 4.0
 """Largest distance of about a hundred noisy points from a smooth curve, in standard deviations.
 
-It is smaller for fewer points.
+The distance is smaller for fewer points.
 """
 
 OUTLIER_TIMES = 4.0
@@ -95,7 +95,8 @@ class MeasuredPoints:
     def reach(self) -> float:
         """Distance, mm, by which a smooth curve may differ from the points because of their noise.
 
-        It is at least the largest rounding error: sqrt(3) times the standard deviation of rounding errors.
+        The distance is at least the largest rounding error: sqrt(3) times the standard deviation of rounding
+        errors.
         """
         return rounded_up(np.clip(2 * np.log10(len(self.points)), np.sqrt(3), REACH) * self.noise, 2)
 
@@ -112,12 +113,12 @@ class MeasuredPoints:
         rough = np.abs(_differences(self.points, 4)[0])
         first = int(rough.argmax())
         near = range(max(1, first), min(count - 1, first + 5))
-        others = {at: np.delete(self.points, at, axis=0) for at in near}
-        without = {at: np.abs(_differences(points, 4)[0]).max() for at, points in others.items()}
+        remaining_points = {at: np.delete(self.points, at, axis=0) for at in near}
+        without = {at: np.abs(_differences(points, 4)[0]).max() for at, points in remaining_points.items()}
         at = min(without, key=without.__getitem__)
         if rough.max() <= OUTLIER_TIMES * max(without[at], self.least):
             return ()
-        far, rest = _off_nearest(self.points)[at], _off_nearest(others[at]).max()
+        distance, rest = _off_nearest(self.points)[at], _off_nearest(remaining_points[at]).max()
         message = (
             "The point at {place}, number {number} of {count}, is {far:.2g} from the curve of its "
             "neighbours; the other points are within {rest:.2g}. Measure it again, and also the end point "
@@ -128,7 +129,7 @@ class MeasuredPoints:
         )  # fmt: skip
         return (note(
             message,
-            place=Point(self.points[at]), number=at + 1, count=count, far=Length(far), rest=Length(rest),
+            place=Point(self.points[at]), number=at + 1, count=count, far=Length(distance), rest=Length(rest),
             severity="warning",
         ),)  # fmt: skip
 

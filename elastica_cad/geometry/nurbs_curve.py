@@ -507,14 +507,16 @@ class NurbsCurve:
                     f"{MOST_UNEVEN:g} times the least; export the curve without them"
                 )
             object.__setattr__(self, "weights", weights if np.ptp(weights) > 0 else None)
-        drawn = self.provenance
-        require_record(drawn, Provenance | None, "provenance", "what read_curves gives, or None")
-        shown, rounding = (place, 0.0) if drawn is None else (drawn.shown, drawn.rounding)
+        provenance = self.provenance
+        require_record(provenance, Provenance | None, "provenance", "what read_curves gives, or None")
+        format_point, rounding = (
+            (place, 0.0) if provenance is None else (provenance.shown, provenance.rounding)
+        )
         steps = np.diff(points, axis=0)
         along = steps @ steps.sum(axis=0)
         # otherwise the control polygon shows that no point has zero speed
         if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():
-            _refuse_standstill(self._pieces, self.control_points, shown, rounding)
+            _refuse_standstill(self._pieces, self.control_points, format_point, rounding)
 
     def __getstate__(self) -> dict[str, Any]:
         """Omit cached results, which are much larger than the other attributes and quickly computed again."""
@@ -623,8 +625,8 @@ class NurbsCurve:
         300.0
         """
         knots, control_points = fit_spline(points, degree, tolerance, smoothing)
-        drawn = Provenance(measured=MeasuredPoints.of(distinct_points(points)))
-        return cls(knots, control_points, degree, provenance=drawn)
+        provenance = Provenance(measured=MeasuredPoints.of(distinct_points(points)))
+        return cls(knots, control_points, degree, provenance=provenance)
 
     @classmethod
     def fit_function(
@@ -691,7 +693,8 @@ class NurbsCurve:
     def basis(self, t: ArrayLike, derivative: int = 0) -> FloatArray:
         """Return the derivatives (n, m) of the position, or of its derivative, at t (n,) by the m control points.
 
-        They are the rational basis functions R_i: the position is the sum of R_i(t) times control point i.
+        The derivatives are the rational basis functions R_i: the position is the sum of R_i(t) times control
+        point i.
         """
         t = self._pieces.inside(np.atleast_1d(numbers(t, "parameters")))
         spans = self._pieces.spans
@@ -707,8 +710,8 @@ class NurbsCurve:
     def siblings(self, control_points: FloatArray) -> list[Self]:
         """Return curves with the same knots and control points (n, m, 2), without weights.
 
-        The curves are not checked, because a check would be slow for thousands of curves. Their speed must be
-        positive everywhere.
+        The curves are not checked, because a check would be slow for thousands of curves. The speed of every
+        curve must be positive everywhere.
         """
         return [self._part(self.knots, points, None) for points in control_points]
 
@@ -732,8 +735,8 @@ class NurbsCurve:
         """Return the curve with its direction reversed."""
         weights = None if self.weights is None else self.weights[::-1]
         knots = self.knots[0] + self.knots[-1] - self.knots[::-1]
-        drawn = self.provenance and self.provenance.reversed()
-        return self._part(knots, self.control_points[::-1], weights, drawn)
+        provenance = self.provenance and self.provenance.reversed()
+        return self._part(knots, self.control_points[::-1], weights, provenance)
 
     def trimmed(self, start: float, end: float) -> Self:
         """Return the part between two parameters as a new clamped curve, by Boehm's knot insertion."""
@@ -769,13 +772,13 @@ class NurbsCurve:
             degree=self.degree,
             pieces=lambda: (self._pieces.bezier, self._pieces.edges),
         )
-        drawn = (
+        provenance = (
             None if self.provenance is None else self.provenance.transformed(np.asarray(matrix, dtype=float))
         )
         even = not np.asarray(matrix, dtype=float)[2, :2].any()
         if even and np.abs(points).max() < FAR_SIZES * np.ptp(points, axis=0).max():
-            return self._part(knots, points, weights, drawn)
-        return type(self)(knots, points, self.degree, weights, drawn)
+            return self._part(knots, points, weights, provenance)
+        return type(self)(knots, points, self.degree, weights, provenance)
 
     @cached_property
     def bounds(self) -> FloatArray:

@@ -120,11 +120,11 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
         if np.abs(t - before).max(initial=0.0) <= _SETTLED * (t1 - t0):
             break
     low, high = spans = spline.parameter(np.stack([u[i], u[i + 1]]))
-    strayed = (np.abs(t - (low + high) / 2) > high - low) | (np.abs(t - before) > _UNSETTLED * (t1 - t0))
-    strayed |= best > chord[rows, i] + _chord_tolerance(spline)
-    if strayed.any():
-        best[strayed] = np.minimum(
-            best[strayed], _distances_by_sampling(p[strayed], curve, *spans[:, strayed])
+    outside = (np.abs(t - (low + high) / 2) > high - low) | (np.abs(t - before) > _UNSETTLED * (t1 - t0))
+    outside |= best > chord[rows, i] + _chord_tolerance(spline)
+    if outside.any():
+        best[outside] = np.minimum(
+            best[outside], _distances_by_sampling(p[outside], curve, *spans[:, outside])
         )
     least = np.full(count, np.inf)
     np.minimum.at(least, rows, best)

@@ -144,7 +144,7 @@ def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArr
 _FAN = 8
 """Number of boxes in a group.
 
-It is a compromise between the number of levels and the number of useless pairs.
+The number is a compromise between the number of levels and the number of useless pairs.
 """
 
 
@@ -168,7 +168,7 @@ def _line_parameters(
 ) -> tuple[FloatArray, FloatArray]:
     """Return the intersections of the lines through a, b and through c, d, with (n, 2) points each.
 
-    They are fractions of the segments a b and c d, or nan if the lines are parallel.
+    The intersections are fractions of the segments a b and c d, or nan if the lines are parallel.
     """
     p, q, gap = b - a, d - c, c - a
     det = cross(p, q)
@@ -280,8 +280,8 @@ def trim_off(path: Path, loops: Sequence[Path]) -> tuple[Path, ...]:
         return (path,)
     walls = [segment for loop in met for segment in loop.segments]
     rims = [loop.points(FLAT_MM) for loop in met]
-    kept = _runs(path, walls, lambda place: not any(encloses(rim, place) for rim in rims))
-    return tuple(Path(run) for run in kept)
+    parts = _runs(path, walls, lambda place: not any(encloses(rim, place) for rim in rims))
+    return tuple(Path(run) for run in parts)
 
 
 def _runs_between(path: Path, low: float, high: float) -> list[list[Segment]]:

@@ -262,8 +262,8 @@ class PlaneCurve(NurbsCurve):
         Parameters
         ----------
         function : callable
-            Function of parameters (k,) that returns values (k,). It is as smooth as the curvature, except at
-            `breaks`.
+            Function of parameters (k,) that returns values (k,). The function is as smooth as the curvature,
+            except at `breaks`.
         size : float
             Typical size of the values, to which tolerances are relative.
         breaks : sequence of (parameter, bool)
@@ -455,8 +455,8 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
     places = [low, *(corner.t for corner in curve.tangent_breaks), high]
     if len(places) == 2:
         return (curve,)
-    drawn = curve.provenance and curve.provenance.of_part()
-    return tuple(curve.trimmed(*ends).drawn_as(drawn) for ends in pairwise(places))
+    provenance = curve.provenance and curve.provenance.of_part()
+    return tuple(curve.trimmed(*ends).drawn_as(provenance) for ends in pairwise(places))
 
 
 DEGREE = 5  # the curvature then has two continuous derivatives, which checks of equilibrium need

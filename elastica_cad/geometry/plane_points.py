@@ -195,8 +195,8 @@ def near_pairs(
     i = (np.arange(near.size) // 3).repeat(counts)
     j = order[first.repeat(counts) + numbers_in_groups(counts)]
     gap = points[i] - others[j]
-    kept = np.einsum("ij,ij->i", gap, gap) <= reach**2  # a sum over a short axis would be slow
-    return i[kept], j[kept]
+    close = np.einsum("ij,ij->i", gap, gap) <= reach**2  # a sum over a short axis would be slow
+    return i[close], j[close]
 
 
 def distinct(values: FloatArray) -> FloatArray:

@@ -18,7 +18,7 @@ def binomials(degree: int) -> FloatArray:
 _SPLIT = 0.46875
 """Fraction at which an interval is divided.
 
-It is exact in binary. It is not 0.5, because polynomials of symmetric curves often have zeros at 0.5.
+The fraction is exact in binary, and not 0.5, because polynomials of symmetric curves often have zeros at 0.5.
 """
 
 
@@ -179,11 +179,11 @@ _EPS = float(np.finfo(float).eps)
 def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
     """Return all zeros in the open interval (0, 1) of polynomials (k, n+1), in order.
 
-    The number of sign changes of the Bernstein coefficients is an upper bound of the number of zeros (Descartes).
-    The interval is divided until each part has at most one zero, or no coefficient above the rounding errors
-    `noise` (k,). Zeros that rounding errors cannot separate count as one zero. It is a crossing if the sign
-    differs on its two sides, else a touch. The coefficients at both ends must exceed the rounding errors (see
-    `divide_out_end_root`).
+    The number of sign changes of the Bernstein coefficients is an upper bound of the number of zeros
+    (Descartes). The interval is divided until each part has at most one zero, or no coefficient above the
+    rounding errors `noise` (k,). Zeros that rounding errors cannot separate count as one zero. Such a zero is a
+    crossing if the sign differs on its two sides, else a touch. The coefficients at both ends must exceed the
+    rounding errors (see `divide_out_end_root`).
     """
     return _classified(c, _merged(sorted(_events(c, noise))))
 
@@ -221,9 +221,9 @@ def interior_roots(c: FloatArray) -> list[Root]:
     noise = 32 * _EPS * np.abs(c).max(axis=1)
     noise = np.maximum(noise, 1e-15 * np.abs(c).max(initial=0.0))
     c, _ = without_end_roots(c, noise, np.ones(len(c), dtype=bool))
-    kept = np.flatnonzero(np.abs(c).max(axis=1) > noise)
-    zeros = roots(c[kept], noise[kept])
-    return [Root(int(kept[root.piece]), root.u, root.crossing) for root in zeros]
+    nonzero = np.flatnonzero(np.abs(c).max(axis=1) > noise)
+    zeros = roots(c[nonzero], noise[nonzero])
+    return [Root(int(nonzero[root.piece]), root.u, root.crossing) for root in zeros]
 
 
 def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:

@@ -458,7 +458,7 @@ def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> F
 _Motion: TypeAlias = Callable[[IntArray, FloatArray, int], FloatArray]
 """Function of segment numbers (n,), parameters u (n,) and an order that is 0 or 1.
 
-It returns points (n, 2), or derivatives by u, for segments of one kind.
+The function returns points (n, 2), or derivatives by u, for segments of one kind.
 """
 
 

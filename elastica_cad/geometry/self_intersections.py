@@ -142,12 +142,12 @@ def _polished(
 def _distinct(pairs: FloatArray, edges: FloatArray) -> FloatArray:
     """Return each self-intersection once, in order, without the two ends of a closed curve."""
     close = 1e-7 * (edges[-1] - edges[0])
-    kept: list[FloatArray] = []
+    distinct: list[FloatArray] = []
     for pair in pairs[np.lexsort(pairs.T[::-1])]:
         ends = pair[0] - edges[0] < close and edges[-1] - pair[1] < close
-        if not ends and all(np.abs(pair - other).max() > close for other in kept):
-            kept.append(pair)
-    return np.array(kept).reshape(-1, 2)
+        if not ends and all(np.abs(pair - other).max() > close for other in distinct):
+            distinct.append(pair)
+    return np.array(distinct).reshape(-1, 2)
 
 
 # a parameter closer to a knot than this fraction of a span counts as at the knot

@@ -224,7 +224,7 @@ def _spans(written: bytes, degree: int) -> Spans:
 class SplineFunction:
     """Spline function with a full, clamped knot vector (m + degree + 1,) and coefficients (m, ...).
 
-    It replaces `BSpline` of SciPy, whose import takes longer than all computations with it in a command.
+    This class replaces `BSpline` of SciPy, whose import takes longer than all computations with it in a command.
 
     Examples
     --------
@@ -439,8 +439,8 @@ def adaptive_spline(
     Parameters
     ----------
     function : callable
-        Function of x (k,) that returns values (k,) or (k, q). It is evaluated only inside the spans, so its value
-        at a break has no effect.
+        Function of x (k,) that returns values (k,) or (k, q). The function is evaluated only inside the spans,
+        so that a value at a break has no effect.
     tolerance : float
         Largest error of a value, measured between the interpolation points.
     breaks : sequence of (x, continuity)
@@ -640,10 +640,10 @@ def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[
     """Return knots and control points of the smoothest clamped spline within `tolerance` of `points` (n, 2).
 
     The spline has about one knot for each point. The penalty on its third derivative is the largest with which
-    all points are within the tolerance. For every tolerance, the spline is between the interpolating spline and a
-    parabola. It does not oscillate between the points, unlike least squares with nearly as many control points as
-    points. For 100 points or more, `fit_spline` is used, which separates noise from shape with few control
-    points.
+    all points are within the tolerance. For every tolerance, the spline is between the interpolating spline and
+    a parabola. The spline does not oscillate between the points, unlike least squares with nearly as many
+    control points as points. For 100 points or more, `fit_spline` is used, which separates noise from shape
+    with few control points.
     """
     data = distinct_points(points)
     if not degree < data.shape[0] < _ENOUGH_FOR_NOISE:

@@ -116,21 +116,21 @@ def heal_tangents(
     if not explained:
         return unchanged
     undecided = tuple(turn for turn in explained if turn.angle > SURE)
-    wanted = {turn.t for turn in explained if turn.angle <= SURE}
-    if not wanted:
+    removable = {turn.t for turn in explained if turn.angle <= SURE}
+    if not removable:
         return Healing(knots, control_points, degree, weights, 0.0, (), undecided)
     if degree == 2:
         knots, control_points, weights = elevate_degree(knots, control_points, degree, weights)
         degree = 3
     points = control_points.copy()
     for node in _nodes(knots, degree):
-        if knots[node + 1] in wanted:
+        if knots[node + 1] in removable:
             _smooth_node(points, node, degree)
-    if knots[degree] in wanted:
+    if knots[degree] in removable:
         _smooth_seam(points, degree)
     moved = float(np.hypot(*(points - control_points).T).max())
     return Healing(
-        knots, points, degree, weights, moved, tuple(t for t in explained if t.t in wanted), undecided
+        knots, points, degree, weights, moved, tuple(t for t in explained if t.t in removable), undecided
     )
 
 

@@ -27,12 +27,14 @@ from elastica_cad.strip.solids import BentSolid, bent_colors, centred_thickness
 from elastica_cad.strip.strip import Strip
 
 TURN_RAD = 2.5
-"""Angle of the circular arc into which a strip is bent for meshing, rad. It is so small that the tabs do not
-meet."""
+"""Angle of the circular arc into which a strip is bent for meshing, rad. The angle is so small that the tabs do
+not meet.
+"""
 
 CHORD = 5e-5
-"""Largest distance of triangles from this arc, as a fraction of the length. It gives about 80 triangles along the
-strip."""
+"""Largest distance of triangles from this arc, as a fraction of the length. This distance gives about 80
+triangles along the strip.
+"""
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,7 +21,7 @@ def make_wire(path: Path, frame: Frame | None = None) -> Shape:
 
 
 def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = None) -> Shape:
-    """Return a plane TopoDS_Face with holes. Its normal is the z axis of `frame`."""
+    """Return a plane TopoDS_Face with holes. The normal is the z axis of `frame`."""
     k = kernel()
     shell = _read(face_brep(outline, holes, frame or Frame()))
     return k.as_face(sub_shapes(shell, k.TopAbs_ShapeEnum.TopAbs_FACE)[0])

@@ -39,10 +39,10 @@ if TYPE_CHECKING:
     from elastica_cad.pairs.flexure import Flexure, State
 
 LEAST_S, S_PER_MB = 5, 5
-"""Limit of the CPU time for reading a file, in s and in s per MB. It is ten times the time for valid files."""
+"""Limit of the CPU time for reading a file, in s and in s per MB: ten times the time for valid files."""
 
 BUSY = 10
-"""Limit of the elapsed time divided by the limit of the CPU time. It allows for a busy machine."""
+"""Limit of the elapsed time divided by the limit of the CPU time. The factor allows for a busy machine."""
 
 PR_SET_PDEATHSIG = 1
 """Option of the Linux function prctl: the signal that a process gets when its parent ends."""
@@ -282,9 +282,9 @@ def step_bytes(parts: Sequence[NamedShape], *, name: str) -> bytes:
 
 def _is_elementary(shape: Shape) -> bool:
     k = kernel()
-    known = [getattr(k.GeomAbs_SurfaceType, f"GeomAbs_{name}") for name in ELEMENTARY]
+    elementary = [getattr(k.GeomAbs_SurfaceType, f"GeomAbs_{name}") for name in ELEMENTARY]
     faces = sub_shapes(bare(shape), k.TopAbs_ShapeEnum.TopAbs_FACE)
-    return all(k.BRepAdaptor_Surface(k.as_face(face)).GetType() in known for face in faces)
+    return all(k.BRepAdaptor_Surface(k.as_face(face)).GetType() in elementary for face in faces)
 
 
 @contextmanager

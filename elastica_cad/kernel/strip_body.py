@@ -144,12 +144,15 @@ def numbers_of(point: Point) -> tuple[float, ...]:
 
 
 COLOR_STEP = 1e-6
-"""Difference in a component above which two colours are different. It exceeds the rounding errors of the
-libraries."""
+"""Difference in a component above which two colours are different. The difference exceeds the rounding errors
+of the libraries.
+"""
 
 
 def color_numbers(color: Any) -> tuple[float, ...]:
-    """Return a colour as 3 or 4 numbers from 0 to 1. It is given as a colour of a library, its name, or numbers."""
+    """Return a colour as 3 or 4 numbers from 0 to 1. The argument is a colour of a library, the name of a
+    colour, or numbers.
+    """
     k = kernel()
     named = k.Quantity_Color()
     read = k.Quantity_Color.ColorFromHex_s if str(color).startswith("#") else k.Quantity_Color.ColorFromName_s
@@ -284,7 +287,7 @@ class StripBody:
 
     @property
     def frame(self) -> Frame:
-        """Plane of the curve. It moves with a bent body; for other bodies it is the drawn plane."""
+        """Plane of the curve. The plane moves with a bent body; for other bodies it is the drawn plane."""
         home, now = self._made.home, self._start()
         return self._made.frame if home is None or now is None else self._made.frame.carried(home, now)
 

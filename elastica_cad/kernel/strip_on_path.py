@@ -97,7 +97,7 @@ def make_strip_on(
     sheet : Sheet or str
         Sheet of the strip; None for a finished strip.
     workplane : Frame, or a plane of build123d or CadQuery, optional
-        Plane of the drawing. It determines which side of the path is up, if the path is parallel to it.
+        Plane of the drawing. The plane determines which side of the path is up, if the path is parallel to it.
     **options
         `StripOptions`, and `max_width`.
     """
@@ -192,9 +192,9 @@ def _require_tabs(ends: Any) -> None:
 
 def _slots_in_rad(slots: Any) -> tuple[Slot, ...]:
     """Issue a warning if the inclinations look like radians."""
-    given = several("slots", slots, Slot, "Slot")
-    warn_of_radians([slot.lean for slot in given], LEAST_LEAN_DEGREES)
-    return tuple(replace(slot, lean=radians(slot.lean)) for slot in given)
+    in_degrees = several("slots", slots, Slot, "Slot")
+    warn_of_radians([slot.lean for slot in in_degrees], LEAST_LEAN_DEGREES)
+    return tuple(replace(slot, lean=radians(slot.lean)) for slot in in_degrees)
 
 
 def make_fixture_on(
@@ -253,7 +253,7 @@ def section_requests(
 ) -> "list[tuple[PlaneCurve, StripOptions]]":
     """Return the curve of each section of a body by planes, with the options of its strip.
 
-    They include the plane and a numbered label.
+    The options include the plane and a numbered label.
     """
     called = options.get("label") or "strip"
     return [
@@ -276,15 +276,15 @@ def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> No
     """Raise InputError for unknown options. For common mistakes, the message has the correct option."""
     from elastica_cad.strip.strip_spec import StripSpec
 
-    known = {"plane", "color", *sizes, *(field.name for field in fields(StripSpec))} - {
+    names = {"plane", "color", *sizes, *(field.name for field in fields(StripSpec))} - {
         "curve",
         "sheet",
         "frame",
     }
     for name in options:
-        if name in GIVEN_OTHERWISE and name not in known:
+        if name in GIVEN_OTHERWISE and name not in names:
             raise UnknownOptionError(f"{name} is not an option of a strip. Pass {GIVEN_OTHERWISE[name]}")
-    refuse_unknown(options, known, "a fixture" if sizes else "a strip")
+    refuse_unknown(options, names, "a fixture" if sizes else "a strip")
 
 
 def _frame_of(plane: Any) -> Frame:

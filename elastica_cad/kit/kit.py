@@ -49,8 +49,8 @@ def can_draw() -> bool:
 
 def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -> tuple[str, ...]:
     """Return a sentence for each missing package: the files that it would write, and how to install it."""
-    drawn = " and ".join(kind for wanted, kind in ((paper, "PDF"), (pictures, "pictures")) if wanted)
-    missing = [(drawn, "" if can_draw() else how_to_install("matplotlib"))]
+    outputs = " and ".join(kind for requested, kind in ((paper, "PDF"), (pictures, "pictures")) if requested)
+    missing = [(outputs, "" if can_draw() else how_to_install("matplotlib"))]
     missing += [("STEP", step_trouble())] if step else []
     return tuple(f"not written: {kind}; to get it: {cure}" for kind, cure in missing if kind and cure)
 

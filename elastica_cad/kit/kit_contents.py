@@ -52,7 +52,7 @@ class KitContents:
 
     @cached_property
     def cut_list(self) -> CutList:
-        """List of all parts to be cut. It is cached, because the search for parts of equal shape is slow."""
+        """List of all parts to be cut. The list is cached, because the search for parts of equal shape is slow."""
         return cut_list((*self.pieces, *self.blocks))
 
     @property
@@ -127,10 +127,10 @@ def kit_contents(
 
 def _with_plates_over_joints(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> Model:
     """Return the model with plates over the joints of its strips, clear of slots."""
-    known = {id(strip): joined_within(strip, _shop_of(strip, spec, requests)) for strip in model.strips}
-    if all(known[id(strip)] is strip for strip in model.strips):
+    joined = {id(strip): joined_within(strip, _shop_of(strip, spec, requests)) for strip in model.strips}
+    if all(joined[id(strip)] is strip for strip in model.strips):
         return model
-    return model.with_strips([known[id(strip)] for strip in model.strips])
+    return model.with_strips([joined[id(strip)] for strip in model.strips])
 
 
 def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> dict[str, Splice]:
@@ -183,8 +183,8 @@ def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]
         messages += accept_faults(faults, ignore_limits or spec.ignore_limits)
         if not faults:
             clear.add(alike)
-    known = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
-    return tuple(text for text in dict.fromkeys(messages) if text not in known)
+    reported = {text for strip in model.strips for text in strip.warnings} | {*model.reports}
+    return tuple(text for text in dict.fromkeys(messages) if text not in reported)
 
 
 def _instability_notes(model: Model) -> list[str]:
@@ -254,11 +254,11 @@ def _shapes_in_holders(
     free = [k for k, member in enumerate(model.placed) if not member.strip.rod.acting]
     placed = tuple(model.placed[k] for k in free)
     notes = [*holder_plays(model.placed, holders), *rocking_tabs(placed, holders)]
-    if others := [name for k, name in enumerate(names) if k not in free]:
+    if on_elements := [name for k, name in enumerate(names) if k not in free]:
         notes.append(
             note(
                 "The shape as made is not computed with rails, pins, ties or point forces: {strips}.",
-                strips=Listed(others),
+                strips=Listed(on_elements),
             )
         )
     for k, shape in zip(free, hold_each(placed, holders), strict=True):
@@ -276,18 +276,18 @@ def _deviation_notes(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, 
     """Return a note on interlocked strips that deviate by more than the clearance of slots."""
     names = distinct_names(model.placed)
     locked = {names[k] for joint in model.joints for k in joint.members}
-    far = [
+    deviating = [
         f"{name} {held[name].deviation:.2g} mm"
         for name in names
         if name in locked and name in held and held[name].deviation > CLEARANCE
     ]
-    if not far:
+    if not deviating:
         return ()
     return (
         note(
             "Strips deviate from their design by more than the clearance of slots ({room:g}): {strips}. If "
             "their slots do not meet, bend the strips by hand until they do.",
             room=Length(CLEARANCE),
-            strips=", ".join(far),
+            strips=", ".join(deviating),
         ),
     )

@@ -71,7 +71,7 @@ class SavedKit:
 def check_kit_folder(name: str, folder: str | Path, *, force: bool = False) -> None:
     """Raise InputError if the kit of a model with this name cannot be written to the folder.
 
-    It is called before the model is computed. A folder that contains the lists of a kit is refused unless
+    This check is done before the model is computed. A folder that contains the lists of a kit is refused unless
     `force` is set.
     """
     check_folder(folder, _lists(file_word(name)), force=force)
@@ -101,7 +101,7 @@ def model_kit(
     """
     model, spec, cutting = contents.model, contents.spec, contents.spec.cutting
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
-    name, files, taken = file_word(model.name), list[File](), set[str]()
+    name, files, used_names = file_word(model.name), list[File](), set[str]()
     listed = contents.cut_list.in_files(_file_of_each_piece(contents, parts=parts))
     blocks = (replace(row, file=f"{PARTS}/{row.file}" if step else "") for row in listed.printed)
     listed = replace(listed, printed=tuple(blocks))
@@ -127,14 +127,14 @@ def model_kit(
     for piece in contents.pieces if parts else ():
         cut = cutting_files(piece.drawing, f"{PARTS}/{piece.file_stem}", cutting, piece.sheet, "part")
         names = {file.name.casefold() for file in cut}
-        if taken & names:
+        if used_names & names:
             raise InputError(
                 "{name}: another part has the same file {file_stem}.svg. Choose labels that differ in more "
                 "than capital letters and signs.",
                 name=piece.name,
                 file_stem=piece.file_stem,
             )
-        files, taken = [*files, *cut], taken | names
+        files, used_names = [*files, *cut], used_names | names
     if step:
         files += _block_files(contents)
     files.append(File(json, lambda path: write_json(path, report), "report"))
@@ -146,12 +146,12 @@ def model_kit(
 
 def left_behind(kit: Kit, folder: str | Path) -> tuple[str, ...]:
     """Return part and sheet files in a folder that are left over from an earlier run."""
-    known = {file.name for file in kit.files}
+    names = {file.name for file in kit.files}
     return tuple(
         name
         for place in (PARTS, SHEETS)
         for name in sorted(f"{place}/{path.name}" for path in Path(folder, place).glob("*.*"))
-        if name not in known and Path(name).suffix in CUT_FROM
+        if name not in names and Path(name).suffix in CUT_FROM
     )
 
 
@@ -272,12 +272,12 @@ def _templates(contents: KitContents) -> list[Piece]:
     for part in contents.model.parts:
         if part.strip.is_closed:
             continue
-        drawn = holding_template(part.strip.labelled(part.name))
-        (x, y), high = drawn.bounds
+        template = holding_template(part.strip.labelled(part.name))
+        (x, y), high = template.bounds
         width, height = high - (x, y) + 2 * FRAME_MM
         frame = ClosedPath.rectangle(width, height, corner=(x - FRAME_MM, y - FRAME_MM))
-        framed = replace(drawn, paths=(LayeredPath(CUT_OUTER, frame), *drawn.paths))
-        templates.append(Piece(drawn.name, framed, replace(part.strip.sheet, name="paper")))
+        framed = replace(template, paths=(LayeredPath(CUT_OUTER, frame), *template.paths))
+        templates.append(Piece(template.name, framed, replace(part.strip.sheet, name="paper")))
     return templates
 
 
@@ -333,10 +333,10 @@ def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]
     """
     names = [file.name for file in files]
     cut = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
-    seen = [file for file in names if not file.endswith((".dxf", ".stl"))]
+    viewed = [file for file in names if not file.endswith((".dxf", ".stl"))]
     return (
         File(f"{name}-cut.zip", partial(_pack, cut), "what is cut or printed"),
-        File(f"{name}-look.zip", partial(_pack, seen), "what is looked at"),
+        File(f"{name}-look.zip", partial(_pack, viewed), "what is looked at"),
     )
 
 

@@ -91,13 +91,13 @@ class MadePair:
         if self.part.printed or self.cutting.options(sheet)["kerf"]:
             return
         kerf = sheet.kerf or LASER_KERF
-        left = max(thin - kerf, 0.0)
+        remaining = max(thin - kerf, 0.0)
         yield note(
             "The files have the outline of the part without compensation for the cut. A laser cut of {kerf} "
             "leaves {left} of {thin} at the thinnest place, and {percent:.0f} % of the force. Set the width "
             "of the cut ({field}), unless the laser program compensates it.",
-            severity="warning", field=FieldName("cut.kerf"), kerf=Length(kerf), left=Length(left),
-            thin=Length(thin), percent=100 * (left / thin) ** 3,
+            severity="warning", field=FieldName("cut.kerf"), kerf=Length(kerf), left=Length(remaining),
+            thin=Length(thin), percent=100 * (remaining / thin) ** 3,
         )  # fmt: skip
 
     def _write_step(self, state: State | None, path: Path) -> None:

@@ -114,7 +114,9 @@ class StripResult:
             "stl": (request.stl, self._write_stl),
             "glb": (request.glb, self._write_glb),
         }
-        files += [File(f"{name}.{kind}", write, kind) for kind, (wanted, write) in more.items() if wanted]
+        files += [
+            File(f"{name}.{kind}", write, kind) for kind, (requested, write) in more.items() if requested
+        ]
         report = report_strip(
             strip,
             name=name,

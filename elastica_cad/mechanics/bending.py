@@ -86,11 +86,12 @@ def bend(
 ) -> Rod:
     """Return the rest shape of a rod after its ends, loads, supports or elements have changed.
 
-    The method is Newton's, with a line search, on the discrete rod of the paper (section 7.1, with weight added).
-    A step takes O(n) operations. If the requested shape is far from the present shape, ends, angles and loads are
-    changed in adaptive steps, starting from the present shape (or `guess`). The result is therefore on the same
-    branch of equilibria. It may be unstable; see `stability`. If that branch ends on the way, the rod snaps. The
-    result is then a stable shape that minimises the energy locally, and its `warnings` contain a message.
+    The method is Newton's, with a line search, on the discrete rod of the paper (section 7.1, with weight
+    added). A step takes O(n) operations. If the requested shape is far from the present shape, ends, angles and
+    loads are changed in adaptive steps, starting from the present shape (or `guess`). The result is therefore
+    on the same branch of equilibria. The result may be unstable; see `stability`. If that branch ends on the
+    way, the rod snaps. The result is then a stable shape that minimises the energy locally, and its `warnings`
+    contain a message.
 
     The stiffness of a strip that bends as a plate (`section`) is updated at every step. The `law` of the result
     contains the updated stiffness. The relative stiffness K of the design does not change, because the units of
@@ -160,7 +161,8 @@ def bend(
     rod = rod.following()
     ends = rod.position[0], rod.position[-1]
     start, end = (
-        present if given is None else given for given, present in zip((start, end), ends, strict=True)
+        present if coordinates is None else coordinates
+        for coordinates, present in zip((start, end), ends, strict=True)
     )
     if samples is not None and not is_one_of(samples, [rod.s.size]):
         rod = resample(rod, samples)
@@ -171,23 +173,23 @@ def bend(
     whole_number(mode, "mode", 1)
     keeps = isinstance(between, str) and between == "keep"
     elements = mounted(rod, None if keeps else require_elements(between))
-    wanted = replace(
+    requested = replace(
         rod,
         gravity=rod.gravity if isinstance(gravity, str) else gravity,
         supports=rod.supports if supports is None else require_supports(supports, between=bool(elements)),
         between=elements,
     )
-    wanted.supports.require_held(between=bool(elements))
+    requested.supports.require_held(between=bool(elements))
     if not (isinstance(loads, str) and loads == "keep"):
-        wanted = _with_loads(wanted, loads)
-    system = system_of(wanted, rod, start, end, angles, force=force, moment=moment)
+        requested = _with_loads(requested, loads)
+    system = system_of(requested, rod, start, end, angles, force=force, moment=moment)
     require_flag(settle, "settle")
     if elements:
         _refuse_pins_out_of_reach(elements, system)
-        return _bent_on_elements(wanted, rod, system, guess, settle=settle)
+        return _bent_on_elements(requested, rod, system, guess, settle=settle)
     state = state_of(rod, system) if guess is None else _guess_state(guess, system)
     rest, at = _rest_or_snapped_state(reach(state, side, mode), settle=settle)
-    return replace(rest.rod(wanted), warnings=_warnings(rest, at))
+    return replace(rest.rod(requested), warnings=_warnings(rest, at))
 
 
 def _rest_or_snapped_state(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
@@ -237,10 +239,10 @@ def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, 
     """
     entry: dict[str, Any] = {}
     if "loads" in step:
-        wanted = several("loads", step["loads"], PointMass | PointForce, "PointMass or PointForce")
+        new_loads = several("loads", step["loads"], PointMass | PointForce, "PointMass or PointForce")
         masses = () if rod.weight is None else rod.weight.masses
         present = (*masses, *(action.on_curve for action in rod.point_forces))
-        entry["loads"] = (*_scaled(present, 1 - part), *_scaled(wanted, part))
+        entry["loads"] = (*_scaled(present, 1 - part), *_scaled(new_loads, part))
     if "between" in step:
         goal, present = (mounted(rod, require_elements(step["between"])), mounted(rod, None))
         partners = [*present, *goal[len(present) :]]
@@ -325,7 +327,7 @@ def _bent_on_elements(
         not action.is_one_sided or bool(np.any(action.force)) or violation(action, shape) >= -reach_of_rail
         for action in elements
     ]
-    state, snaps_at, last, left = None, None, None, 1.0
+    state, snaps_at, last, remaining = None, None, None, 1.0
     for _ in range(ROUNDS * (1 + len(elements))):
         acting = [i for i, is_taut in enumerate(taut) if is_taut]
         system = replace(system, actions=tuple(elements[i] for i in acting))
@@ -343,7 +345,7 @@ def _bent_on_elements(
         leaps = changed == last and changed is not None and sum(taut) < sum(changed)
         if changed is None or (leaps and reached.fraction <= STOP_SHARE):
             state, at = _rest_or_snapped_state(reached, settle=settle)
-            snaps_at = snaps_at if at is None else 1 - left * (1 - at)
+            snaps_at = snaps_at if at is None else 1 - remaining * (1 - at)
             changed = _changed_taut_set(elements, taut, state)
         if changed is None:
             return replace(
@@ -351,7 +353,7 @@ def _bent_on_elements(
                 between=_with_present_forces(elements, taut, state),
                 warnings=_warnings(state, snaps_at),
             )
-        left *= 1 - reached.fraction
+        remaining *= 1 - reached.fraction
         elements, taut, last = list(_with_present_forces(elements, taut, state)), changed, taut
     raise NotConvergedError(
         "No set of taut elements was found for this rest shape. Move the ends or change the loads in smaller steps."
@@ -481,8 +483,8 @@ def _with_rescaled_snap(rod: Rod, start: float, end: float) -> Rod:
         message for message in rod.warnings if isinstance(message, Refusal) and "percent" in message.values
     )
     percent = 100 * start + (end - start) * warning.values["percent"]
-    others = [message for message in rod.warnings if message is not warning]
-    return replace(rod, warnings=(_snap_warning(percent), *others))
+    other_warnings = [message for message in rod.warnings if message is not warning]
+    return replace(rod, warnings=(_snap_warning(percent), *other_warnings))
 
 
 @dataclass(frozen=True, eq=False)
@@ -526,21 +528,21 @@ class Movement:
         """Completed fraction (k,) of the movement at each rod: of the travel, else of the rotation, else of
         the steps.
         """
-        way = self.turn if self.is_turn else self.travel
-        return way / way[-1] if way[-1] > 0 else np.linspace(0.0, 1.0, way.size)
+        amount = self.turn if self.is_turn else self.travel
+        return amount / amount[-1] if amount[-1] > 0 else np.linspace(0.0, 1.0, amount.size)
 
 
 def as_steps(path: "ArrayLike | Sequence[Mapping[str, Any]]") -> list[dict[str, Any]]:
     """Return the steps of a path as keywords of `bend`; pairs of numbers are positions of the end."""
     if isinstance(path, Sequence) and path and all(isinstance(step, Mapping) for step in path):
         steps = [dict(step) for step in path if isinstance(step, Mapping)]
-        known = {
+        names = {
             "start", "end", "angles", "gravity", "force", "moment", "supports", "between", "loads",
         }  # fmt: skip
         for step in steps:
-            if set(step) - known:
+            if set(step) - names:
                 raise InputError(
-                    f"unknown entry {sorted(set(step) - known)[0]!r} in a path: use {', '.join(sorted(known))}"
+                    f"unknown entry {sorted(set(step) - names)[0]!r} in a path: use {', '.join(sorted(names))}"
                 )
         return steps
     points = as_floats(path)
@@ -631,8 +633,8 @@ def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:
         at = (np.arange(edges.size) + 0.5) / edges.size
         edges = np.interp((np.arange(n) + 0.5) / n, at, edges)
     else:
-        given = as_floats(guess)
-        edges = np.array([]) if given is None else given
+        values = as_floats(guess)
+        edges = np.array([]) if values is None else values
         if edges.shape == (n + 1,):
             edges = (edges[:-1] + edges[1:]) / 2
         if edges.shape != (n,) or not np.all(np.isfinite(edges)):
@@ -657,10 +659,10 @@ def _end_angles(
     end_angles = np.array([present.angle[0], present.angle[-1]])
     if angles is None:
         return end_angles
-    given = np.atleast_1d(np.asarray(angles, dtype=object))
-    if given.shape != (2,) or not all(isinstance(v, float | int | np.number | None) for v in given):
+    values = np.atleast_1d(np.asarray(angles, dtype=object))
+    if values.shape != (2,) or not all(isinstance(v, float | int | np.number | None) for v in values):
         raise InputError(f"angles must be two numbers, rad, for start and end, got {angles!r}")
-    for i, (value, support, name) in enumerate(zip(given, supports.ends, ("start", "end"), strict=True)):
+    for i, (value, support, name) in enumerate(zip(values, supports.ends, ("start", "end"), strict=True)):
         if value is None:
             continue
         if not support.angle:
@@ -677,15 +679,15 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
     """Return the dead force on the ends that are free along x or y."""
     both = np.array(supports.transmits_force)
     if force is not None:
-        given = pair(force, "force")
-        given = np.where(np.abs(given) <= ROUNDED_SHARE * np.hypot(*given), 0.0, given)
-        if np.any(both & (given != 0)):
-            axis = "xy"[int(np.argmax(both & (given != 0)))]
+        components = pair(force, "force")
+        components = np.where(np.abs(components) <= ROUNDED_SHARE * np.hypot(*components), 0.0, components)
+        if np.any(both & (components != 0)):
+            axis = "xy"[int(np.argmax(both & (components != 0)))]
             raise InputError(
                 "a force along {axis} has no effect, because both ends hold {axis}: free one end along {axis}",
                 axis=axis,
             )
-        return given
+        return components
     forces = np.zeros(2)
     before, now = present.supports.ends, supports.ends
     at_ends = present.force[[0, -1]]
@@ -712,15 +714,15 @@ def _end_moments(moment: float | tuple[float, float] | None, supports: Supports,
             if free[k] and not before[k].angle:
                 moments[k] = sign * present.moment[node]
         return moments
-    given = as_floats(moment)
-    if given is not None and given.shape == ():
+    values = as_floats(moment)
+    if values is not None and values.shape == ():
         if free == [True, True]:
             raise InputError(
                 "both ends turn freely, so each has its own moment: give both moments, (start, end)"
             )
-        moments[free.index(True) if True in free else 0] = float(given)
-    elif given is not None and given.shape == (2,):
-        moments[:] = given
+        moments[free.index(True) if True in free else 0] = float(values)
+    elif values is not None and values.shape == (2,):
+        moments[:] = values
     else:
         raise InputError(f"moment must be one number or two (start, end), 1/mm, got {moment!r}")
     for k, name in enumerate(("start", "end")):

@@ -98,8 +98,8 @@ def elastica_between(
 ) -> ElasticaBetween:
     """Return the shape of a strip of given length between two points, or with a free end.
 
-    The computation starts from a straight strip. It moves the end to its position and turns both ends to their
-    angles. A strip with a free end starts straight in the direction of its clamp and is loaded in steps.
+    The computation starts from a straight strip, moves the end to `end` and turns both ends to `angles`. A
+    strip with a free end starts straight in the direction of its clamp and is loaded in steps.
 
     Parameters
     ----------
@@ -234,9 +234,9 @@ def _point(point: object, name: str) -> FloatArray:
 
 def _plane_point(point: object) -> FloatArray | None:
     """Return the coordinates of a pair, or of a point of a CAD library with z = 0, else None."""
-    given = point.toTuple() if hasattr(point, "toTuple") else point
+    coordinates = point.toTuple() if hasattr(point, "toTuple") else point
     try:
-        place = np.array(list(given) if is_series(given) else (), dtype=float)
+        place = np.array(list(coordinates) if is_series(coordinates) else (), dtype=float)
     except (TypeError, ValueError):
         return None
     if place.shape == (3,) and abs(place[2]) <= OFF_PLANE:
@@ -279,5 +279,5 @@ def _side(rod: Rod) -> int:
     else:
         along = off[-1] / np.hypot(*off[-1])
     heights = off @ left_of(along)
-    far = np.flatnonzero(np.abs(heights) > 1e-6 * rod.length)
-    return int(np.sign(heights[far[0]])) if far.size else 0
+    bulging = np.flatnonzero(np.abs(heights) > 1e-6 * rod.length)
+    return int(np.sign(heights[bulging[0]])) if bulging.size else 0

@@ -7,7 +7,7 @@ order by
         - sum over rails (2 t h sigma + t kappa sigma^2),    sigma = -<gamma', v> at the station,
 
 where h is the change of the tangent's angle, R a quarter turn, and v(s) = int h R gamma' ds the change of
-position. The change keeps the ends fixed. It satisfies v = 0 at pins, <n, v> = 0 at rails, and <u, v_q - v_p> = 0
+position. The change keeps the ends fixed, and satisfies v = 0 at pins, <n, v> = 0 at rails, and <u, v_q - v_p> = 0
 for taut ties. A tie of length l pulls along u between the stations p and q with the force T. The force of a rail
 is t n, and kappa is the curvature. The term of a tie describes a cord of constant length whose ends turn about
 each other. The term of a rail describes a strip that slides over it: the point of contact moves by sigma along

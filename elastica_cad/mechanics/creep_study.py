@@ -59,7 +59,7 @@ class Creep:
     def end_forces(self) -> FloatArray:
         """Forces on start and end (2, 2) after creep has ended, 1/mm2.
 
-        They are divided by the least bending stiffness before creep.
+        The forces are divided by the least bending stiffness before creep.
         """
         return np.asarray(self.later.force[[0, -1]] * self.force_share)
 
@@ -74,9 +74,9 @@ class Creep:
         return stability(self.later)
 
     def released(self) -> Rod:
-        """Return the weightless strip just after its ends are released at the end of creep.
+        """Return the strip without weight just after release of both ends at the end of creep.
 
-        Its start does not move.
+        The start of the strip does not move.
         """
         rod = self.later  # the creep strain is a fraction of the present bend
         start = rod.position[0]
@@ -84,9 +84,9 @@ class Creep:
             rod.length, rod.profile, samples=rod.s.size, start=(float(start[0]), float(start[1])),
             angle=float(rod.angle[0]), supports=Supports(end="free"),
         )  # fmt: skip
-        kept = rod.natural_curvature + self.kept_share * (np.asarray(rod.curvature) - rod.natural_curvature)
+        rest = rod.natural_curvature + self.kept_share * (np.asarray(rod.curvature) - rod.natural_curvature)
         turned = rod.angle[0] + self.kept_share * (np.asarray(rod.angle) - rod.angle[0])
-        return bend(replace(free, natural_curvature=kept), guess=turned)
+        return bend(replace(free, natural_curvature=rest), guess=turned)
 
     def __str__(self) -> str:
         summary = note(

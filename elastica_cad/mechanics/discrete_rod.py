@@ -93,9 +93,9 @@ def orthonormal_rows(rows: FloatArray) -> FloatArray:
         for _ in range(2):
             for q in basis:
                 rest = rest - q.dot(rest) * q
-        left = float(np.linalg.norm(rest))
-        if left > RANK_TOLERANCE:
-            basis.append(rest / left)
+        remainder = float(np.linalg.norm(rest))
+        if remainder > RANK_TOLERANCE:
+            basis.append(rest / remainder)
     return np.array(basis).reshape(len(basis), rows.shape[1])
 
 
@@ -247,7 +247,7 @@ def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[F
 class ConstrainedMode(NamedTuple):
     """Lowest eigenvalue mu of A v = mu W v + C^t nu with C v = 0.
 
-    It has the eigenvector v (n,) and the multipliers nu (k,).
+    The eigenvector is v (n,), and the multipliers are nu (k,).
     """
 
     value: float
@@ -276,13 +276,13 @@ def lowest_weighted(
     v = v if v[np.argmax(np.abs(v))] > 0 else -v
     if not len(rows):
         return ConstrainedMode(float(values[0]), v, np.zeros(0))
-    left = diagonal * v - values[0] * lengths * v
-    left[1:] += off * v[:-1]
-    left[:-1] += off * v[1:]
+    residual = diagonal * v - values[0] * lengths * v
+    residual[1:] += off * v[:-1]
+    residual[:-1] += off * v[1:]
     if terms is not None:
-        left += terms[0].T @ (terms[1] @ (terms[0] @ v))
+        residual += terms[0].T @ (terms[1] @ (terms[0] @ v))
     per_length = rows / lengths
-    nu = np.linalg.lstsq(per_length @ rows.T, per_length @ left, rcond=1e-14)[0]
+    nu = np.linalg.lstsq(per_length @ rows.T, per_length @ residual, rcond=1e-14)[0]
     return ConstrainedMode(float(values[0]), v, nu)
 
 
@@ -327,8 +327,9 @@ def shoot(
     """Return the angles and moments of a discrete rod in equilibrium that starts with `moment` and `angle`.
 
     The recursion is alpha_{i+1} = alpha_i + w_i (M_i / K_i + kappa_0), M_{i+1} = M_i + l <b_{i+1},
-    T(alpha_{i+1})>. It contains the equations for a stationary discrete energy (paper, section 7.1) in the order
-    of the nodes. The result of `DiscreteRod.moment_imbalance` is therefore zero except for rounding errors.
+    T(alpha_{i+1})>. The recursion contains the equations for a stationary discrete energy (paper, section 7.1)
+    in the order of the nodes. The result of `DiscreteRod.moment_imbalance` is therefore zero except for
+    rounding errors.
 
     Parameters
     ----------
@@ -615,7 +616,7 @@ class DiscreteRod:
 
     @cached_property
     def margin(self) -> Margin:
-        """Stability margin; positive means stable. Its computation takes O(n) operations."""
+        """Stability margin; positive means stable. The computation takes O(n) operations."""
         lengths = self.edge_lengths
         diagonal, off, rows = self._second_variation
         lowest = lowest_weighted(diagonal, off, lengths, *self._braced(rows))

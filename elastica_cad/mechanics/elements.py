@@ -53,7 +53,9 @@ class Rail(Element):
     """
 
     at: Annotated[Place, _AT]
-    one_sided: Annotated[bool, Option("A bar on one side, in place of a slot.")] = True
+    one_sided: Annotated[
+        bool, Option("A single bar, from which the strip may lift off, instead of a slot.")
+    ] = True
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "at", require_place(self.at, "a rail"))
@@ -387,7 +389,7 @@ class ElementForce:
     def distance_on(self, curve: PlaneCurve) -> float:
         """Return the distance on a curve between the first and the last point of the element, mm.
 
-        It is the length of a taut cord.
+        This distance is the length of a taut cord.
         """
         ends = curve.at(self.s).position
         return float(np.hypot(*(ends[-1] - ends[0])))
@@ -409,9 +411,9 @@ def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[Ele
 def edge_weights(s: float, edge_length: float, edges: int, order: int = 0) -> FloatArray:
     """Return the weights (n,) of the edge vectors in the position at arc length s, or their derivatives by s.
 
-    The position is on the quadratic B-spline of the nodes, which touches each edge at its midpoint. Its tangent is
-    continuous, so a rail slides smoothly from edge to edge. The spline is straight in the outer halves of both end
-    edges.
+    The position is on the quadratic B-spline of the nodes, which touches each edge at its midpoint. The tangent
+    of the B-spline is continuous, so a rail slides smoothly from edge to edge. The spline is straight in the
+    outer halves of both end edges.
     """
     x = s / edge_length
     if 0.5 < x < edges - 0.5:

@@ -69,7 +69,7 @@ def _compare_fits(
             if other.realizable != check.realizable or _has_loose_inflections(check, other, points):
                 fits = ((check, distance), (other, _largest_distance(points, curve)))
                 return Undecided(points.resolution, *(
-                    FittedVerdict(verdict.realizable, far, len(verdict.inflections)) for verdict, far in fits
+                    FittedVerdict(verdict.realizable, off, len(verdict.inflections)) for verdict, off in fits
                 ))  # fmt: skip
     return None
 
@@ -178,8 +178,8 @@ def _with_unbent_ends(
         return check
     again = examine_curvature(unbent, supports, natural_curvature)
     moved = largest_move(check.curve, unbent)
-    drawn = _ends_near_zeros(check) - set(ends.tolist())
-    new_zeros = _ends_near_zeros(again) - drawn
+    near_zeros = _ends_near_zeros(check) - set(ends.tolist())
+    new_zeros = _ends_near_zeros(again) - near_zeros
     return check if moved > tolerance * check.length or new_zeros else replace(again, moved=moved)
 
 
@@ -494,9 +494,9 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
     """Return the lines through the only zero of kappa - kappa_0 for which the moment has the sign of the bending.
 
     Let p be the zero. The moment M = <b, gamma - p> must have the sign of kappa - kappa_0. All directions
-    sign(kappa - kappa_0) (gamma - p) must therefore be in the open half plane <b, .> > 0. Their angle is
-    continuous along the curve gamma; at p it is that of the tangent. Such a vector b exists if and only if the
-    angle spans less than pi.
+    sign(kappa - kappa_0) (gamma - p) must therefore be in the open half plane <b, .> > 0. The angle of the
+    directions is continuous along the curve gamma; at p it is that of the tangent. Such a vector b exists if
+    and only if the angle spans less than pi.
 
     Parameters
     ----------
@@ -560,10 +560,10 @@ def project_inflections(
     Paper, Appendix C.
     """
     needed = [*_line_constraints(curve, zeros, line, natural_curvature), SmoothJoints.of(curve)]
-    for kept in _end_constraints(curve, zeros):
+    for end_constraints in _end_constraints(curve, zeros):
         try:
             moved, _ = least_norm_newton(
-                curve, [*needed, *kept], tolerance=ON_LINE_SHARE, max_steps=MOST_STEPS
+                curve, [*needed, *end_constraints], tolerance=ON_LINE_SHARE, max_steps=MOST_STEPS
             )
         except NotConvergedError:
             continue
@@ -577,12 +577,12 @@ def _line_constraints(
 ) -> list[Constraint]:
     inner = np.array([z.t for z in zeros if z.kind != "end"])
     ends = np.array([z.t for z in zeros if z.kind == "end"])
-    wanted: list[Constraint] = []
+    constraints: list[Constraint] = []
     if inner.size:
-        wanted.append(InflectionsOnLine(line.a, line.b, inner, kappa_0))
+        constraints.append(InflectionsOnLine(line.a, line.b, inner, kappa_0))
     if ends.size:
-        wanted += [PointsOnLine(line.a, line.b, ends), CurvatureAt(ends, kappa_0, curve.length)]
-    return wanted
+        constraints += [PointsOnLine(line.a, line.b, ends), CurvatureAt(ends, kappa_0, curve.length)]
+    return constraints
 
 
 def _end_constraints(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:

@@ -379,10 +379,10 @@ def laminate_factor(
 ) -> FloatArray:
     """Return M / (E I (kappa - kappa_0)) of a two-layer strip, with the narrower layer in the middle.
 
-    M is the bending moment, E I the bending stiffness of the cross-section, and kappa the uniform curvature. The
-    base beside the backing is at a distance from the neutral axis and has stress along the bend. The stress
-    presses it towards the neutral axis. It deflects, so the strip is softer than its cross-section. The whole
-    cross-section also curls because of Poisson's ratio.
+    M is the bending moment, E I the bending stiffness of the cross-section, and kappa the uniform curvature.
+    The base beside the backing is at a distance from the neutral axis and has stress along the bend. The stress
+    presses the base towards the neutral axis. The base deflects, so the strip is softer than its cross-section.
+    The whole cross-section also curls because of Poisson's ratio.
 
     Parameters
     ----------
@@ -395,7 +395,7 @@ def laminate_factor(
     Notes
     -----
     The deflection w(y) across the strip, outward positive, minimises the energy per length. The strip is a plate
-    in plane stress that can contract freely. Its strain is eps_0 + (kappa - kappa_0) z + kappa w along the strip
+    in plane stress that can contract freely. The strain is eps_0 + (kappa - kappa_0) z + kappa w along the strip
     and -z w'' across it, at height z. The finite elements are Hermite cubics on half of the cross-section. For a
     single sheet the result equals `anticlastic_factor`. Curvature that varies within a few widths, and clamps
     that keep the ends flat, are not modelled.
@@ -449,7 +449,7 @@ def laminate_factor(
 def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
     """Return the energy per area, times 2, as a quadratic form (3, 3).
 
-    Its variables are the strain and the curvature along the strip, and the curvature w'' across it.
+    The variables are the strain and the curvature along the strip, and the curvature w'' across it.
     """
     along, coupled = np.zeros(3), np.zeros(3)
     for sheet, low, high in layers:
@@ -527,8 +527,10 @@ class LaminateCurl:
         at = np.tile(some, TERMS)
         kappas = fine[at] * np.sinh(np.repeat(t, some.size) * np.arcsinh(reach / fine[at]))
         factor = laminate_factor(base[at], backing[at], kappas, section, rest[at])
-        known = np.linalg.solve(np.polynomial.chebyshev.chebvander(t, TERMS - 1), factor.reshape(TERMS, -1))
-        return cls(reach, fine, np.array([np.interp(nodes, some, row) for row in known]))
+        coefficients = np.linalg.solve(
+            np.polynomial.chebyshev.chebvander(t, TERMS - 1), factor.reshape(TERMS, -1)
+        )
+        return cls(reach, fine, np.array([np.interp(nodes, some, row) for row in coefficients]))
 
     def resampled(self, s: FloatArray, at: FloatArray) -> "LaminateCurl":
         """Return the polynomials at stations `at` (m,), mm, interpolated from those at stations `s` (n,), mm."""

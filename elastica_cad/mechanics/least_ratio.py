@@ -79,7 +79,7 @@ _FOURTH_IN_CELLS = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1) @ np.l
 BEST_CUBIC = 1 / 720
 """Error of the best cubic spline, divided by h^4 times the fourth derivative, for knot spacing h.
 
-It is the largest value of B_4 / 4!, where B_4 is a Bernoulli polynomial.
+The error is the largest value of B_4 / 4!, where B_4 is a Bernoulli polynomial.
 """
 
 SPARE = 0.07
@@ -180,8 +180,10 @@ class _AlongArc:
         at = np.interp(stops, s, reached).tolist()
         # no knot is needed where the stiffness is uniform
         parts = [max(1, ceil(b - a)) for a, b in pairwise(at)]
-        wanted = [a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)]
-        return np.asarray(np.interp(np.concatenate(wanted), reached, s))
+        inner_knots = [
+            a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)
+        ]
+        return np.asarray(np.interp(np.concatenate(inner_knots), reached, s))
 
 
 def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
@@ -230,7 +232,8 @@ def optimal_rod(
     curve : PlaneCurve
         Drawn curve, mm.
     gravity : Gravity, optional
-        Weight proportional to the stiffness, as for a strip of one sheet. Its direction also applies to `weight`.
+        Weight proportional to the stiffness, as for a strip of one sheet. The direction of `gravity` also
+        applies to `weight`.
     supports : Supports
         By default both ends are clamped.
     natural_curvature : float or RestCurvature
@@ -240,25 +243,25 @@ def optimal_rod(
         Number of nodes of the rod. Without `largest_stiffness` the ratio is then evaluated at these nodes only.
         By default the ratio is that of the continuous curve and the rod has 601 nodes.
     weight : Weight, optional
-        Weight in newtons instead of a proportional weight. With `own=True` the weight of the strip is added. It
-        is B / gravity.length^3 per length and relative stiffness.
+        Weight in newtons instead of a proportional weight. With `own=True` the weight of the strip is added.
+        The weight of the strip is B / gravity.length^3 per length and relative stiffness.
     bending_stiffness : float, optional
         Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default B is the value
         for which the ratio is least. If the ratio decreases with every increase of B, the default is the least B
         whose ratio is within 1 % of the ratio without weight.
     largest_stiffness : float, optional
-        Largest E I of the rod, N mm2, under a weight in newtons. It may be the E I of the widest strip that fits.
-        The result has the least ratio of all rods with this largest E I. If the curve is not the rest shape of
-        such a rod under this weight, the largest E I is smaller.
+        Largest E I of the rod, N mm2, under a weight in newtons. For example, the E I of the widest strip that
+        fits. The result has the least ratio of all rods with this largest E I. If the curve is not the rest
+        shape of such a rod under this weight, the largest E I is smaller.
     least_stiffness : float, optional
         Lower bound of E I, N mm2, in addition to `largest_stiffness`.
     law : MaterialLaw, optional
         Nonlinear material law, whose effective curvature replaces kappa - kappa_0 (paper, Appendix D).
     section : BoundedLaw, optional
-        Section of the strip: a thickness, a diameter, or a width that bends as a plate. Its dimensions are as
-        large as their limits allow, so they determine the bending stiffness. Under gravity (only its direction is
-        used) the rod carries the weight of the section and the masses of `weight`. The optimisation is then
-        nonlinear, and the ratio is a local optimum; see `balance_of`.
+        Section of the strip: a thickness, a diameter, or a width that bends as a plate. The dimensions of the
+        section are as large as their limits allow, and determine the bending stiffness. Under gravity (only its
+        direction is used) the rod carries the weight of the section and the masses of `weight`. The
+        optimisation is then nonlinear, and the ratio is a local optimum; see `balance_of`.
     tolerance : float
         Largest distance of inflections from a common line, relative to the length; nearer inflections are moved
         onto the line. Almost unbent ends that are free to turn are made straight within the same tolerance.
@@ -266,10 +269,10 @@ def optimal_rod(
     check : EquilibriumCheck, optional
         Result of an earlier check of the same curve with the same options.
     between : sequence of Rail, Pin and Tie
-        Elements that support the strip between its ends. Their forces are unknowns of the linear program. The ratio
-        is therefore at most that without elements, except for the 1 % of section 5.3. An element at an inflection
-        exerts no force normal to the strip, because the width would jump there. `Rod.between_forces` contains the
-        forces.
+        Elements that support the strip between its ends. The forces of the elements are unknowns of the linear
+        program. The ratio is therefore at most that without elements, except for the 1 % of section 5.3. An
+        element at an inflection exerts no force normal to the strip, because the width would jump there.
+        `Rod.between_forces` contains the forces.
     loads : sequence of PointMass and PointForce
         Masses (g) that hang on the strip in the direction of `gravity`, and forces (N). The weight of the strip is
         added. Like a `weight` in newtons, they determine the bending stiffness.

@@ -72,8 +72,8 @@ class Gravity:
     ) -> "Gravity | None":
         """Return gravity in a plane in space: the component of `direction` (3,) in the plane; None if it is 0."""
         d, *axes = (
-            numbers(given, name)
-            for given, name in ((direction, "gravity direction"), (x_axis, "x axis"), (y_axis, "y axis"))
+            numbers(vector, name)
+            for vector, name in ((direction, "gravity direction"), (x_axis, "x axis"), (y_axis, "y axis"))
         )
         if any(row.shape != (3,) for row in (d, *axes)) or not 0 < np.abs(d).max() < np.inf:
             raise InputError(

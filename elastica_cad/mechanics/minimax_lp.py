@@ -24,8 +24,8 @@ class Exchange(NamedTuple):
     box : float
         Bound of the scaled unknowns, which are of order 1; the bounds define the first vertex.
     feasible : float
-        Largest violation of a condition that counts as a rounding error. It is relative to 1, or to the ratio R
-        if the condition contains R.
+        Largest violation of a condition that counts as a rounding error. The violation is relative to 1, or to
+        the ratio R if the condition contains R.
     pivot : float
         Least coefficient, as a fraction of the largest, of a condition that may become inactive.
     most : int
@@ -276,15 +276,15 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
         highs.addRows(
             count, limits, np.full(count, np.inf), rows.size, entry[::columns], entry % columns, rows.ravel()
         )
-        known = highspy.HighsModelStatus
+        statuses = highspy.HighsModelStatus
         for presolve in (False, True):
             highs.setOptionValue("presolve", "on" if presolve else "off")
             highs.clearSolver()
             highs.run()
             status = highs.getModelStatus()
-            if status == known.kOptimal:
+            if status == statuses.kOptimal:
                 return np.array(highs.getSolution().col_value)
-            if status in (known.kInfeasible, known.kUnboundedOrInfeasible):
+            if status in (statuses.kInfeasible, statuses.kUnboundedOrInfeasible):
                 return None
     raise NotConvergedError(
         "no stiffness keeps the curve under this weight, because the ratio of largest to smallest stiffness "

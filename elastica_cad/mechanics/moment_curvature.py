@@ -219,9 +219,9 @@ class PlasticLaw(_YieldingLaw):
 class ElasticPlasticLaw(_YieldingLaw):
     """Elastic-plastic law of a rectangular cross-section that yields from its surfaces inwards.
 
-    The effective curvature is kappa up to kappa_lim, and kappa_lim (3 - (kappa_lim/kappa)^2) / 2 beyond it. Its
-    limit is 1.5 kappa_lim. Unlike the paper's `PlasticLaw` it is injective, because every cross-section has an
-    elastic core (Prager and Hodge 1951, section 9).
+    The effective curvature is kappa up to kappa_lim, and kappa_lim (3 - (kappa_lim/kappa)^2) / 2 beyond it. The
+    effective curvature is at most 1.5 kappa_lim. Unlike the paper's `PlasticLaw` it is injective, because every
+    cross-section has an elastic core (Prager and Hodge 1951, section 9).
 
     Parameters
     ----------
@@ -325,7 +325,9 @@ class TabulatedLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw.injective_limit`. It is the end of the table, or where the moments decrease."""
+        """See `MaterialLaw.injective_limit`. The limit is the end of the table, or the curvature from which the
+        moments decrease.
+        """
         falling = np.flatnonzero(np.diff(self.moments) <= 0)
         return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
 

@@ -73,11 +73,12 @@ class MountedElements:
     Attributes
     ----------
     actions : tuple of ElementForce
-        Elements with their `mount`. Their forces and arc lengths are the initial values of the unknowns.
+        Elements with their `mount`. The forces and arc lengths of the elements are the initial values of the
+        unknowns.
     supports : Supports
     anchor : (2,) array
-        Coordinates, mm, of the end from which positions are computed, for x and y separately. It is the start if
-        the start holds this coordinate, otherwise the end.
+        Coordinates, mm, of the end from which positions are computed, for x and y separately. This end is the
+        start if the start holds the coordinate, otherwise the end.
     load : (2,) array
         Sum of the known forces, 1/mm2.
     edge_length : float

@@ -81,8 +81,8 @@ def correct(
     Parameters
     ----------
     kept : Residual, optional
-        Imbalance of moments and position errors that the solution may have. They are artificial loads of a
-        continuation.
+        Imbalance of moments and position errors that the solution may have. These residuals are artificial
+        loads of a continuation.
     turn : float
         Largest rotation of an edge, rad, in a step and in total.
     damping : float
@@ -153,8 +153,8 @@ def trace(
     modes: int | None = None
     while t < 1.0:
         t_next = min(t + step, 1.0)
-        system, kept = problem(t_next)
-        corrected = correct(state.under(system), kept)
+        system, residual = problem(t_next)
+        corrected = correct(state.under(system), residual)
         count += 1
         long = (
             corrected is not None and float(np.abs(corrected[0].angles - state.angles).max()) > SMALL_TURN_RAD
@@ -377,8 +377,8 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     length, edge = system.length, system.edge_length
     tangent = np.array([np.cos(angle), np.sin(angle)])
     # the requested distance of the ends along the held coordinates determines the first displacement
-    wanted = float(np.linalg.norm(system.chord))
-    chord = length * min(max(wanted / length, FIRST_CHORD), 1 - 1e-12)
+    distance = float(np.linalg.norm(system.chord))
+    chord = length * min(max(distance / length, FIRST_CHORD), 1 - 1e-12)
     first = replace(
         system, load=np.zeros_like(system.load), natural_curvature=0.0, force=np.zeros(2),
         moments=np.zeros(2), start=np.zeros(2), end=chord * tangent, end_angles=np.full(2, angle),

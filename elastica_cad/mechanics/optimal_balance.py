@@ -392,7 +392,7 @@ def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> Bound
 class TangentWeight:
     """Linear function of E I that approximates the weight per length of a section, N/mm.
 
-    The function is fixed + slope E I. It is a tangent at given values E I (n,).
+    The function is fixed + slope E I. The function is a tangent at given values E I (n,).
     """
 
     fixed: FloatArray

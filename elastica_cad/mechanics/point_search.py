@@ -74,8 +74,12 @@ def move_one_point(
     >>> index, moved.control_points[index].round().tolist()
     (3, [180.0, 6.0])
     """
-    points, drawn = curve.control_points, curve.provenance
-    if len(points) > MOST_POINTS or curve.is_closed or (drawn is not None and drawn.measured is not None):
+    points, provenance = curve.control_points, curve.provenance
+    if (
+        len(points) > MOST_POINTS
+        or curve.is_closed
+        or (provenance is not None and provenance.measured is not None)
+    ):
         return
 
     def possible(move: _Move, share: float) -> bool:
@@ -99,18 +103,18 @@ def move_one_point(
     ]
     before = [(0.0, move.side(0.0)[1]) for move in moves]
     for share in SHARES:
-        found = []
+        results = []
         for k, move in enumerate(moves):
             (last, side), (count, now) = before[k], move.side(share)
             before[k] = share, now
             if side * now < 0:
                 least = _bisected(last, share, TO_LINE, partial(move.is_beside, now))
                 if possible(move, least):
-                    found.append((least, move))
+                    results.append((least, move))
             elif count < ON_LINE and possible(move, share):
                 least = _bisected(last, share, TO_RATIO, partial(possible, move))
-                found.append((least, move))
-        for least, move in sorted(found, key=lambda pair: pair[0]):
+                results.append((least, move))
+        for least, move in sorted(results, key=lambda pair: pair[0]):
             yield move.index, move.at(least)
 
 
@@ -145,23 +149,23 @@ def move_while_possible(
     >>> move_while_possible(np.zeros(2), np.array([30.0, 40.0]), within, 0.1, 9).round(1).tolist()
     [6.0, 8.0]
     """
-    way = end - start
-    axes = np.eye(2)[np.argsort(-np.abs(way).reshape(-1, 2).max(axis=0))]
-    for along in (way, *(way * axis for axis in axes)):
+    displacement = end - start
+    axes = np.eye(2)[np.argsort(-np.abs(displacement).reshape(-1, 2).max(axis=0))]
+    for along in (displacement, *(displacement * axis for axis in axes)):
         size = float(np.hypot(*along.T).max())
         if size <= step:
             continue
-        if along is not way and (found := possible(start + along)) is not None:
-            return found
-        low, high, found = step, size, possible(start + step / size * along)
-        for _ in range(halvings if found is not None else 0):
+        if along is not displacement and (best := possible(start + along)) is not None:
+            return best
+        low, high, best = step, size, possible(start + step / size * along)
+        for _ in range(halvings if best is not None else 0):
             if high - low <= step:
                 break
             middle = float(np.sqrt(low * high))
             result = possible(start + middle / size * along)
-            low, high, found = (low, middle, found) if result is None else (middle, high, result)
-        if found is not None:
-            return found
+            low, high, best = (low, middle, best) if result is None else (middle, high, result)
+        if best is not None:
+            return best
     return None
 
 
@@ -183,7 +187,7 @@ class _Move:
     def side(self, share: float) -> tuple[int, float]:
         """Return the number of inflections after a move by `share` times the step, and a signed area, mm2.
 
-        It is the area of the triangle of three inflections, and 0 for another number of inflections.
+        The area is that of the triangle of three inflections, and 0 for another number of inflections.
         """
         try:
             moved = self.at(share)

@@ -144,10 +144,12 @@ def cut_into_panels(
     fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
     # in a narrow panel beside a zero, the values would consist of rounding errors
     narrow = NARROWEST_SHARE * (high - low)
-    others = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
-    others += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
-    away = _distances_from_nearest(np.array([t for t, _ in others]), fixed).tolist()
-    places = sorted(fixed + [t for (t, apart), far in zip(others, away, strict=True) if far > apart])
+    breaks = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
+    breaks += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
+    away = _distances_from_nearest(np.array([t for t, _ in breaks]), fixed).tolist()
+    places = sorted(
+        fixed + [t for (t, apart), distance in zip(breaks, away, strict=True) if distance > apart]
+    )
     # panels on which the speed is resolved
     smooth = curve.smooth_panels
     between, widths = smooth[1:-1], smooth[1:] - smooth[:-1]
@@ -184,18 +186,18 @@ def _distances_from_nearest(t: FloatArray, places: list[float]) -> FloatArray:
 
 
 def _without_close_neighbours(places: list[float], close: float) -> list[float]:
-    kept = places[:1]
+    distinct_places = places[:1]
     for place in places[1:]:
-        if place - kept[-1] > close:
-            kept.append(place)
-    return kept
+        if place - distinct_places[-1] > close:
+            distinct_places.append(place)
+    return distinct_places
 
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
     """Panels on which the integrands are not yet evaluated.
 
-    Each value of `tail` belongs to the larger panel from which the panel was cut. It is the last Legendre
+    Each value of `tail` belongs to the larger panel from which the panel was cut. `tail` is the last Legendre
     coefficient on that panel, divided by the largest value of the integrand.
     """
 

@@ -44,8 +44,8 @@ if TYPE_CHECKING:
 # nodes.
 DEFAULT_SAMPLES = SURVEY_POINTS
 
-# Number of nodes of the hundreds of rods in a search. Their error is nine times that of a final rod, but
-# far below the tolerance of limits. `editable_curve` removes it by extrapolation.
+# Number of nodes of the hundreds of rods in a search. The error of these rods is nine times that of a final rod,
+# but far below the tolerance of limits. `editable_curve` removes it by extrapolation.
 SEARCH_SAMPLES = 201
 
 
@@ -129,8 +129,8 @@ def _stiffness_profile_of(
                 f"the stiffness profile is {Mm(stiffness.length):.6g} long, the rod {Mm(length):.6g}"
             )
         return stiffness, samples or DEFAULT_SAMPLES
-    given = as_floats(stiffness)
-    values = np.array([]) if given is None else np.atleast_1d(given)
+    array = as_floats(stiffness)
+    values = np.array([]) if array is None else np.atleast_1d(array)
     if not values.size or values.ndim != 1 or not np.all(np.isfinite(values)) or np.any(values <= 0):
         raise InputError("stiffness must be a positive finite number, or such a number for each node")
     n = samples or (values.size if values.size > 1 else DEFAULT_SAMPLES)
@@ -148,7 +148,7 @@ CURL_POINTS = 24
 CURL_STEPS = 8
 """Number of iterations from a moment to its curvature.
 
-They converge fast, because the stiffness depends only slightly on the curvature.
+The iterations converge fast, because the stiffness depends only slightly on the curvature.
 """
 
 
@@ -168,7 +168,7 @@ class CurlingLaw(MaterialLaw):
     natural_curvature : float or (n,) array
         Natural curvature kappa_0 of the rod, 1/mm.
     below : MaterialLaw, optional
-        Law of the material. Its effective curvature is multiplied by the factor.
+        Law of the material. The effective curvature of this law is multiplied by the factor.
 
     Examples
     --------
@@ -455,8 +455,8 @@ class Rod:
         length : float
             Length of the rod, mm.
         stiffness : float, (n,) array_like or Profile
-            Stiffness: one value, values at n uniform stations, or a profile over [0, length]. It is divided by
-            its least value, because the least stiffness of a rod is 1.
+            Stiffness: one value, values at n uniform stations, or a profile over [0, length]. The stiffness is
+            divided by its least value, because the least stiffness of a rod is 1.
         samples : int, optional
             Number of nodes; by default 601, or the number of nodal values.
         start, angle
@@ -573,7 +573,7 @@ class Rod:
     def support_forces(self) -> FloatArray:
         """Forces (2, 2) of the supports on the start and the end, 1/mm2.
 
-        They do not include the forces of elements at the ends.
+        The forces of elements at the ends are not included.
         """
         forces = np.array([self.force[0], -self.force[-1]])
         for action in self.acting:
@@ -600,8 +600,8 @@ class Rod:
             return ()
         steps = [
             (float(s), force)
-            for one in self.acting
-            for s, force in zip(one.s, one.force, strict=True)
+            for action in self.acting
+            for s, force in zip(action.s, action.force, strict=True)
             if self.s[1] / 2 < s < self.length - self.s[1] / 2
         ]
         moment, place, b = float(self.moment[0]), self.position[0], -left_of(self.force[0])
@@ -624,7 +624,7 @@ class Rod:
     def tangent_stiffness(self) -> FloatArray:
         """Stiffness dM/dkappa (n,) against small changes of the curvature.
 
-        It equals `stiffness` if there is no `bending_law`.
+        The value is `stiffness` if there is no `bending_law`.
         """
         law = self.bending_law
         if law is None:
@@ -738,9 +738,9 @@ class Rod:
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
         """Return the rod with another stiffness profile; it is not in equilibrium before it is bent again.
 
-        `stiffness` contains values (n,) at the nodes, or is a `Profile`. It is divided by its least value. If
-        `bend` has returned a wide strip, its law depends on the previous widths. Therefore change the stiffness
-        before `bend`.
+        `stiffness` contains values (n,) at the nodes, or is a `Profile`. The stiffness is divided by its least
+        value. If `bend` has returned a wide strip, its law depends on the previous widths. Therefore change the
+        stiffness before `bend`.
         """
         if not isinstance(stiffness, Profile) and numbers(stiffness, "stiffness").size not in (
             1,
@@ -791,16 +791,16 @@ PROFILE_SHARE = 1e-6
 def as_bent(rod: Rod) -> Rod:
     """Return the rod with the stiffness of its sections in the present shape.
 
-    Its law is then the law of the material alone.
+    The law of the result is the law of the material alone.
     """
     law = rod.law
     if not isinstance(law, CurlingLaw):
         return rod
     share = law.share(rod.curvature - rod.natural_curvature)
-    K, B, drawn = rod.stiffness * share, rod.bending_stiffness, rod.profile
+    K, B, design = rod.stiffness * share, rod.bending_stiffness, rod.profile
     least, follow = float(K.min()), Profile.interpolate(rod.s, share)
     profile = Profile.fit(
-        lambda s: drawn(s) * follow(s) / least, rod.length, breaks=drawn.breaks, knots=drawn.knots,
+        lambda s: design(s) * follow(s) / least, rod.length, breaks=design.breaks, knots=design.knots,
         tolerance=PROFILE_SHARE * float(K.max()) / least,
     )  # fmt: skip
     weight = rod.weight

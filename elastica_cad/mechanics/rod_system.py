@@ -40,8 +40,8 @@ class Step(NamedTuple):
 class Residual(NamedTuple):
     """Residuals of a discrete rod, which are zero in equilibrium.
 
-    They are the moment imbalance of the edges (n,), 1/mm, and the errors of ends and elements (p,). These are
-    position errors, mm, or forces, 1/mm2; see `ElementEquations`.
+    The residuals are the moment imbalance of the edges (n,), 1/mm, and the errors of ends and elements (p,).
+    These errors are lengths, mm, or forces, 1/mm2; see `ElementEquations`.
     """
 
     imbalance: FloatArray

@@ -75,7 +75,7 @@ class StrainVerdict:
     def percent(self) -> int:
         """Strain in percent of the limit.
 
-        It is rounded such that it is above 100 exactly if the strain is above the limit.
+        The number is rounded such that it exceeds 100 exactly if the strain exceeds the limit.
         """
         percent = round(100 * self.used)
         return min(percent, 100) if self.allowed else max(percent, 101)
@@ -111,9 +111,9 @@ def judge_strain(sheet: Sheet, strain: float, at: float | None = None) -> Strain
 
 def breaking_strain(sheet: Sheet) -> float | None:
     """Return the breaking strain of a sheet (estimated for brittle kinds), or None if it is unknown."""
-    known = sheet.break_strain
-    if known is not None and known > sheet.max_strain:
-        return known
+    strain = sheet.break_strain
+    if strain is not None and strain > sheet.max_strain:
+        return strain
     return BRITTLE_FACTOR * sheet.max_strain if sheet.kind in BRITTLE else None
 
 

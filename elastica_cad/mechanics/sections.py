@@ -23,8 +23,8 @@ SETTLED = 1e-12
 SLOPES = (0.4, 3.0)
 """Bounds of the slope of log(stiffness) as a function of log(width).
 
-The slope is up to 1.25 for a Poisson's ratio of 0.5 and 2.5 for 0.9. It is smaller if bending flattens a natural
-curvature.
+The slope is up to 1.25 for a Poisson's ratio of 0.5 and 2.5 for 0.9. The slope is smaller if bending flattens a
+natural curvature.
 """
 
 
@@ -55,7 +55,7 @@ def anticlastic_factor(
         Poisson's ratio nu, across the strip, from 0 to below 1.
     natural_curvature : array_like
         Curvature kappa_0 before bending, 1/mm. If a strip is bent back to straight and beyond, the factor leaves
-        the above range. It is then limited smoothly to values from 1 - nu^2 to (1 + nu^2)/(1 - nu^2).
+        the above range. The factor is then limited smoothly to values from 1 - nu^2 to (1 + nu^2)/(1 - nu^2).
 
     Returns
     -------
@@ -93,8 +93,8 @@ def anticlastic_factor(
     x = (3 * (1 - nu**2)) ** 0.25 * w * np.sqrt(np.abs(kappa) / h)
     ratio, slope = _curl(x)
     flat = -x * slope / 2  # value for a strip that is flat before bending
-    kept = _limited_curl(flat, ratio, kappa, rest, nu) if rest.ndim or rest else flat
-    return np.asarray((1 + nu**2 * (kept - 2 * ratio)) / (1 - nu**2))
+    limited = _limited_curl(flat, ratio, kappa, rest, nu) if rest.ndim or rest else flat
+    return np.asarray((1 + nu**2 * (limited - 2 * ratio)) / (1 - nu**2))
 
 
 def _limited_curl(
@@ -137,14 +137,14 @@ def plate_width(
     aim, kappa, rest = np.broadcast_arrays(
         *alike(effective=effective, curvature=curvature, natural_curvature=natural_curvature)
     )
-    wanted = np.log(aim)
-    log_width, last, error, slope = wanted, wanted, np.zeros(aim.shape), np.ones(aim.shape)
+    target = np.log(aim)
+    log_width, last, error, slope = target, target, np.zeros(aim.shape), np.ones(aim.shape)
     for _ in range(SECANTS):
         before = error
         factor = anticlastic_factor(
             np.exp(log_width), kappa, thickness=h, poisson_ratio=nu, natural_curvature=rest
         )
-        error = log_width + np.log(factor) - wanted
+        error = log_width + np.log(factor) - target
         moved = log_width - last
         steep = (error - before) / np.where(moved == 0, 1.0, moved)
         slope = np.where(moved == 0, slope, np.clip(steep, *SLOPES))
@@ -445,8 +445,8 @@ class WidthLaw:
 
         None if the largest width is None, or the plate effect unknown or 0.
         """
-        known = largest is not None and sheet.poisson_known and sheet.poisson_ratio > 0
-        return cls(sheet, 0.0, largest) if largest is not None and known else None
+        has_plate_effect = largest is not None and sheet.poisson_known and sheet.poisson_ratio > 0
+        return cls(sheet, 0.0, largest) if largest is not None and has_plate_effect else None
 
     @property
     def quantity(self) -> str:

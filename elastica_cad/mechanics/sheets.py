@@ -82,12 +82,12 @@ def plausible_number(value: object, key: str, where: str, name: str | None = Non
 def _advise_key(key: str) -> str:
     """Return advice that names the known key nearest to an unknown key."""
     keys = sheet_keys()
-    for known, entry in keys.items():
+    for match, entry in keys.items():
         stem = entry.name
-        if key.lower() == known.lower() or (
+        if key.lower() == match.lower() or (
             key.lower().startswith(stem) and "range" not in key.removeprefix(stem)
         ):
-            return f"; write {known}{PLAUSIBLE[known][2].join((' (', ')')) if known in PLAUSIBLE else ''}"
+            return f"; write {match}{PLAUSIBLE[match][2].join((' (', ')')) if match in PLAUSIBLE else ''}"
     near = get_close_matches(key, keys, n=1, cutoff=0.5)
     return (
         note("; did you mean {near}?", near=near[0])
@@ -139,7 +139,7 @@ def _toml_value(value: str | float | tuple[float, float]) -> str:
 class NominalRatio(float):
     """Poisson's ratio that was not measured; it is used for estimates, but not for widths.
 
-    It is a float that remains a `NominalRatio` in `dataclasses.replace`, copies, pickles and files of sheets.
+    The number remains a `NominalRatio` in `dataclasses.replace`, copies, pickles and files of sheets.
 
     Examples
     --------
@@ -238,11 +238,11 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
         if "stock_mm" in entry:
             fields["stock"] = tuple(entry["stock_mm"])
         sources = [entry["note"]] if "note" in entry else []
-        known = entry["poisson_ratio"]  # a number, or { value, source }
-        if isinstance(known, dict):
-            fields["poisson_ratio"] = known["value"]
+        ratio = entry["poisson_ratio"]  # a number, or { value, source }
+        if isinstance(ratio, dict):
+            fields["poisson_ratio"] = ratio["value"]
         else:
-            fields["poisson_ratio"] = NominalRatio(known)
+            fields["poisson_ratio"] = NominalRatio(ratio)
         for key, (stem, label) in _FIGURES.items():
             if key not in entry:
                 if key not in _ESTIMATED:
@@ -250,8 +250,8 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
                 continue
             figure = entry[key]
             value, lowest = (
-                given[i] if isinstance(given, list) else given
-                for given in (figure["value"], figure.get("lowest"))
+                number[i] if isinstance(number, list) else number
+                for number in (figure["value"], figure.get("lowest"))
             )
             fields[stem] = value
             if "range" in figure:
@@ -260,17 +260,17 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
                 fields[f"{stem}_range"] = (lowest, value)
             if "source" in figure:
                 sources.append(f"{label}: {figure['source']}")
-        if isinstance(known, dict):
-            sources.append(f"nu: {known['source']}")
+        if isinstance(ratio, dict):
+            sources.append(f"nu: {ratio['source']}")
         yield entry.get("name", f"{table}-{thickness:g}"), {**fields, "source": "; ".join(sources)}
 
 
 def library_folders() -> tuple[Path, ...]:
     """Return the locations of a user's sheets: TOML files, or folders of TOML files.
 
-    They are read from the environment variable `ELASTICA_SHEETS`. By default the location is `elastica/sheets` in
-    the settings folder of the user: `%APPDATA%` on Windows, `~/Library/Application Support` on macOS,
-    `$XDG_CONFIG_HOME` or `~/.config` elsewhere.
+    The environment variable `ELASTICA_SHEETS` contains the locations. By default the location is
+    `elastica/sheets` in the settings folder of the user: `%APPDATA%` on Windows, `~/Library/Application
+    Support` on macOS, `$XDG_CONFIG_HOME` or `~/.config` elsewhere.
     """
     named = [part for part in os.environ.get(LIBRARY_VARIABLE, "").split(os.pathsep) if part.strip()]
     if named:
@@ -473,8 +473,8 @@ class Sheet:
     thickness_range, youngs_modulus_range, density_range, max_strain_range, kerf_range : (low, high), optional
         Range that occurs in practice, in the unit of the quantity; by default the value counts as exact.
     least_width, least_ligament, least_bridge : float, optional
-        Least width, mm, with which a piece can be cut and lifted out. It applies to strips, tongues, ligaments of
-        perforated strips, and bridges between the cuts of a plate. The defaults are rules of thumb
+        Least width, mm, with which a piece can be cut and lifted out. The width applies to strips, tongues,
+        ligaments of perforated strips, and bridges between the cuts of a plate. The defaults are rules of thumb
         (`FabricationLimits`).
     stock : (float, float), optional
         Sides of the largest sheet on sale, mm.
@@ -563,9 +563,9 @@ class Sheet:
         object.__setattr__(self, "poisson_ratio", nu)
         object.__setattr__(self, "poisson_known", not isinstance(nu, NominalRatio))
         figures = [(name, getattr(self, name), unit) for name, unit in OPTIONAL_UNITS.items()]
-        for name, given, unit in [*figures, *(("stock", side, "mm") for side in sides)]:
-            if given is not None:
-                self._checked(name, given, unit)
+        for name, number, unit in [*figures, *(("stock", side, "mm") for side in sides)]:
+            if number is not None:
+                self._checked(name, number, unit)
         grain: object = self.grain
         if is_number(grain):
             object.__setattr__(self, "grain", self._grain_at(grain))
@@ -604,13 +604,13 @@ class Sheet:
         return turned[degrees % 180]
 
     def _check_range(self, field_name: str, value: float) -> None:
-        given = getattr(self, f"{field_name}_range")
-        if given is None:
+        limits = getattr(self, f"{field_name}_range")
+        if limits is None:
             return
         where = f"sheet {self.name!r}: {field_name}_range"
-        if not isinstance(given, list | tuple) or len(given) != 2:
-            raise InputError(f"{where} is {given!r}; give two numbers, the lowest first")
-        low, high = (_finite_number(v, where) for v in given)
+        if not isinstance(limits, list | tuple) or len(limits) != 2:
+            raise InputError(f"{where} is {limits!r}; give two numbers, the lowest first")
+        low, high = (_finite_number(v, where) for v in limits)
         if not 0 <= low <= value <= high:
             raise InputError(
                 f"{where} is {low:g} to {high:g}; it must contain {field_name} = {value:g}, lowest first"
@@ -659,12 +659,12 @@ class Sheet:
         library, problems = library_sheets()
         if name in library:
             return library[name]
-        known = [*library, *figures]
-        near = get_close_matches(str(name).lower(), known, n=3, cutoff=0.4)
+        names = [*library, *figures]
+        near = get_close_matches(str(name).lower(), names, n=3, cutoff=0.4)
         advice = (
             note("did you mean {names}?", names=" or ".join(near))
             if near
-            else note("known sheets: {names}", names=", ".join(known))
+            else note("known sheets: {names}", names=", ".join(names))
         )
         raise InputError("; ".join((f"unknown sheet {name!r}: {advice}", *problems)))
 
@@ -749,9 +749,9 @@ class Sheet:
         """
         if not isinstance(quantity, str) or quantity not in UNITS:
             raise InputError(f"a sheet has no range of {quantity!r}: use one of {', '.join(UNITS)}")
-        given: Range | None = getattr(self, f"{quantity}_range")
+        limits: Range | None = getattr(self, f"{quantity}_range")
         value = float(getattr(self, quantity))
-        return (value, value) if given is None else given
+        return (value, value) if limits is None else limits
 
     def _repr_html_(self) -> str:
         rows = []
@@ -840,8 +840,8 @@ SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
 @cache
 def sheet_keys() -> Mapping[str, Field]:
     """Return the possible keys in the table of a sheet, with the attribute of `Sheet` for each key."""
-    known = {entry.name + SUFFIXES.get(entry.option.unit, ""): entry for entry in declared(Sheet)}
-    return MappingProxyType(known | {NOMINAL_KEY: known["poisson_ratio"]})
+    keys = {entry.name + SUFFIXES.get(entry.option.unit, ""): entry for entry in declared(Sheet)}
+    return MappingProxyType(keys | {NOMINAL_KEY: keys["poisson_ratio"]})
 
 
 @lru_cache(maxsize=64)
@@ -852,16 +852,16 @@ def _library_file(path: Path, *_state: int) -> Mapping[str, Sheet]:
 
 def _sheet_of_file(name: str, folder: Path | None) -> Sheet:
     """Return the only sheet in the file "my.toml", or the sheet NAME of "my.toml:NAME"."""
-    stem, sign, wanted = name.partition(".toml:")
+    stem, sign, sheet_name = name.partition(".toml:")
     path = (folder or Path()) / (f"{stem}.toml" if sign else name)
     sheets = load_sheets(path)
-    if not wanted and len(sheets) == 1:
+    if not sheet_name and len(sheets) == 1:
         return next(iter(sheets.values()))
-    if wanted in sheets:
-        return sheets[wanted]
+    if sheet_name in sheets:
+        return sheets[sheet_name]
     several = (
-        note("there is no sheet {wanted!r}", wanted=wanted)
-        if wanted
+        note("there is no sheet {wanted!r}", wanted=sheet_name)
+        if sheet_name
         else note("there are {count} sheets", count=len(sheets))
     )
     choices = " or ".join(f"{path.name}:{key}" for key in sheets)

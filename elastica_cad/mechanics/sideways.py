@@ -94,8 +94,8 @@ class SidewaysSection:
         Edgewise, each ligament has the second moment of area b^3 h/12.
 
         For the upper bound, displacements are compatible. All ligaments twist equally, with G t h^3/3 for their
-        total width t. Edgewise, they bend as a plane cross-section. Its second moment of area is at most that of
-        material at the edges of the outline of width W, (W^3 - (W - t)^3) h/12.
+        total width t. Edgewise, the ligaments bend as a plane cross-section, whose second moment of area is at
+        most that of material at the edges of the outline of width W, (W^3 - (W - t)^3) h/12.
         """
         h = np.full(width.size, thickness)
         cos2 = 1 / (1 + slope**2)
@@ -335,10 +335,10 @@ def sideways_stability(
 
     Notes
     -----
-    The strip is a Kirchhoff rod with tangent T and normal N in the plane. A small rotation phi about axes in the
-    plane bends the strip edgewise by <phi', N> with the stiffness EI2 = E h w^3/12. It twists the strip by <phi',
-    T> with GJ = G w h^3/3 (1 - 0.63 h/w) (St Venant). The moment M does work on the area that phi encloses, and
-    the force lambda on the second-order change of the tangent. The second variation is
+    The strip is a Kirchhoff rod with tangent T and normal N in the plane. A small rotation phi about axes in
+    the plane bends the strip edgewise by <phi', N> with the stiffness EI2 = E h w^3/12. The rotation twists the
+    strip by <phi', T> with GJ = G w h^3/3 (1 - 0.63 h/w) (St Venant). The moment M does work on the area that
+    phi encloses, and the force lambda on the second-order change of the tangent. The second variation is
 
         int EI2 <phi', N>^2 + GJ <phi', T>^2 - M (phi x phi') + <lambda, N> phi_T phi_N - <lambda, T> phi_N^2 ds
 
@@ -506,13 +506,13 @@ def _sizes(width: Profile | ArrayLike, s: FloatArray, name: str) -> FloatArray:
     if isinstance(width, Profile):
         sizes = np.asarray(width(s), dtype=float)
     else:
-        given = np.atleast_1d(numbers(width, name))
-        if given.ndim != 1 or not given.size:
+        values = np.atleast_1d(numbers(width, name))
+        if values.ndim != 1 or not values.size:
             raise InputError(f"{name} must be a finite number, an array of numbers or a Profile, in mm")
         sizes = (
-            np.interp(s, np.linspace(0, s[-1], given.size), given)
-            if given.size > 1
-            else np.full(s.size, given[0])
+            np.interp(s, np.linspace(0, s[-1], values.size), values)
+            if values.size > 1
+            else np.full(s.size, values[0])
         )
     if not (np.all(np.isfinite(sizes)) and np.all(sizes > 0)):
         raise InputError(f"{name} must be positive everywhere, in mm")
@@ -556,7 +556,8 @@ def _band(
 def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
     """Return the lowest eigenvalue mu of the band matrix A subject to <row, v> = 0.
 
-    It is a zero of <row, (A - mu)^-1 row> between the two lowest eigenvalues of A without the constraint.
+    The eigenvalue is a zero of <row, (A - mu)^-1 row> between the two lowest eigenvalues of A without the
+    constraint.
     """
     first, second = _two_lowest(lower)
     if row is None:

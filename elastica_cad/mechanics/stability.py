@@ -30,8 +30,8 @@ class Determinant:
     s : (n+1,) array
         Midpoints of the edges and the end of the rod, mm from the start.
     value : (n+1,) array
-        Values of Z. Its sign changes are the conjugate points, except for rounding errors near s = 0, where Z has
-        a zero of high order.
+        Values of Z. The sign changes of Z are the conjugate points, except for rounding errors near s = 0,
+        where Z has a zero of high order.
     fields : (n+2, 1+p) array
         Solutions zeta, eta_1, .. eta_p of the Jacobi equation on the edges, and on a fictitious edge before and
         after them.
@@ -108,8 +108,8 @@ def determinant_gradient(
     moments : (n+1,) array
         Bending moments of the nodes, 1/mm.
     load_slope : (n+1, 2) array, optional
-        Derivative of the weight of each node by its stiffness, 1/mm2. It is load / K if the weight is
-        proportional to K.
+        Derivative of the weight of each node by its stiffness, 1/mm2. The derivative is load / K if the weight
+        is proportional to K.
     """
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod")
     for name, values in (("weights", weights), ("moments", moments)):
@@ -156,9 +156,9 @@ def determinant_gradient(
 def conjugate_point(rod: DiscreteRod) -> float | None:
     """Return the first isoperimetric conjugate point from the start of the rod, mm, or None.
 
-    It is the length s of the shortest piece [0, s] of the rod that is not stable if it is clamped at s. It is
-    found by bisection on the number of unstable modes of the piece. This method excludes the zero of the
-    determinant at s = 0.
+    The point is the length s of the shortest piece [0, s] of the rod that is not stable if the piece is clamped
+    at s. The method is bisection on the number of unstable modes of the piece. This method excludes the zero of
+    the determinant at s = 0.
     """
     require_record(rod, DiscreteRod, "the rod", "a DiscreteRod, such as Rod.discrete")
     if not rod.held_angles[1]:

@@ -295,10 +295,10 @@ class LaidLeaves(ThicknessLaw):
     def names(self) -> tuple[str, ...]:
         """Names of the plies: a number, and a letter if the ply consists of several pieces."""
         numbers = [leaf.number for leaf in self.leaves]
-        seen: dict[int, int] = {}
+        counts: dict[int, int] = {}
         labels = []
         for number in numbers:
-            piece = seen[number] = seen.get(number, -1) + 1
+            piece = counts[number] = counts.get(number, -1) + 1
             labels.append(f"{number}{chr(ord('a') + piece) if numbers.count(number) > 1 else ''}")
         return tuple(labels)
 
@@ -429,5 +429,5 @@ def scale_within(
     bounded = solved < B
     # a search limits the section at the nodes; between nodes it may be slightly larger
     over = limited and B < solved < B * (1 + BETWEEN_NODES)
-    kept = (heavy and not over) or bounded or abs(B / solved - 1) < SAME_SCALE
-    return solved if kept else B
+    unchanged = (heavy and not over) or bounded or abs(B / solved - 1) < SAME_SCALE
+    return solved if unchanged else B

@@ -91,9 +91,9 @@ def suggest_support(
             )
             for element in elements
         ]
-        found = _stable(requests, min(MOST_RATIO, least / CLEARLY_BETTER))
-        if found is not None:
-            least, best = found
+        support = _stable(requests, min(MOST_RATIO, least / CLEARLY_BETTER))
+        if support is not None:
+            least, best = support
     return best
 
 

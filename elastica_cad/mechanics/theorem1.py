@@ -293,8 +293,8 @@ class PairZero:
     t : float
         Parameter of the point on the first curve.
     order : int
-        Order of the zero of the difference of curvatures. It is 1 if the difference changes sign, and 2 if it
-        does not. It is 3 if the difference changes sign with the slope 0, and 0 if it changes sign by a jump.
+        Order of the zero of the difference of curvatures. The order is 1 if the difference changes sign, 2 if
+        the sign does not change, 3 if the sign changes with the slope 0, and 0 if the sign changes by a jump.
     before, after : int
         Signs of the difference before and after the point; 0 beyond the ends of the curves.
     """
@@ -454,42 +454,42 @@ SAMPLED_SHARE, CORNER_DEG = 0.15, 50.0
 
 
 def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
-    drawn = curve.provenance
-    maybe = {} if drawn is None else {turn.t: turn for turn in drawn.undecided}
-    if drawn is not None and all(corner.t in maybe for corner in corners):
+    provenance = curve.provenance
+    maybe = {} if provenance is None else {turn.t: turn for turn in provenance.undecided}
+    if provenance is not None and all(corner.t in maybe for corner in corners):
         turn = max((maybe[corner.t] for corner in corners), key=lambda turn: turn.angle)
-        return _undecided_message(drawn, turn, [c.s for c in corners])
-    if drawn is not None and drawn.measured is not None:
+        return _undecided_message(provenance, turn, [c.s for c in corners])
+    if provenance is not None and provenance.measured is not None:
         for corner in corners:
             place = np.asarray(curve.evaluate(np.array(corner.t)))
-            here, *beside = np.degrees(drawn.measured.turns_beside(place))
+            here, *beside = np.degrees(provenance.measured.turns_beside(place))
             if any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < CORNER_DEG for turn in beside):
                 return note(
                     "these points leave the verdict undecided: they turn by {angle:.3g} degrees at {shown} "
                     "and by {before:.3g} and {after:.3g} degrees at its neighbours. This can be a corner or "
                     "a sharp bend. Give more points there, or draw two curves{smooth}",
-                    angle=abs(here), shown=drawn.shown(place), before=abs(beside[0]), after=abs(beside[1]),
+                    angle=abs(here), shown=provenance.shown(place), before=abs(beside[0]), after=abs(beside[1]),
                     smooth=_smoothing_advice(curve),
                 )  # fmt: skip
     sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
-    shown = None if drawn is None else drawn.shown(curve.evaluate(np.array(corners[0].t)))
+    coordinates = None if provenance is None else provenance.shown(curve.evaluate(np.array(corners[0].t)))
     return note(
         "the curve has a corner at {places}, of {angle:.3g} degrees, but a strip bends without kinks. Round "
-        "the corner, or draw two curves{smooth}" if shown is None else
+        "the corner, or draw two curves{smooth}" if coordinates is None else
         "the curve has a corner at {places}, {shown}, of {angle:.3g} degrees, but a strip bends without "
         "kinks. Round the corner, or draw two curves{smooth}",
-        places=lengths(c.s for c in corners), shown=shown, angle=sharpest, smooth=_smoothing_advice(curve),
+        places=lengths(c.s for c in corners), shown=coordinates, angle=sharpest, smooth=_smoothing_advice(curve),
     )  # fmt: skip
 
 
 def _seam_message(curve: PlaneCurve) -> str:
     """Return the message about a closed curve whose only corner is where it starts and ends."""
-    drawn = curve.provenance
+    provenance = curve.provenance
     start = curve.evaluate(np.array(curve.domain[0]))
-    if drawn is not None:
-        for turn in drawn.undecided:
+    if provenance is not None:
+        for turn in provenance.undecided:
             if turn.t == curve.domain[0]:
-                return _undecided_message(drawn, turn, [0.0])
+                return _undecided_message(provenance, turn, [0.0])
     return note(
         "the closed curve has a corner of {angle:.3g} degrees at {shown}, where its ends meet, but a strip "
         "bends without kinks. Round the corner, or leave a gap between the ends{smooth}",
@@ -565,11 +565,11 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
         )
     low, high = curve.domain
     t = float(curve.parameter(np.array(s)))
-    drawn, curve = curve.provenance, _closed_exactly(curve)
+    provenance, curve = curve.provenance, _closed_exactly(curve)
     knot = float(curve.knots[np.argmin(np.abs(curve.knots - t))])
     t = knot if abs(knot - t) <= NEAR_KNOT_SHARE * (high - low) else t
     if t <= low or t >= high:
-        return curve.drawn_as(drawn)
+        return curve.drawn_as(provenance)
     first, second = curve.trimmed(t, high), curve.trimmed(low, t)
     p = curve.degree
     knots = np.concatenate([first.knots[:-1], second.knots[p + 1 :] + (high - low)])
@@ -580,7 +580,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
         # first part
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
-    return PlaneCurve(knots, points, p, weights).drawn_as(drawn and drawn.of_part())
+    return PlaneCurve(knots, points, p, weights).drawn_as(provenance and provenance.of_part())
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
@@ -614,15 +614,15 @@ PINNED_SHARE = 1e-6
 GENTLE_SHARE = 1e-5
 """Slope of the curvature at an inflection up to which it counts as 0.
 
-It is relative to the largest curvature over the length. For this slope, the stiffness at the inflection would be
-some ten thousand times that at other points.
+The slope is relative to the largest curvature over the length. For this slope, the stiffness at the inflection
+would be some ten thousand times that at other points.
 """
 
 FAINT_SHARE = 1e-7
 """Curvature at a minimum of its absolute value up to which it counts as 0, relative to the largest curvature.
 
-It is about the square of the limit for slopes, because the curvature near a minimum increases with the square of
-the distance.
+The fraction is about the square of the limit for slopes, because the curvature near a minimum increases with
+the square of the distance.
 """
 
 ALL_BUT_UNBENT_SHARE = 1e-3
@@ -743,8 +743,8 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
         # the extended curve has a zero just beyond the end
         beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
         if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in zeros)):
-            way = int(np.sign(slope))
-            sign = (0, way) if not is_end else (-way, 0)
+            slope_sign = int(np.sign(slope))
+            sign = (0, slope_sign) if not is_end else (-slope_sign, 0)
             s = length if is_end else 0.0
             zeros.append(CurvatureZero(s, t, "end", s, t, *sign))
     return tuple(sorted(zeros, key=lambda z: z.s))
@@ -881,16 +881,16 @@ def _warn_of_widths(
     if not breaks:
         return
     sizes = zip(breaks, *curvature_jumps(curve, breaks), strict=True)
-    seen = [(b, jump, kink) for b, jump, kink in sizes if jump > STEP_SHARE or kink > KINK_SHARE]
-    kinks = [b.s for b, _, _ in seen if b.continuity == 2]
-    sharp = any(jump > STEP_SHARE or kink > SHARP_SHARE for b, jump, kink in seen if b.continuity == 2)
+    visible = [(b, jump, kink) for b, jump, kink in sizes if jump > STEP_SHARE or kink > KINK_SHARE]
+    kinks = [b.s for b, _, _ in visible if b.continuity == 2]
+    sharp = any(jump > STEP_SHARE or kink > SHARP_SHARE for b, jump, kink in visible if b.continuity == 2)
     straight = [end for flat in flats for end in (flat.s, flat.s_end)]
     if curve.seam is not None:  # on a closed curve, start and end are the same point
         straight += [end - curve.length for end in straight]
     near = AT_END_SHARE * curve.length
     steps = [
         b.s
-        for b, _, _ in seen
+        for b, _, _ in visible
         if b.continuity == 1 and b.s not in jumps and not any(abs(b.s - end) <= near for end in straight)
     ]
     if steps:

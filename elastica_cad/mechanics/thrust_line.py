@@ -26,9 +26,9 @@ def inflections_of(rod: Rod) -> FloatArray:
 def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
     """Return the sides (n, 2) of the thrust line in a box.
 
-    They extend between their corners and beyond the inflections of the rod. Without weight the sides are straight,
-    n = 2. The result is empty for a rod without elements and point forces, because its thrust line is the
-    inflection line.
+    The sides extend between the corners of the line, and beyond the inflections of the rod. Without weight the
+    sides are straight, n = 2. The result is empty for a rod without elements and point forces, because its
+    thrust line is the inflection line.
     """
     if rod.acting and rod.gravity is not None:
         return _curved_sides(rod, low, high)
@@ -51,16 +51,16 @@ def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray
             reached[k].append(corner)
             reached[k + 1].append(corner)
     none = np.full(len(turns), np.inf)
-    far = np.array([none if side is None else np.abs(side.distance(turns)) for side in rod.thrust_line])
-    for turn, row in zip(turns, far.T, strict=True):
+    distances = np.array([none if side is None else np.abs(side.distance(turns)) for side in rod.thrust_line])
+    for turn, row in zip(turns, distances.T, strict=True):
         reached[int(row.argmin())].append(turn)
     sides = []
     for line, points in zip(lines, reached, strict=True):
-        shown = None if line is None else clipped(*line, low, high)
-        if line is None or shown is None or len(points) < 2:
+        clipped_side = None if line is None else clipped(*line, low, high)
+        if line is None or clipped_side is None or len(points) < 2:
             continue
         t = (np.array(points) - line[0]) @ line[1]
-        inside = (shown - line[0]) @ line[1]
+        inside = (clipped_side - line[0]) @ line[1]
         least, most = max(t.min(), inside[0]), min(t.max(), inside[1])
         if least < most:
             sides.append(line[0] + line[1] * np.array([[least], [most]]))

@@ -158,8 +158,8 @@ def _plate_as_cut(
 ) -> tuple[Rod, float]:
     """`stiffer` (n,) contains the factors on the stiffness of the nodes."""
     kappa = np.asarray(rod.curvature)
-    wanted = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
-    cut = replace(wanted, width=wanted.width - v.width_loss, thickness=curl.thickness * v.thickness)
+    stiffened = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
+    cut = replace(stiffened, width=stiffened.width - v.width_loss, thickness=curl.thickness * v.thickness)
     narrower, here = cut.width / curl.width, cut(kappa)
     K = rod.stiffness * narrower * here / law.designed
     B = float(K.min())
@@ -229,10 +229,10 @@ class ToleranceRanges:
     wave_phase: Range = (0.0, float(np.pi))
 
     def __post_init__(self) -> None:
-        for name, given in vars(self).items():
-            pair = numbers(given, f"the range of {name}")
+        for name, limits in vars(self).items():
+            pair = numbers(limits, f"the range of {name}")
             if pair.shape != (2,):
-                raise InputError(f"range of {name} is {given!r}: give the lowest and the highest")
+                raise InputError(f"range of {name} is {limits!r}: give the lowest and the highest")
             low, high = pair.tolist()
             if not low <= high:
                 raise InputError(f"range of {name} is {low:g} to {high:g}: give the lowest first")
@@ -402,9 +402,11 @@ def tolerance_study(
     elif varied.width_loss[1] > 0:
         least_width(rod, max_width, varied.width_loss[1])
     rng = np.random.default_rng(seed)
-    drawn = {name: _drawn(varied, name, rng, samples) for name in _CAUSES}
-    combined = [_merged([drawn[name][i] for name in _CAUSES]) for i in range(samples)]
-    groups = [(name, drawn[name], _extremes(varied, name)) for name in _CAUSES] + [("combined", combined, [])]
+    imperfections = {name: _drawn(varied, name, rng, samples) for name in _CAUSES}
+    combined = [_merged([imperfections[name][i] for name in _CAUSES]) for i in range(samples)]
+    groups = [(name, imperfections[name], _extremes(varied, name)) for name in _CAUSES] + [
+        ("combined", combined, [])
+    ]
     todo = [v for _, inner, outer in groups for v in (*inner, *outer)]
     outcomes = _outcomes_of(rod, todo, max_width, executor)
     effects, first = [], 0
@@ -469,8 +471,8 @@ def _outcomes_of(
     different = list(dict.fromkeys(_without_ineffective_changes(rod, v) for v in todo))
     bent = partial(_outcome, rod, max_width)
     answers = map(bent, different) if executor is None else executor.map(bent, different, chunksize=_CHUNK)
-    known = dict(zip(different, answers, strict=True))
-    return [known[_without_ineffective_changes(rod, v)] for v in todo]
+    outcomes = dict(zip(different, answers, strict=True))
+    return [outcomes[_without_ineffective_changes(rod, v)] for v in todo]
 
 
 def _without_ineffective_changes(rod: Rod, v: Imperfection) -> Imperfection:

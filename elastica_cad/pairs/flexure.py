@@ -445,8 +445,9 @@ class Flexure:
     def overhang(self, s: float) -> float:
         """Return the distance from an end of the free length to its pad, mm.
 
-        The fillet makes the part thicker towards the pad. It is therefore only as compliant as a shorter piece of
-        strip, and begins within the free length. The pad itself is as compliant as a half-plane.
+        The fillet makes the part thicker towards the pad. The fillet is therefore only as compliant as a
+        shorter piece of strip, and begins within the free length. The pad itself is as compliant as a
+        half-plane.
         """
         s = require_number(s, "the arc length", "mm")
         return _overhang(float(self.thickness_at(np.array([s]))[0]), self.fillet)
@@ -471,8 +472,8 @@ class Flexure:
         """Return the four corners of a pad, anticlockwise from the lower right corner."""
         position, along, across = self._root(line, s, sign)
         half = self.pad_width / 2 * across
-        far = position + self.pad.length * along
-        return [position - half, far - half, far + half, position + half]
+        outer = position + self.pad.length * along
+        return [position - half, outer - half, outer + half, position + half]
 
     def _root(self, line: "CentreLine", s: float, sign: int) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Return the middle of the inner edge of a pad, the outward direction, and the direction to its left."""
@@ -582,18 +583,18 @@ class Flexure:
         """Arc length, mm, at which a bistable part is pushed, and displacement of this point between the states."""
         first, second = self.rods
         distances = second.position - first.position
-        far = np.hypot(*distances.T)
+        sizes = np.hypot(*distances.T)
         i = int(np.abs(first.s - (first.length / 2 if self.push_at is None else self.push_at)).argmin())
-        if self.push_at is None and far[i] < FAR_SHARE * far.max():
-            i = int(far.argmax())
+        if self.push_at is None and sizes[i] < FAR_SHARE * sizes.max():
+            i = int(sizes.argmax())
         return float(first.s[i]), np.asarray(distances[i])
 
     @cached_property
     def force_direction(self) -> float:
         """Direction of the force, in degrees anticlockwise from the x axis of the first curve.
 
-        It is the direction of the push. If the part is not bistable, it is the direction in which the largest
-        force acts on its end.
+        The force has the direction of the push. If the part is not bistable, it is the direction in which the
+        largest force acts on its end.
         """
         if self.pair.bistable:
             x, y = self.pushed[1]
@@ -841,19 +842,19 @@ class Flexure:
                          severity="warning", field=FieldName("least_thickness"),
                          name=self.state_labels[int(np.argmin(self.rest_deviations))]),)  # fmt: skip
         messages = []
-        for name, far, stays in zip(
+        for name, deviation, stays in zip(
             self.state_labels, self.rest_deviations, self.pair.stability, strict=True
         ):
             if not stays.stable:
                 messages.append(note("a state is unstable ({name}): the part snaps into another shape, up to "
                                      "{far} away",
-                                     severity="warning", name=name, far=Length(far)))  # fmt: skip
-            elif far > REST_SHARE * self.pair.length:
+                                     severity="warning", name=name, far=Length(deviation)))  # fmt: skip
+            elif deviation > REST_SHARE * self.pair.length:
                 messages.append(note("the part rests up to {far} from its curve ({name}), {percent:.2g} % of "
                                      "its length, because its forces stretch it. Make it thinner ({field}), "
                                      "or bend the curves more",
-                                     severity="warning", field=FieldName("least_thickness"), far=Length(far),
-                                     name=name, percent=100 * far / self.pair.length))  # fmt: skip
+                                     severity="warning", field=FieldName("least_thickness"), far=Length(deviation),
+                                     name=name, percent=100 * deviation / self.pair.length))  # fmt: skip
         return tuple(messages)
 
     def as_dict(self) -> dict[str, Any]:

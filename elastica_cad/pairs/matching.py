@@ -78,9 +78,9 @@ def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCu
     """
     for curve in (first, first.reversed()):
         for other in (second, second.reversed()):
-            drawn = _Drawn.of(curve), _Drawn.of(other)
-            apart = float(np.hypot(*(drawn[0].clamps[0] - drawn[1].clamps[0])))
-            if apart <= ALIKE_SHARE * first.length or _are_alike(*drawn):
+            candidates = _Drawn.of(curve), _Drawn.of(other)
+            apart = float(np.hypot(*(candidates[0].clamps[0] - candidates[1].clamps[0])))
+            if apart <= ALIKE_SHARE * first.length or _are_alike(*candidates):
                 return curve, other
     return first, second
 
@@ -94,7 +94,7 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
         Drawn curves, mm.
     keep : "ends" or "shape"
         "ends": each curve keeps the positions and directions of its ends, and changes its length like a uniform
-        elastic strip. Its curvature changes by the smallest sufficient affine function of the position. The common
+        elastic strip. The curvature changes by the smallest sufficient affine function of the position. The common
         length minimises the changes of both curves. If the ends of both curves agree after a rigid motion (within
         1 % of the length and 2 degrees, with the same total turning), they become exactly the same clamps.
         "shape": each curve is scaled about its start.
@@ -115,19 +115,19 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
         raise InputError(f"keep is {keep!r}: give 'ends' or 'shape'")
     if keep == "shape":
         return _scaled(first, second)
-    drawn = _Drawn.of(first), _Drawn.of(second)
-    alike = _are_alike(*drawn)
+    curves = _Drawn.of(first), _Drawn.of(second)
+    alike = _are_alike(*curves)
     if alike:
-        chord = sum((drawn_curve.chord for drawn_curve in drawn), np.zeros(2)) / 2
-        angles = sum((drawn_curve.clamps[2] for drawn_curve in drawn), np.zeros(2)) / 2
-        first_start, second_start = (drawn_curve.clamps[0] for drawn_curve in drawn)
-        drawn = (
-            replace(drawn[0], clamps=(first_start, first_start + chord, angles)),
-            replace(drawn[1], clamps=(second_start, second_start + chord, angles)),
+        chord = sum((drawn_curve.chord for drawn_curve in curves), np.zeros(2)) / 2
+        angles = sum((drawn_curve.clamps[2] for drawn_curve in curves), np.zeros(2)) / 2
+        first_start, second_start = (drawn_curve.clamps[0] for drawn_curve in curves)
+        curves = (
+            replace(curves[0], clamps=(first_start, first_start + chord, angles)),
+            replace(curves[1], clamps=(second_start, second_start + chord, angles)),
         )
     lengths = [curve.length for curve in (first, second)]
-    length = _least_change(drawn, lengths)
-    changed = [drawn_curve.of_length(length) for drawn_curve in drawn]
+    length = _least_change(curves, lengths)
+    changed = [drawn_curve.of_length(length) for drawn_curve in curves]
     moved = [_largest_displacement(*both) for both in zip((first, second), changed, strict=True)]
     return MatchedPair(changed[0], changed[1], (moved[0], moved[1]), alike)
 
@@ -273,7 +273,7 @@ class _Drawn:
     def change(self, length: float) -> float:
         """Return the integral of the squared change of curvature, times the length.
 
-        It is infinite if no small change suffices.
+        The result is infinite if no small change suffices.
         """
         numbers = self.numbers(length)
         if numbers is None:

@@ -57,8 +57,8 @@ FAINT_SHARE = 1e-9
 GENTLE_SHARE = 1e-7
 """Slope of the difference of curvature below which a zero has a higher order than 1.
 
-It is relative to the largest difference divided by the length. At a zero of order 1, the width of the strip would
-be proportional to the inverse of the slope.
+The slope is relative to the largest difference divided by the length. At a zero of order 1, the width of the
+strip would be proportional to the inverse of the slope.
 """
 
 SHORT_SHARE = 0.01
@@ -399,7 +399,7 @@ class PairedPanels:
     def beyond(self) -> tuple[PairZero, ...]:
         """Zeros that no difference of moments N can have together with the zeros before them.
 
-        These are the zeros after the longest initial sequence for which such an N exists.
+        The result contains the zeros after the longest initial sequence for which such an N exists.
         """
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])

@@ -148,8 +148,9 @@ def push_path(
     travel : (k,) array_like
         Displacements from the shape of the rod, mm.
     thickness : float, optional
-        Thickness in the plane at the softest point of the rod, mm; by default 1/400 of the length. It determines
-        the axial stiffness. The bending stiffness is proportional to the cube of the thickness.
+        Thickness in the plane at the softest point of the rod, mm; by default 1/400 of the length. The
+        thickness determines the axial stiffness. The bending stiffness is proportional to the cube of the
+        thickness.
 
     Raises
     ------

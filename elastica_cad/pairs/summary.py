@@ -72,10 +72,12 @@ def _stability_row(part: Flexure) -> Row:
     ]  # fmt: skip
     if set(ratings) == {"stable"}:
         return Row(note("Stability"), note("both states are stable, in the plane and sideways"), details)
-    one, other, left, right = map(note, ratings)
+    first_plane, second_plane, first_sideways, second_sideways = map(note, ratings)
     text = note(
-        "{first}: {one}, sideways {left}; {second}: {other}, sideways {right}",
-        one=one, other=other, left=left, right=right, **_names(part),
+        "{first}: {first_plane} in the plane, {first_sideways} sideways. {second}: {second_plane} in the plane, "
+        "{second_sideways} sideways.",
+        first_plane=first_plane, second_plane=second_plane, first_sideways=first_sideways,
+        second_sideways=second_sideways, **_names(part),
     )  # fmt: skip
     return Row(note("Stability"), text, details, "warning")
 

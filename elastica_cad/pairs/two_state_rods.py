@@ -1,6 +1,6 @@
 """Rods that have two drawn curves as rest shapes.
 
-They have the least stiffness ratio and the least bend, or the largest least thickness.
+The rods have the least stiffness ratio and the least bend, or the largest least thickness.
 """
 
 from dataclasses import dataclass, field, replace

@@ -107,9 +107,9 @@ def test_second_variations(both, supports, angle):
         np.testing.assert_array_equal(one, other)
 
 
-@pytest.mark.parametrize("closing", [False, True])
+@pytest.mark.parametrize("to_equilibrium", [False, True])
 @pytest.mark.parametrize("seed", SEEDS)
-def test_sensitivities(both, seed, closing):
+def test_sensitivities(both, seed, to_equilibrium):
     rng, *_ = bent(seed)
     e = np.zeros(2) if seed % 3 == 0 else rng.normal(size=2) * 4
     law = (lambda K: (np.sqrt(K), 0.5 / np.sqrt(K))) if seed % 3 == 2 else None
@@ -118,16 +118,16 @@ def test_sensitivities(both, seed, closing):
     )
     z = np.concatenate([rng.uniform(1, 3, 20), [2.0, *rng.normal(size=2) * 5, 0.1, 0.2, 0.3, 1.1]])
     rod = grid.shoot(z)
-    if closing:
+    if to_equilibrium:
         rod = grid.assemble(z, rod.all_angles + 0.01 * rng.normal(size=202), rod.moments + 0.01)
 
-    compiled, plain = both(lambda: grid.sensitivities(rod, closing=closing))
+    compiled, plain = both(lambda: grid.sensitivities(rod, to_equilibrium=to_equilibrium))
     for name in ("angles", "moments", "position"):
         assert distance(getattr(compiled, name), getattr(plain, name)) < CLOSE
 
 
 def program(seed):
-    """A strictly convex program with equalities and limits, some broken at their price, some unknowns given."""
+    """A strictly convex program with equalities and limits, some broken at their penalty, some unknowns given."""
     rng = np.random.default_rng(seed)
     p, m = int(rng.integers(4, 30)), int(rng.integers(0, 12))
     J = rng.normal(size=(2 * p, p))

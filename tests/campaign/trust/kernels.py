@@ -137,7 +137,7 @@ def ask_rods(native, rng, case):
     native.sensitivities(
         stiffness=stiffness, moments=moments, all_angles=angles, tangents=tangents, pull=pull, shear=shear,
         shares=shares, rest=rest, basis=odd(rng, case, nodes, coefficients), e=e, carried=carried,
-        length=rng.normal(), start_moment=rng.normal(), start_angle=rng.normal(), closing=bool(case % 3),
+        length=rng.normal(), start_moment=rng.normal(), start_angle=rng.normal(), to_equilibrium=bool(case % 3),
     )  # fmt: skip
 
 

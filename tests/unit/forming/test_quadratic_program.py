@@ -9,19 +9,19 @@ from elastica_cad.forming.quadratic_program import QuadraticProgram, solve_quadr
 pytestmark = pytest.mark.core
 
 
-def program(seed, p=8, m=4, price=50.0):
+def program(seed, p=8, m=4, penalty=50.0):
     rng = np.random.default_rng(seed)
     J = rng.normal(size=(2 * p, p)) * np.logspace(0, -2, p)
     return QuadraticProgram(
         J.T @ J, rng.normal(size=p), -rng.random(p), rng.random(p), rng.normal(size=(m, p)),
-        0.3 * rng.normal(size=m), np.full(m, price), rng.random(m) < 0.5,
+        0.3 * rng.normal(size=m), np.full(m, penalty), rng.random(m) < 0.5,
     )  # fmt: skip
 
 
 def cost(q, x):
     gap = q.rows @ x - q.right
     broken = np.where(q.one_sided, np.maximum(-gap, 0), np.abs(gap))
-    return 0.5 * x @ q.hessian @ x + q.gradient @ x + q.price @ broken
+    return 0.5 * x @ q.hessian @ x + q.gradient @ x + q.penalty @ broken
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -35,8 +35,8 @@ def test_agrees_with_a_general_solver(seed):
         return (
             0.5 * v[:p] @ q.hessian @ v[:p]
             + q.gradient @ v[:p]
-            + q.price @ v[p : p + m]
-            + q.price @ v[p + m :]
+            + q.penalty @ v[p : p + m]
+            + q.penalty @ v[p + m :]
         )
 
     rows = np.hstack([q.rows, np.eye(m), -np.eye(m)])
@@ -64,18 +64,18 @@ def test_conditions_of_optimality(seed):
     assert np.all(s.x <= q.upper)
     gap = q.rows @ s.x - q.right
     met = np.where(q.one_sided, gap > -1e-7, np.abs(gap) < 1e-7)
-    at_price = np.abs(np.abs(s.row_multipliers) - q.price) < 1e-4 * q.price
+    at_price = np.abs(np.abs(s.row_multipliers) - q.penalty) < 1e-4 * q.penalty
     assert np.all(met | at_price)
 
 
-@pytest.mark.parametrize("price", [0.1, 1.0, 10.0])
-def test_inequalities_never_pull(price):
+@pytest.mark.parametrize("penalty", [0.1, 1.0, 10.0])
+def test_inequalities_never_pull(penalty):
     for seed in range(60):
-        q = program(seed, m=8, price=price)
+        q = program(seed, m=8, penalty=penalty)
         s = solve_quadratic(q)
         y, gap = s.row_multipliers, q.rows @ s.x - q.right
         assert y[q.one_sided].min(initial=0.0) > -1e-6
-        assert np.all(y[gap < -1e-5] == pytest.approx(price, rel=1e-5))
+        assert np.all(y[gap < -1e-5] == pytest.approx(penalty, rel=1e-5))
         assert np.all(np.abs(y[(gap > 1e-5) & q.one_sided]) < 1e-6)
 
 
@@ -105,9 +105,9 @@ def test_a_row_that_cannot_be_met_is_broken_at_its_price():
 
 
 def test_without_unknowns_broken_rows_cost_their_price():
-    price, none = np.array([2.0, 3.0, 4.0, 5.0]), np.zeros(0)
+    penalty, none = np.array([2.0, 3.0, 4.0, 5.0]), np.zeros(0)
     q = QuadraticProgram(
-        np.zeros((0, 0)), none, none, none, np.zeros((4, 0)), np.array([1.0, -1.0, 1.0, -1.0]), price,
+        np.zeros((0, 0)), none, none, none, np.zeros((4, 0)), np.array([1.0, -1.0, 1.0, -1.0]), penalty,
         np.array([True, True, False, False]),
     )  # fmt: skip
     assert solve_quadratic(q).row_multipliers.tolist() == [2.0, 0.0, 4.0, -5.0]
@@ -117,7 +117,7 @@ def test_fixed_unknowns_stay():
     q = program(3)
     lower, upper = q.lower.copy(), q.upper.copy()
     lower[2] = upper[2] = 0.1
-    fixed = QuadraticProgram(q.hessian, q.gradient, lower, upper, q.rows, q.right, q.price, q.one_sided)
+    fixed = QuadraticProgram(q.hessian, q.gradient, lower, upper, q.rows, q.right, q.penalty, q.one_sided)
     s = solve_quadratic(fixed)
     assert s.x[2] == 0.1
     assert cost(fixed, s.x) >= cost(q, solve_quadratic(q).x) - 1e-9
@@ -146,11 +146,11 @@ def test_rows_that_vanish_or_repeat_leave_the_minimum_and_no_warning(seed, size)
     one_sided = np.concatenate([q.one_sided, [False, False, False]])
     rows = np.vstack([q.rows, size * q.rows[:1], size * q.rows[:1], q.rows[:1]])
     right = np.concatenate([q.right, [0.0, 0.0], q.right[:1]])
-    price = np.concatenate([q.price, [50.0] * 3])
-    again = QuadraticProgram(q.hessian, q.gradient, q.lower, q.upper, rows, right, price, one_sided)
+    penalty = np.concatenate([q.penalty, [50.0] * 3])
+    again = QuadraticProgram(q.hessian, q.gradient, q.lower, q.upper, rows, right, penalty, one_sided)
     alone = QuadraticProgram(
         q.hessian, q.gradient, q.lower, q.upper, np.vstack([q.rows, q.rows[:1]]), np.append(q.right, q.right[:1]),
-        np.append(q.price, 50.0), np.append(q.one_sided, False),
+        np.append(q.penalty, 50.0), np.append(q.one_sided, False),
     )  # fmt: skip
     assert cost(alone, solve_quadratic(again).x) == pytest.approx(
         cost(alone, solve_quadratic(alone).x), abs=1e-6

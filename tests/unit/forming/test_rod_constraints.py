@@ -127,7 +127,7 @@ def test_measures_have_gradients(grid, z, wish):
     rod = grid.shoot(z)
     shares = np.full(EDGES + 1, 1 / (EDGES + 1))
     targets, _ = wish.at(np.linspace(0, 1, EDGES + 1))
-    d = grid.sensitivities(rod, closing=True)
+    d = grid.sensitivities(rod, to_equilibrium=True)
     for distance in (MeanDistance(targets, shares), ClosestDistance(wish, shares)):
         gradient = distance.model(rod, d).gradient
         for j in range(z.size):
@@ -138,7 +138,7 @@ def test_measures_have_gradients(grid, z, wish):
 def test_the_largest_distance_is_the_highest_peak(grid, z, wish):
     rod = grid.shoot(z)
     distance = LargestDistance(wish, np.ones(EDGES + 1))
-    model = distance.model(rod, grid.sensitivities(rod, closing=True))
+    model = distance.model(rod, grid.sensitivities(rod, to_equilibrium=True))
     top = int(np.argmax(model.peaks))
     assert model.peaks[top] == pytest.approx(distance.value(rod), rel=1e-12)
     for j in range(z.size):

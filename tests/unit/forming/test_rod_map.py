@@ -83,7 +83,7 @@ def test_closing_column_leads_to_balance(e):
         rod.moments + 1e-3 * rng.normal(size=EDGES + 1),
     )
     for _ in range(5):
-        d = g.sensitivities(g.assemble(z, angles, moments), closing=True)
+        d = g.sensitivities(g.assemble(z, angles, moments), to_equilibrium=True)
         angles, moments = angles + d.angles[:, -1], moments + d.moments[:, -1]
     np.testing.assert_allclose(angles, rod.all_angles, atol=1e-12)
     np.testing.assert_allclose(moments, rod.moments, atol=1e-10)
