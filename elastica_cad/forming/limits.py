@@ -138,7 +138,7 @@ class Limits:
     ratio : float, optional
         Largest stiffness ratio R = max K / min K, at least 1.
     margin : float, optional
-        Least stability margin (see `stability`). 0 is the limit of stability, and 5 is safely stable. For a strip
+        Least stability margin (see `stability`). A strip is stable above 0, and safely stable from 5. For a strip
         that bends as a plate, the margin depends on the widths. In this case, the largest width may be a few
         percent less than its limit.
     curvature : float, optional
@@ -170,7 +170,7 @@ class Limits:
     margin: Annotated[
         float | None,
         Option(
-            "Least stability margin: at 0 the strip snaps, 5 is safely stable.",
+            "Least stability margin. A strip is stable above 0, and safely stable from 5.",
             group="limits",
             common=True,
         ),

@@ -21,7 +21,7 @@ from elastica_cad.mechanics.loads import Gravity, Supports, Weight
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.stiffness_law import LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.model.leaf_stack import LeafStack
-from elastica_cad.refusals import Length, note
+from elastica_cad.refusals import FieldName, Length, note
 from elastica_cad.strip.drawing import CUT_OUTER, MARK, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import ends_message
 from elastica_cad.strip.lettering import Text, engravable
@@ -187,7 +187,10 @@ class BattenSpec:
             raise InputError(f"the camber's place is {100 * self.place:g} % of the chord: give 1 to 99")
         if not 0 <= self.full <= MOST_FULL:
             raise InputError(
-                f"{100 * self.full:g} % of the batten have the full thickness: give 0 to {100 * MOST_FULL:g} %"
+                "The batten has its full size over {percent:g} % of its length. Set {field} to 0 to {most:g} %.",
+                percent=100 * self.full,
+                field=FieldName("full"),
+                most=100 * MOST_FULL,
             )
         if not isinstance(self.stock, ThicknessLaw | RoundLaw):
             raise InputError(f"stock is {self.stock!r}: give a ThicknessLaw or a RoundLaw")

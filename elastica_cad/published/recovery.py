@@ -181,7 +181,7 @@ def recover_stability(
     R_max : float
         Largest stiffness ratio, at least 1; the bound prevents flat points at inflections.
     margin : float
-        Least stability margin; 0 is the limit of stability, 5 is safely stable.
+        Least stability margin. A rod is stable above 0, and safely stable from 5.
     ends, tangents : bool or (bool, bool)
         True to keep the drawn end points and the drawn end tangents, for both ends or for (start, end).
     length : bool

@@ -152,7 +152,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Least stability margin; 5 is safely stable</source>
+        <source>Least stability margin. A strip is stable above 0, and safely stable from 5.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

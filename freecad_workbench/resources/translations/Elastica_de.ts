@@ -148,8 +148,8 @@
         <translation>Der Kurve genau folgen oder der nächsten innerhalb von Grenzen</translation>
     </message>
     <message>
-        <source>Least stability margin; 5 is safely stable</source>
-        <translation>Kleinste Stabilitätsreserve; 5 ist sicher stabil</translation>
+        <source>Least stability margin. A strip is stable above 0, and safely stable from 5.</source>
+        <translation>Kleinste Stabilitätsreserve. Über 0 ist ein Streifen stabil, ab 5 sicher stabil.</translation>
     </message>
     <message>
         <source>Largest strain in percent; 0 for the limit of the sheet</source>

@@ -148,8 +148,8 @@
         <translation>精确跟随曲线，或跟随限制内最近的曲线</translation>
     </message>
     <message>
-        <source>Least stability margin; 5 is safely stable</source>
-        <translation>最小稳定裕度；5 为可靠稳定</translation>
+        <source>Least stability margin. A strip is stable above 0, and safely stable from 5.</source>
+        <translation>最小稳定裕度。大于 0 时条带稳定，达到 5 时足够安全。</translation>
     </message>
     <message>
         <source>Largest strain in percent; 0 for the limit of the sheet</source>

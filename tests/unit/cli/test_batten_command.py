@@ -237,7 +237,8 @@ def test_stock_as_it_is_sold_in_inches(tmp_path):
         (("--stock", 25, 8, "--every", 0.1), "--every is 0.1 mm"),
         (("--stock", 25, 8, "--name", "a/b"), "Leave out /"),
         (("--rod", 8, "--leaves", 4), "--leaves applies to strips"),
-        (("--stock", 25, 8, "--full", 95), "95 % of the batten have the full thickness: give 0 to 80"),
+        (("--stock", 25, 8, "--full", 95), "full size over 95 % of its length. Set --full to 0 to 80 %"),
+        (("--rod", 8, "--full", 95), "full size over 95 % of its length. Set --full to 0 to 80 %"),
         (("--stock", 25, 8, "--leaves", 1), "2<=x<=50"),
     ],
 )
