@@ -16,6 +16,7 @@ from inside import (
     choose,
     click,
     fit,
+    looks_from,
     mouse,
     open_panel,
     panel,
@@ -25,6 +26,7 @@ from inside import (
     run,
     scroll_to,
     sketch,
+    still,
     told,
     tree_row,
     trigger,
@@ -44,8 +46,11 @@ def drawn(places):
     """A sketch with one spline, by the mouse."""
     choose()  # a new sketch would lie on what is selected
     new_sketch()
-    fit("Top")
-    fit(height=300)  # all places are left of the panels of FreeCAD 1.1
+    fit(height=300)
+    camera = Gui.ActiveDocument.ActiveView.getCameraNode()
+    # the panels of FreeCAD 1.1 are right of all places
+    camera.position.setValue(0, 0, camera.position.getValue()[2])
+    still(looks_from)
     draw(places)
     made = Gui.ActiveDocument.getInEdit().Object
     press_button("Close")

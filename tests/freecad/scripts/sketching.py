@@ -89,5 +89,6 @@ def draw(places):
     sketch = Gui.ActiveDocument.getInEdit().Object
     mouse("click", 3)
     until(lambda: splines(sketch))
-    keys("Escape")
+    if still(draws):  # without a tool, Escape would close the sketch
+        keys("Escape")
     until(lambda: not draws(), 10)
