@@ -1,12 +1,11 @@
-"""A strip follows its curve on one thread: BLAS that is woken for small numbers waits for other programs."""
+"""A strip follows its curve on one thread: BLAS that is woken for small numbers waits for other programs.
+
+This holds with the compiled loops. ARPACK of scipy, which replaces them elsewhere, has threads of its own.
+"""
 
 import os
 import subprocess
 import sys
-
-import pytest
-
-pytestmark = pytest.mark.core
 
 FOLLOW = """
 from glob import glob
