@@ -75,14 +75,6 @@ def double_clicks():
     document = App.openDocument(str(Path(__file__).parents[1] / "data" / "every-feature-0.1.FCStd"))
     wait(500)
     until(lambda: Gui.ActiveDocument is not None and Gui.ActiveDocument.ActiveView is not None)
-    from freecad.elastica_wb.features import baseplate, curves
-
-    strip = document.getObject("Strip")
-    curves.bent(document, strip, EndX=-5.0)
-    curves.nearest(document, strip.Curve[0])
-    baseplate.create_rings(document, [strip])
-    curves.section(document, [document.getObject("BasePlate")])
-    document.recompute()
     titles = {}
     for obj in document.Objects:
         kind = type(getattr(obj, "Proxy", None)).__name__
