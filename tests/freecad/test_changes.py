@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 from freecad.elastica_wb import make_strip
-from freecad.elastica_wb.features.strip import changeable, strip_of, valid_request, values_of
+from freecad.elastica_wb.features.strip import CHANGEABLE, changeable, strip_of, valid_request, values_of
 from freecad.elastica_wb.solving.strip_cache import changes_that_help
 
 import elastica_cad as ec
@@ -66,6 +66,13 @@ def test_another_sheet_makes_the_strip_of_its_suggestion(drawn):
     (made,) = suggestion.strips
     assert strip_of(strip).rod.position == pytest.approx(made.rod.position)
     assert strip_of(strip).sheet == made.sheet
+
+
+def test_a_strip_that_lost_its_curve_keeps_its_other_changes(drawn):
+    strip = make_strip(drawn(BOW), flat_part=False)
+    assert "point" in changeable(strip)
+    strip.Curve = None
+    assert changeable(strip) == CHANGEABLE
 
 
 @pytest.mark.campaign

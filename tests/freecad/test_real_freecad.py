@@ -484,7 +484,7 @@ def test_a_lamp_from_an_empty_document_to_its_files(tmp_path):
     assert found["pairs"] == 4
     assert found["nest"] >= 1
     counts = {line.split(",")[0]: int(line.split(",")[5]) for line in found["list"][1:]}
-    rings = [f"Rings-{end}{second}" for end in ("start", "end") for second in ("", "-outer")]
+    rings = [f"Rings-{end}{second}" for end in ("bottom", "top") for second in ("", "-outer")]
     assert counts == {"Strip": 6, **dict.fromkeys(rings, 1)}
     assert {f"{name}_mdf-3_3mm_x1.svg" for name in rings} < set(found["files"])
     assert found["colours"]

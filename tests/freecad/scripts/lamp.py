@@ -70,7 +70,7 @@ def work():
     document = begun("Lamp")
     window()
     new_sketch("XZ")
-    fit(height=300)
+    fit(height=240)
     draw(RIB)
     press_button("Close")
     until(lambda: Gui.ActiveDocument.getInEdit() is None)

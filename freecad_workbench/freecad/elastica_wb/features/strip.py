@@ -232,7 +232,7 @@ def changeable(obj: Any) -> tuple[str, ...]:
 
     Fields of the sketch are included if the strip follows the whole sketch.
     """
-    source, edges = obj.Curve
+    source, edges = obj.Curve or (None, ())
     return (*CHANGEABLE, *(DRAWN if is_sketch(source) and not any(edges) else ()))
 
 
