@@ -28,6 +28,7 @@ MADE = {
     "holding": "kit/parts/*base*.dxf",
     "install": "out/arch.png",
     "meshes": "kit/sheets/*.dxf",
+    "lesson": "lesson/model/lesson.png",
     "messages": "out/arch.png",
     "models": "kit/sheets/*.dxf",
     "own_material": "coupon/*.dxf",

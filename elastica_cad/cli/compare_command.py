@@ -1,5 +1,6 @@
-"""`elastica compare`: compare measurements of a bent strip with its report."""
+"""`elastica compare`: compare measurements of bent strips with the report of a strip or a model."""
 
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -7,8 +8,23 @@ import click
 
 from elastica_cad.cli.voice import answer, say_row, wrote
 from elastica_cad.design.measuring_sheet import blank_readings, measuring_page, read_measuring, read_readings
+from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.formats.write_files import File, write_files, write_text
+from elastica_cad.report_rows import Row
+from elastica_cad.strip.pieces import file_word
+
+
+def _unknown(strip: str, path: Path, known: Sequence[str]) -> InputError:
+    if "" in known:
+        return InputError(
+            "{path} has the table [{strip}], but the report is of a single strip. Delete this line.",
+            path=path, strip=strip,
+        )  # fmt: skip
+    return InputError(
+        "{path}: {strip!r} is not a strip of the model. Write the readings below the lines {tables}.",
+        path=path, strip=strip, tables=", ".join(f"[{name}]" for name in known),
+    )  # fmt: skip
 
 
 @click.command()
@@ -16,32 +32,43 @@ from elastica_cad.formats.write_files import File, write_files, write_text
 @click.argument("measured", type=click.Path(path_type=Path, exists=True, dir_okay=False), required=False)
 @click.option("--force", is_flag=True, help="Overwrite files.")
 def compare(report: Path, measured: Path | None, force: bool) -> None:
-    """Compare the measurements in MEASURED with the REPORT of a strip (NAME.json by `elastica strip`).
+    """Compare the measurements in MEASURED with the REPORT of a strip or a model (NAME.json by `elastica strip` or
+    `elastica model`).
 
-    Without MEASURED it writes two files beside the report: the page NAME-measure.svg (places to measure, expected
-    values, meaning of differences), and NAME-measured.toml to fill in.
+    Without MEASURED it writes files beside the report: for each strip, a page NAME-measure.svg (places to measure,
+    expected values, meaning of differences), and NAME-measured.toml to fill in, with a table for each strip of a
+    model.
 
     \b
       elastica compare out/arch.json
       elastica compare out/arch.json out/arch-measured.toml
     """
-    measuring = read_measuring(report)
+    strips = read_measuring(report)
+    expected = {strip: dict(measuring.expected) for strip, measuring in strips.items()}
     if measured is not None:
-        rows = measuring.compare(read_readings(measured))
+        rows = []
+        for strip, readings in read_readings(measured).items():
+            if strip not in strips:
+                raise _unknown(strip, measured, [*strips])
+            rows += [Row("Strip", strip)] if strip else []
+            rows += strips[strip].compare(readings)
         for row in rows:
             say_row(row, is_answer=True)
         answer(
             {
-                "expected": dict(measuring.expected),
+                "expected": expected.get("", expected),
                 "said": [row.text for row in rows],
                 "rows": [{"label": row.label, "text": row.text, "severity": row.severity} for row in rows],
             }
         )
         return
-    name = report.stem
+    pages = {f"{report.stem}-{file_word(strip)}" if strip else report.stem: strips[strip] for strip in strips}
     files = (
-        File(f"{name}-measure.svg", partial(save, measuring_page(name, measuring))),
-        File(f"{name}-measured.toml", lambda path: write_text(path, blank_readings(measuring))),
+        *(
+            File(f"{name}-measure.svg", partial(save, measuring_page(name, measuring)))
+            for name, measuring in pages.items()
+        ),
+        File(f"{report.stem}-measured.toml", lambda path: write_text(path, blank_readings(strips))),
     )
     wrote(write_files(files, report.parent, force=force))
-    answer({"expected": dict(measuring.expected)})
+    answer({"expected": expected.get("", expected)})

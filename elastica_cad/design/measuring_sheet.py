@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._toml import parse_toml
+from elastica_cad.design.toml_text import toml_key
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Line
@@ -16,8 +17,11 @@ from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text
 from elastica_cad.strip.measuring import ANGLES, LENGTHS, MARKS, MEANINGS, UNITS, Measuring, row_label
 
-WIDE_MM, LETTER_MM, LINE_MM, TEXT_MM = 180.0, 3.0, 6.0, 40.0
-"""Width, letter height, line spacing, and position of the second column of the page, mm."""
+WIDE_MM, HIGH_MM = 180.0, 60.0
+"""Largest width and height of the drawn strip, mm. With the text below it, the page fits A4."""
+
+LETTER_MM, LINE_MM, TEXT_MM = 3.0, 6.0, 40.0
+"""Letter height, line spacing, and position of the second column of the page, mm."""
 
 LARGEST = 1e6
 """Largest length (mm) or angle (degrees) in a report or a reading."""
@@ -45,8 +49,13 @@ def measuring_record(measuring: Measuring) -> dict[str, Any]:
     }
 
 
-def read_measuring(path: FilePath) -> Measuring:
-    """Read the quantities to measure from the report of a strip.
+def read_measuring(path: FilePath) -> dict[str, Measuring]:
+    """Read the quantities to measure from the report of a strip or a model.
+
+    Returns
+    -------
+    dict of str to Measuring
+        By the names of the parts of a model; "" is the name in the report of a strip.
 
     Raises
     ------
@@ -54,32 +63,41 @@ def read_measuring(path: FilePath) -> Measuring:
         The file is not a report with quantities to measure.
     """
     try:
-        record = json.loads(path.read_text(encoding="utf-8"))["measuring"]
-        causes = {cause: tuple(map(_measures, changes)) for cause, changes in record["causes"].items()}
-        measuring = Measuring(
-            tuple(map(_number, record["marks"])),
-            _measures(record["expected"]),
-            _measures(record["uncertain"]),
-            causes,
-            tuple((_number(x), _number(y)) for x, y in record["shape"]),
+        report = json.loads(path.read_text(encoding="utf-8"))
+        records = (
+            {part["name"]: part["measuring"] for part in report["parts"]}
+            if "parts" in report
+            else {"": report["measuring"]}
         )
-        if not (
-            causes.keys() <= MEANINGS.keys()
-            and all(causes.values())
-            and min(measuring.uncertain.values()) > 0
-        ):
+        measured = {name: measuring_of(record) for name, record in records.items() if record is not None}
+        if not measured:
             raise ValueError
-        if len(set(measuring.shape)) < 2:
-            raise ValueError
-        return measuring
+        return measured
     except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
         raise InputError(
-            (
-                "{path} is not the report of an open strip with quantities to measure. Use the .json file of "
-                "`elastica strip`."
-            ),
+            "{path} is not a report with quantities to measure. Use the .json file of `elastica strip` for an open "
+            "strip, or of `elastica model` without --no-effects.",
             path=path,
         ) from error
+
+
+def measuring_of(record: Mapping[str, Any]) -> Measuring:
+    """Return the quantities to measure in a record of `measuring_record`."""
+    causes = {cause: tuple(map(_measures, changes)) for cause, changes in record["causes"].items()}
+    measuring = Measuring(
+        tuple(map(_number, record["marks"])),
+        _measures(record["expected"]),
+        _measures(record["uncertain"]),
+        causes,
+        tuple((_number(x), _number(y)) for x, y in record["shape"]),
+    )
+    if not (
+        causes.keys() <= MEANINGS.keys() and all(causes.values()) and min(measuring.uncertain.values()) > 0
+    ):
+        raise ValueError
+    if len(set(measuring.shape)) < 2:
+        raise ValueError
+    return measuring
 
 
 def _measures(readings: Mapping[str, Any]) -> dict[str, float]:
@@ -92,8 +110,10 @@ def _number(value: Any) -> float:
     return float(value)
 
 
-def read_readings(path: FilePath) -> dict[str, float]:
-    """Return the measured values in a TOML file, by name.
+def read_readings(path: FilePath) -> dict[str, dict[str, float]]:
+    """Return the measured values in a TOML file, by the name of the strip and the name of the quantity.
+
+    Values above all tables have the strip's name "".
 
     Raises
     ------
@@ -104,8 +124,15 @@ def read_readings(path: FilePath) -> dict[str, float]:
         table = parse_toml(path.read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError) as error:
         raise InputError("{path} cannot be read: {error}", path=path, error=error) from error
+    strips = {name: values for name, values in table.items() if isinstance(values, dict)}
+    alone = {name: value for name, value in table.items() if name not in strips}
+    readings = {"": alone, **strips} if alone or not strips else strips
+    return {strip: _readings_of(values, path) for strip, values in readings.items()}
+
+
+def _readings_of(values: Mapping[str, Any], path: FilePath) -> dict[str, float]:
     readings = {}
-    for name, value in table.items():
+    for name, value in values.items():
         try:
             readings[name] = _number(value)
         except (TypeError, ValueError) as error:
@@ -115,13 +142,15 @@ def read_readings(path: FilePath) -> dict[str, float]:
     return readings
 
 
-def blank_readings(measuring: Measuring) -> str:
-    """Return the text of a TOML file into which the user writes the measured values."""
+def blank_readings(measured: Mapping[str, Measuring]) -> str:
+    """Return the text of a TOML file for the measured values, with a table for each strip of a model."""
     lines = [
         "# Replace the expected values by your readings, and delete the # at the start of these lines.",
         "# Lengths in mm, angles in degrees.",
     ]
-    lines += [f"# {name} = {value:.1f}  # {WORDS[name]}" for name, value in measuring.expected.items()]
+    for strip, measuring in measured.items():
+        lines += ["", f"[{toml_key(strip)}]"] if strip else []
+        lines += [f"# {name} = {value:.1f}  # {WORDS[name]}" for name, value in measuring.expected.items()]
     return "\n".join(lines) + "\n"
 
 
@@ -130,8 +159,10 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     differences.
     """
     position = np.array(measuring.shape)
+    x, y = position[-1] - position[0]
+    position = position @ (np.array([[x, -y], [y, x]]) / np.hypot(x, y))  # the chord is level
     low, high = position.min(axis=0), position.max(axis=0)
-    scale = min(1.0, WIDE_MM / float((high - low).max()))
+    scale = float(np.min([WIDE_MM, HIGH_MM] / np.maximum(high - low, [WIDE_MM, HIGH_MM])))
     points = (position - [low[0], low[1]]) * scale
     marks = [np.array([np.interp(s, np.linspace(0, 1, len(points)), axis) for axis in points.T])
              for s in MARKS]  # fmt: skip

@@ -7,7 +7,7 @@ from urllib.parse import quote
 
 from elastica_cad._text import html_text
 from elastica_cad._values import require_record, round_numbers
-from elastica_cad.design.reports import list_versions, report_blank, report_held
+from elastica_cad.design.reports import list_versions, report_blank, report_held, report_measuring
 from elastica_cad.design.strip_table import StripEntry
 from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.model.cut_rows import CutList
@@ -39,7 +39,7 @@ def report_model(
     files : mapping
         Description of each file, by file name.
     held : mapping
-        Shapes of the strips as cut and held, by name.
+        Shapes of the strips as cut and held, by name. Without them, the report has no quantities to measure.
     entries : sequence of StripEntry
         Entries of the strips in the design; the report contains the deviations from their curves.
     """
@@ -67,6 +67,7 @@ def report_model(
                 **(_departure(part.strip, drawn[part.strip.label]) if part.strip.label in drawn else {}),
                 "name": part.name,
                 "count": part.count,
+                "measuring": report_measuring(part.strip) if held else None,
             }
             for part in model.parts
         ],

@@ -7,7 +7,7 @@ from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 from elastica_cad.declared import Field, Option, Record
 from elastica_cad.design.kit_spec import Cutting, HolderKind, HolderSpec, KitSpec
 from elastica_cad.design.records import Reader, fields_of
-from elastica_cad.design.strip_table import SharedKeys, StripKeys
+from elastica_cad.design.strip_table import CurveLength, SharedKeys, StripKeys
 from elastica_cad.design.tables import Table
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet, sheet_keys
@@ -155,6 +155,7 @@ class Extras:
 class DesignKeys(SharedKeys):
     """All keys at the top of a design file."""
 
+    length: CurveLength = None
     schema: Annotated[Literal[1], Option("Version of the keys in this file.")] = 1
     name: Annotated[str | None, Option("Name of the model, and of its files.", most=60)] = None
     let: Annotated[

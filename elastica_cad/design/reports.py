@@ -187,7 +187,7 @@ def report_strip(
         "backing_side": strip.backing_side or None,
         "ends": _ends(strip),
         "held": _held(strip),
-        "measuring": _measuring(strip),
+        "measuring": report_measuring(strip),
         "joint": _joint(strip),
         "mass": round_numbers(strip.mass),
         "layers": _layers(strip),
@@ -389,7 +389,7 @@ def _held(strip: Strip) -> dict[str, Any] | None:
         return None
 
 
-def _measuring(strip: Strip) -> dict[str, Any] | None:
+def report_measuring(strip: Strip) -> dict[str, Any] | None:
     """Return measurable quantities for `elastica compare`.
 
     Return None for a closed strip, a strip with rails, pins, ties or point forces, and if there is no rest shape.

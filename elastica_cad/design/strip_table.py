@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, TypeAlias
 
+from elastica_cad._values import require_positive
 from elastica_cad.declared import Option, Record
 from elastica_cad.design.drawn_curves import read_drawn_curve
 from elastica_cad.design.records import Reader, fields_of
@@ -39,11 +40,24 @@ class SharedKeys:
     ] = None
 
 
+CurveLength: TypeAlias = Annotated[
+    float | None,
+    Option(
+        "Length of the curve, which is scaled about its start, with the drawn shape. At the top of a design file, "
+        "all curves get this length.",
+        "mm",
+        least=0,
+        group="curve",
+    ),
+]
+
+
 @dataclass(frozen=True)
 class StripKeys(SharedKeys):
     """All keys of a table in [[strips]]."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ()
+    length: CurveLength = None
     count: Annotated[int, Option("Number of strips, i = 1, 2, ...", least=1)] = 1
     let: Annotated[dict[str, float] | None, Option("Names for formulae of this strip.")] = None
     sections: Annotated[
@@ -131,7 +145,11 @@ def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve 
     """
     frame = _plane(reader, table) if section is None else section.frame
     values = read_fields(table, reader) | {"label": label}
-    curve = read_drawn_curve(reader, table) if section is None else section.curve
+    if section is not None and table.has("length"):
+        raise InputError(
+            "{place} cannot change sections of a surface. Leave it out.", place=table.place("length")
+        )
+    curve = _with_length(table, read_drawn_curve(reader, table)) if section is None else section.curve
     spec = _spec(table, curve, frame, values)
     if section is None:
         return StripEntry(spec)
@@ -176,7 +194,19 @@ def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame |
     in_space = isinstance(direction, tuple) and len(direction) == len(DOWN)
     if frame is None and (in_space or any(table.has(name) for name in PLANE)):
         frame = _plane(reader, table)
-    return _spec(table, curve, frame, values)
+    return _spec(table, _with_length(table, curve), frame, values)
+
+
+def _with_length(table: Table, curve: PlaneCurve) -> PlaneCurve:
+    """Return the curve with the length that the table sets, scaled about its start."""
+    length = table.maybe("length")
+    if length is None:
+        return curve
+    with table.naming("length"):
+        require_positive(length, "the length of the curve")
+    scale = length / curve.length
+    x, y = (1 - scale) * curve.control_points[0]
+    return curve.transformed([[scale, 0.0, x], [0.0, scale, y], [0.0, 0.0, 1.0]])
 
 
 def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, values: Mapping[str, Any]) -> StripSpec:

@@ -32,7 +32,7 @@ def toml_text(table: Mapping[str, Any]) -> str:
             text += "".join(_line(key, value) for key, value in row.items() if not isinstance(value, Mapping))
             for key, value in row.items():
                 if isinstance(value, Mapping):
-                    text += f"\n[{name}.{_key(key)}]\n" + "".join(_line(*pair) for pair in value.items())
+                    text += f"\n[{name}.{toml_key(key)}]\n" + "".join(_line(*pair) for pair in value.items())
     return text
 
 
@@ -42,17 +42,18 @@ def is_tables(value: Any) -> bool:
 
 
 def _line(key: str, value: Any) -> str:
-    return f"{_key(key)} = {_value(value)}\n"
+    return f"{toml_key(key)} = {_value(value)}\n"
 
 
-def _key(key: str) -> str:
+def toml_key(key: str) -> str:
+    """Return a key as TOML, in quotes if necessary."""
     return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key)
 
 
 def _value(value: Any) -> str:
     """Return a value as TOML, whose syntax is that of JSON except for tables."""
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{_key(key)} = {_value(item)}" for key, item in value.items()) + " }"
+        return "{ " + ", ".join(f"{toml_key(key)} = {_value(item)}" for key, item in value.items()) + " }"
     if isinstance(value, list | tuple):
         return "[" + ", ".join(_value(item) for item in value) + "]"
     return json.dumps(value, ensure_ascii=False)

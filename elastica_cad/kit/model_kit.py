@@ -11,6 +11,7 @@ import numpy as np
 
 from elastica_cad._values import and_more, counted, require_path, require_record
 from elastica_cad.design.kit_spec import DEFAULT_CUTTING, Cutting, KitSpec
+from elastica_cad.design.measuring_sheet import measuring_of, measuring_page
 from elastica_cad.design.model_report import compose_start_page
 from elastica_cad.errors import InputError
 from elastica_cad.files import step_trouble
@@ -238,7 +239,7 @@ def _lists(word: str) -> tuple[str, ...]:
 def _draw_pages(contents: KitContents, path: Path) -> None:
     """Write a PDF file with every part once at full size, and its quantity. Small parts share pages.
 
-    If the model has no part that holds its strips, holding templates are added.
+    If the model has no part that holds its strips, holding templates and pages for measurements are added.
     """
     from elastica_cad.plot.template_pages import printed_size, save_templates
 
@@ -261,12 +262,13 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
         if len(names) > LONGEST_TITLE:
             names = f"{called[nest.pieces[0]]}{and_more(nest.pieces)}"
         drawings.append(Drawing(names, cut, nest.texts))
+    drawings += _measuring_pages(contents)
     save_templates(drawings, path, title=f"{contents.model.name}: parts", paper=paper)
 
 
 def _templates(contents: KitContents) -> list[Piece]:
     """Return the holding template of each strip with a cutting line around it, for a model without holders."""
-    if contents.holders or contents.model.plates:
+    if _has_holders(contents):
         return []
     templates = []
     for part in contents.model.parts:
@@ -279,6 +281,21 @@ def _templates(contents: KitContents) -> list[Piece]:
         framed = replace(template, paths=(LayeredPath(CUT_OUTER, frame), *template.paths))
         templates.append(Piece(template.name, framed, replace(part.strip.sheet, name="paper")))
     return templates
+
+
+def _measuring_pages(contents: KitContents) -> list[Drawing]:
+    """Return a page of measurements for each strip in a model without holders, if the report has them."""
+    if _has_holders(contents):
+        return []
+    return [
+        measuring_page(part["name"], measuring_of(part["measuring"]))
+        for part in contents.report["parts"]
+        if part["measuring"] is not None
+    ]
+
+
+def _has_holders(contents: KitContents) -> bool:
+    return bool(contents.holders or contents.model.plates)
 
 
 def _file_of_each_piece(contents: KitContents, *, parts: bool) -> dict[str, str]:

@@ -2,13 +2,18 @@
 
 import json
 import re
+from dataclasses import replace
 
+import numpy as np
 import pytest
 
 import elastica_cad as ec
 from elastica_cad import InputError
+from elastica_cad.design import read_design
 from elastica_cad.design.measuring_sheet import read_measuring, read_readings
 from elastica_cad.formats import curves_json
+from elastica_cad.kit.kit_contents import kit_contents
+from elastica_cad.kit.model_kit import model_kit
 from tests.command_line import run
 
 
@@ -83,7 +88,7 @@ def test_a_file_that_is_no_report(tmp_path):
     path = tmp_path / "other.json"
     path.write_text("{}")
     told = run("compare", path, code=2)
-    assert "is not the report of an open strip" in told.output
+    assert "is not a report with quantities to measure" in told.output
 
 
 def changed_records():
@@ -112,7 +117,7 @@ def test_a_damaged_report(report, tmp_path, keys, value):
     table[last] = value
     damaged = tmp_path / "damaged.json"
     damaged.write_text(json.dumps(record))
-    with pytest.raises(InputError, match="not the report of an open strip"):
+    with pytest.raises(InputError, match="not a report with quantities to measure"):
         read_measuring(damaged)
 
 
@@ -120,7 +125,7 @@ def test_a_damaged_report(report, tmp_path, keys, value):
 def test_a_report_of_another_kind(tmp_path, text):
     file = tmp_path / "other.json"
     file.write_text(text)
-    with pytest.raises(InputError, match="not the report of an open strip"):
+    with pytest.raises(InputError, match="not a report with quantities to measure"):
         read_measuring(file)
 
 
@@ -132,3 +137,111 @@ def test_readings_that_nobody_can_have_measured(tmp_path, text):
     file.write_text(text)
     with pytest.raises(InputError, match=r"readings\.toml"):
         read_readings(file)
+
+
+@pytest.fixture(scope="module")
+def lesson(tmp_path_factory):
+    """Return the report of a model of three strips of one length."""
+    folder = tmp_path_factory.mktemp("lesson")
+    (folder / "lesson.toml").write_text(LESSON)
+    run("model", folder / "lesson.toml", "-o", folder / "out", "--no-step", "--no-parts", "--no-pictures")
+    return folder / "out" / "lesson.json"
+
+
+LESSON = """
+sheet = "card-200gsm"
+max_width = 25
+length = 180
+[[strips]]
+label = "hill"
+curve = { spline = [[0, 0], [40, 70], [140, 70], [180, 0]], degree = 3 }
+[[strips]]
+label = "wave"
+origin = [0, 100, 0]
+curve = { spline = [[0, 0], [60, 70], [80, -70], [140, 0]], degree = 3 }
+[[strips]]
+count = 2
+label = "rainbow {i}"
+origin = [0, "200 * i", 0]
+curve = { ellipse = { semi_axes = [90, 60], start = 0.3, end = 2.8 } }
+"""
+
+
+def test_strips_of_a_model_are_compared_by_name(lesson):
+    parts = {part["name"]: part for part in json.loads(lesson.read_text())["parts"]}
+    assert {part["length"] for part in parts.values()} == {180.0}
+    run("compare", lesson)
+    folder = lesson.parent
+    pages = {f"lesson-{name}-measure.svg" for name in ("hill", "wave", "rainbow-1", "rainbow-2")}
+    assert {path.name for path in folder.glob("*-measure.svg")} == pages
+    readings = folder / "lesson-measured.toml"
+    assert re.findall(r"^\[(.*)\]$", readings.read_text(), flags=re.MULTILINE) == [
+        "hill", "wave", '"rainbow 1"', '"rainbow 2"',
+    ]  # fmt: skip
+    apart = parts["rainbow 2"]["measuring"]["causes"]["ends apart"][0]
+    expected = parts["rainbow 2"]["measuring"]["expected"]
+    off = "\n".join(f"{name} = {value + 4 * apart[name]:.2f}" for name, value in expected.items())
+    measured = folder / "readings.toml"
+    measured.write_text(
+        f'hill.chord = {parts["hill"]["measuring"]["expected"]["chord"]:.1f}\n["rainbow 2"]\n{off}\n'
+    )
+    lines = run("compare", lesson, measured).output.splitlines()
+    assert [line for line in lines if line.startswith("Strip")] == [
+        "Strip       hill",
+        "Strip       rainbow 2",
+    ]
+    assert lines[1].startswith("Verdict     All differences are within")
+    assert lines[4].startswith("! Verdict   The distance between the ends is 4 mm off.")
+    assert set(json.loads(run("compare", lesson, measured, "--json").output)["expected"]) == {*parts}
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("chord = 3", "'' is not a strip of the model. Write the readings below the lines [hill]"),
+        ("[hil]\nchord = 3", "'hil' is not a strip of the model"),
+        ("[hill]\ncord = 3", "cord is not among the expected"),
+        ("[hill.wave]\nchord = 3", "wave is not a number"),
+    ],
+)
+def test_readings_of_no_strip(lesson, tmp_path, text, said):
+    readings = tmp_path / "measured.toml"
+    readings.write_text(text)
+    assert said in run("compare", lesson, readings, code=2).output
+
+
+def test_a_table_in_the_readings_of_one_strip(report, tmp_path):
+    readings = tmp_path / "measured.toml"
+    readings.write_text("[arch]\nchord = 3")
+    assert "the report is of a single strip" in run("compare", report, readings, code=2).output
+
+
+def test_templates_and_pages_to_measure_are_one_file(tmp_path, monkeypatch):
+    """The PDF of a model without holders has strips, holding templates, and a page to measure each strip."""
+    (tmp_path / "lesson.toml").write_text(LESSON.replace("count = 2", "count = 1"))
+    read = read_design(tmp_path / "lesson.toml", ec.read_curves)
+    contents = kit_contents(read.model(), replace(read.kit, pages="A4"), effects=True)
+    drawings = []
+    monkeypatch.setattr(
+        "elastica_cad.plot.template_pages.save_templates", lambda drawn, *_, **__: drawings.extend(drawn)
+    )
+    (pages,) = (file for file in model_kit(contents, step=False).files if file.name.endswith("pages.pdf"))
+    pages.write(tmp_path / pages.name)
+    measuring = {drawing.name: drawing for drawing in drawings if drawing.name.endswith("-measure")}
+    assert [*measuring] == ["hill-measure", "wave-measure", "rainbow 1-measure"]
+    for drawing in measuring.values():
+        width, height = np.ptp(drawing.bounds, axis=0)
+        assert width < 277
+        assert height < 190
+        chord = next(item.path for item in drawing.paths if item.layer == "MARK")
+        assert np.ptp(chord.points(0.1)[:, 1]) < 1e-9
+    names = " ".join(drawing.name for drawing in drawings)
+    assert all(f"{name} template" in names for name in ("hill", "wave", "rainbow 1"))
+
+
+def test_without_effects_there_is_nothing_to_compare(lesson, tmp_path):
+    report = json.loads(lesson.read_text())
+    for part in report["parts"]:
+        part["measuring"] = None
+    (tmp_path / "lesson.json").write_text(json.dumps(report))
+    assert "without --no-effects" in run("compare", tmp_path / "lesson.json", code=2).output

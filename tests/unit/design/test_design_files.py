@@ -51,6 +51,23 @@ def test_defaults_stand_for_all_strips_and_can_be_changed(read):
     assert (first.label, second.label, design.name) == ("S1", "S2", "design")
 
 
+def test_curves_get_the_length_of_the_design_or_their_own(read):
+    spline = "curve = { spline = [[10, 20], [40, 80], [90, 90], [140, 20]], degree = 3 }"
+    alone = read(HEAD + f"[[strips]]\n{spline}\n").entries[0].curve
+    design = read(HEAD + f"length = 240\n[[strips]]\n{ARC}\n[[strips]]\n{spline}\nlength = '2 * 100'\n")
+    first, second = (entry.curve for entry in design.entries)
+    assert (first.length, second.length) == (pytest.approx(240), pytest.approx(200))
+    assert second.control_points[0] == pytest.approx([10, 20])
+    scale = 200 / alone.length
+    turned = np.ptp(second.control_points, axis=0) / np.ptp(alone.control_points, axis=0)
+    assert turned == pytest.approx([scale, scale])
+    assert design.model().strips[1].rod.ratio == pytest.approx(
+        read(HEAD + f"[[strips]]\n{spline}\n").model().strips[0].rod.ratio
+    )
+    with pytest.raises(InputError, match=r"length: the length of the curve is -3\.0"):
+        read(HEAD + f"length = -3\n[[strips]]\n{ARC}\n")
+
+
 def test_counted_strips_have_formulae_of_their_own(read):
     design = read(
         HEAD + '[let]\nradius = 100\nturn = "30 * degrees"\n[[strips]]\ncount = 3\nlabel = "R{i}"\n'

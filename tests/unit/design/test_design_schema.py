@@ -30,6 +30,7 @@ SPLIT = (
 DESIGNS = [
     ONE.replace("[[", """
 name = "all"
+length = 200
 thickness = 0.3
 min_width = 2
 gravity = true
@@ -96,6 +97,7 @@ repeat = { count = 2, step = [0, 0, 100] }
 [[strips]]
 label = "T{i}"
 engrave = "No. 7"
+length = 120
 count = 2
 let = { v = "i" }
 origin = ["v", 0, 0]
