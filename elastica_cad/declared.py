@@ -209,7 +209,7 @@ def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
     """Return the error that a value is not valid for a declared field."""
     return InputError(
         "{field} is {given}: it must be {wanted}",
-        field=place, given=quoted(value), wanted=_wanted(entry.kind, entry.option), **where,
+        field=place, given=quoted(value), wanted=_valid_values(entry.kind, entry.option), **where,
     )  # fmt: skip
 
 
@@ -238,8 +238,7 @@ def _fits(value: Any, kind: Kind, option: Option) -> bool:
             return True
 
 
-def _wanted(kind: Kind, option: Option) -> str:
-    """Return a description of the valid values."""
+def _valid_values(kind: Kind, option: Option) -> str:
     if kind.name == "choice":
         return note("one of {choices}", choices=", ".join(kind.choices))
     if kind.name == "table":
@@ -254,7 +253,6 @@ def _wanted(kind: Kind, option: Option) -> str:
 
 
 def _defaults(record: Record) -> list[tuple[str, Any]]:
-    """Return the names of the fields in order, with their default values."""
     if is_dataclass(record):
         return [
             (field.name, field.default if field.default_factory is MISSING else field.default_factory())

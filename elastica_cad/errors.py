@@ -59,7 +59,7 @@ class ElasticaError(Exception):
     text : str
         A complete sentence, or a template with {name} for each value.
     kind : str, optional
-        Identifier of the kind of error, for programs. The default is that of the class.
+        Identifier of the kind of error, for programs. The default is the identifier of the class.
     where : mapping, optional
         Positions of the problem by kind, such as {"field": "end"}.
     changes : sequence of Change, optional

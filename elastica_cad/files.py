@@ -98,7 +98,7 @@ def read_drawing(
 ) -> DrawnFile:
     """Read the curves of a file with their numbers, names and layers, and list omitted items.
 
-    Arguments and errors are those of `read_curves`. If a single curve is not valid, its attribute `problem`
+    Arguments and errors are as in `read_curves`. If a single curve is not valid, its attribute `problem`
     states the reason.
 
     Parameters
@@ -143,7 +143,6 @@ def read_drawing(
 
 
 def _kernel_drawing(path: Path, unit: str | None) -> DrawnFile:
-    """Read the curves of a STEP or BREP file with an installed CAD kernel."""
     try:
         from elastica_cad.kernel.step_files import read_step_drawing
     except ImportError as error:
@@ -232,7 +231,7 @@ def save(made: "Drawing | Strip | Flexure", path: str | Path, **options: Any) ->
 
     All can be written as .dxf or .svg. The .step file of a strip contains the flat and the bent strip as
     bodies. The .step file of a two-state part contains the unloaded part, or the part in its `state` "first"
-    or "second". The options are those of `formats.write_drawing`: kerf, curves, tolerance, version, layers,
+    or "second". The options are as in `formats.write_drawing`: kerf, curves, tolerance, version, layers,
     force. For STEP, the only option is force.
 
     Raises

@@ -296,14 +296,12 @@ def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
 
 
 def _spline_points(nodes: FloatArray, count: int) -> FloatArray:
-    """Return evenly spaced points (count, 2) on the cubic spline through `nodes` (n, 2)."""
     from scipy.interpolate import CubicSpline
 
     return np.asarray(CubicSpline(even_steps(nodes.shape[0]), nodes)(even_steps(count)))
 
 
 def _largest_distance(points: FloatArray, chain: FloatArray) -> float:
-    """Return the largest distance of `points` from a fine polyline."""
     from scipy.spatial import cKDTree
 
     chords = np.diff(chain, axis=0)

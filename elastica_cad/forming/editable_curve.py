@@ -148,7 +148,7 @@ def _continuous(rod: Rod) -> _Shape:
     s, size = np.linspace(0, 1, K.size), rod.length
     kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
     kappa_0 = np.interp(s, rod.s / size, kappa_0)
-    bends, (start, end) = _zeros(s, curvature - kappa_0), rod.supports.ends
+    bends, (start, end) = _sign_changes(s, curvature - kappa_0), rod.supports.ends
     # the curvature is zero at an end that is free to turn; zeros near that end are rounding errors
     bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
@@ -156,8 +156,7 @@ def _continuous(rod: Rod) -> _Shape:
     return _Shape(s, position, angle, curvature * size, K, kappa_0 * size, bends, size)
 
 
-def _zeros(s: FloatArray, kappa: FloatArray) -> FloatArray:
-    """Return the arc lengths, without the ends, at which kappa - kappa_0 changes sign."""
+def _sign_changes(s: FloatArray, kappa: FloatArray) -> FloatArray:
     from scipy.interpolate import make_interp_spline
     from scipy.optimize import brentq
 

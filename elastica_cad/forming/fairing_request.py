@@ -77,8 +77,8 @@ class Smoothing:
         """The smoothed curve, or None if the curve is not smoothed."""
         unbent = _unbent_ends(self.drawn, self.supports)
         if self.smooth is not None:
-            return _faired(self.drawn, self.smooth, unbent) if self.smooth > 0 else None
-        if not may_step(self.drawn) or not self._steps():
+            return _smoothed(self.drawn, self.smooth, unbent) if self.smooth > 0 else None
+        if not may_step(self.drawn) or not self._has_width_steps():
             return None
         try:
             fairing = fair_curve(self.drawn, usual_tolerance(self.drawn), unbent)
@@ -115,10 +115,9 @@ class Smoothing:
 
     @cached_property
     def _rod_as_drawn(self) -> Rod | None:
-        return self._rod_on(self.drawn)
+        return self._weightless_rod_on(self.drawn)
 
-    def _rod_on(self, curve: PlaneCurve) -> Rod | None:
-        """Return the rod without weight for a curve, or None if there is none."""
+    def _weightless_rod_on(self, curve: PlaneCurve) -> Rod | None:
         try:
             supports = self.supports or Supports()
             return rod_of_request(RodRequest(curve, None, supports, self.natural_curvature))
@@ -128,8 +127,7 @@ class Smoothing:
     def _inflections(self, curve: PlaneCurve) -> int:
         return sum(zero.changes_sign for zero in ExcessCurvature(curve, self.natural_curvature).zeros)
 
-    def _steps(self) -> bool:
-        """Return True if the outline of the strip for the drawn curve would have a step."""
+    def _has_width_steps(self) -> bool:
         curve, rod = self.drawn, self._rod_as_drawn
         if rod is None:  # the smoothed curve may be realizable even if the drawn curve is not
             breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
@@ -145,7 +143,7 @@ class Smoothing:
             return False
         if self._rod_as_drawn is None:
             return True
-        rod = self._rod_on(curve)
+        rod = self._weightless_rod_on(curve)
         # a larger ratio means a smaller least width for the same largest width
         return rod is not None and rod.ratio < MOST_WORSE * self._rod_as_drawn.ratio
 
@@ -301,8 +299,7 @@ def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bo
     return start, end
 
 
-def _faired(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fairing:
-    """Return the curve smoothed by at most `smooth`, mm, with slight corners rounded."""
+def _smoothed(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fairing:
     rounded, moved = round_corners(curve, smooth)
     require_bendable(rounded)
     if measured_points(curve) is not None:  # `round_corners` has fitted a smooth curve

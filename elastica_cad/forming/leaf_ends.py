@@ -64,7 +64,7 @@ class LeafedRod:
 
     @property
     def leaves(self) -> tuple[Leaf, ...]:
-        """Plies, sorted by number; those of full length are first."""
+        """Plies, sorted by number; plies of full length are first."""
         return self.section.leaves
 
 
@@ -89,7 +89,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     Parameters
     ----------
     relaxed : Rod
-        Rod whose stiffness is between that of the fewest plies and that of all plies.
+        Rod whose stiffness is between the stiffness of the fewest plies and the stiffness of all plies.
     law : LeavesLaw
     tangents : (bool, bool)
         For start and end, True if the clamp angle is kept.

@@ -171,8 +171,6 @@ def _in_order_of_completion(
 
 
 class _Task(NamedTuple):
-    """One curve and its options, as sent to a worker."""
-
     curve: PlaneCurve
     limits: Limits | None
     keep: Keep | None

@@ -36,8 +36,9 @@ LEAST_SHARE = 1e-3
 
 SOLVED = 1e-11  # largest residual below which equations count as solved, for points scaled to the size 1
 LONGEST = 1.5
-"""Ratio of the length of a meridian to that of a smooth curve through the points, above which it has extra
-turns."""
+"""Ratio of the length of a meridian to the length of a smooth curve through the points, above which the
+meridian has extra turns.
+"""
 
 GOOD = 1e-7
 """Largest residual below which equations count as solved, as a fraction of the size of the curve."""

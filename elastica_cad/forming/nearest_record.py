@@ -207,7 +207,6 @@ class NearestRod:
         return f"<NearestRod {self.status.name}, {self.deviation:.3g} mm from its target, {self.found!r}>"
 
     def _repr_svg_(self) -> str:
-        """Return a picture of the drawn curve and the rod."""
         target_line = [(self.target.sample(DRAWN_POINTS).position, GREY, False)]
         bent = [] if self.found is None else [(self.found.position, BLUE, False)]
         return svg_of_lines(target_line + bent, repr(self))
@@ -242,9 +241,13 @@ def _advise(near: NearestRod) -> Iterator[str]:
             "Draw the curve closer to the intended rod.",
             count=len(near.ties),
         )
-    named = [(binding, name) for binding in near.binding if (name := _name(near, binding))][:_MOST_ADVICE]
+    named = [(binding, name) for binding in near.binding if (name := _limit_name(near, binding))][
+        :_MOST_ADVICE
+    ]
     if near.status is Status.NOT_MET:
-        yield from (_missed(near, binding) for binding in near.binding if binding.broken > _MISSED)
+        yield from (
+            _violation_sentence(near, binding) for binding in near.binding if binding.broken > _MISSED
+        )
         if named:
             yield note("Relax {limits}.", limits=Either(name for _, name in named))
     elif near.distance > _SLIGHT_DIAGONALS * _diagonal(near):
@@ -284,7 +287,7 @@ _NAMES = {
 }
 
 
-def _name(near: NearestRod, binding: Binding) -> str:
+def _limit_name(near: NearestRod, binding: Binding) -> str:
     """Return the name of a limit for messages; empty for conditions that were not requested."""
     limits, kind = near.limits, binding.name
     if kind == "ratio":
@@ -302,12 +305,11 @@ def _name(near: NearestRod, binding: Binding) -> str:
     if kind.endswith("tangent"):
         end = int(kind == "end tangent")
         is_kept = near.keep.both_tangents[end]
-        return note("the {side} end's angle", side=note(_side(near, end))) if is_kept else ""
+        return note("the {side} end's angle", side=note(_end_name(near, end))) if is_kept else ""
     return note(_NAMES.get(kind, ""))
 
 
-def _missed(near: NearestRod, binding: Binding) -> str:
-    """Return a sentence about a limit that is not met, with the value of the rod."""
+def _violation_sentence(near: NearestRod, binding: Binding) -> str:
     if binding.name == "margin" and binding.limit is not None:
         rating = stability(near.rod)
         return note(
@@ -332,8 +334,7 @@ def _missed(near: NearestRod, binding: Binding) -> str:
     return note("This limit is not met: {missed}.", missed=missed)
 
 
-def _side(near: NearestRod, index: int) -> str:
-    """Return the name of an end for messages, from its position in the drawing."""
+def _end_name(near: NearestRod, index: int) -> str:
     ends = near.target.evaluate(np.array(near.target.domain))
     off = ends[index] - ends[1 - index]
     across = 0 if abs(off[0]) >= abs(off[1]) else 1

@@ -51,8 +51,8 @@ class SearchSettings(NamedTuple):
         Tensions of straight initial guesses, as fractions of the tension that alone provides the margin. Guesses
         under tension are stable, and unloaded guesses do not buckle.
     long_distance, long_factor : float
-        If the distance exceeds `long_distance`, an initial guess is tried whose length is `long_factor` times that
-        of the target.
+        If the distance exceeds `long_distance`, an initial guess is tried whose length is `long_factor` times
+        the length of the target.
     random_distance : float
         Distance above which initial guesses with random waves are tried.
     random_starts, random_lifted_steps : int
@@ -61,8 +61,8 @@ class SearchSettings(NamedTuple):
     random_angle : float
         Typical angle of the random waves, rad.
     continued_distance, continued_factor : float
-        A search that continues a previous search is accepted if its distance is less than `continued_distance`, or
-        less than `continued_factor` times that of the previous search.
+        A search that continues a previous search is accepted if its distance is less than `continued_distance`,
+        or less than `continued_factor` times the distance of the previous search.
     exact_distance : float
         Distance below which a rod follows the target exactly, so that a smaller stiffness ratio is tried.
     ratio_distance : float
@@ -386,15 +386,15 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
         laid = lay_leaves(taper, law, tangents=keep.both_tangents)
     strict = limits
     for _ in range(_STRICTER):
-        if laid is not None and not _broken_by(laid, limits):
+        if laid is not None and not _violated_limits(laid, limits):
             break
         task = NearestTask.of(replace(request, limits=strict, section=law.relaxed))
         near = _find_rod(replace(task, grows=False))
         steps += near.iterations
         laid = lay_leaves(near.rod, law, tangents=keep.both_tangents)
-        strict = _stricter(strict, _broken_by(laid, limits))
+        strict = _stricter_limits(strict, _violated_limits(laid, limits))
     assert laid is not None
-    broken = _broken_by(laid, limits)
+    broken = _violated_limits(laid, limits)
     missed = max((binding.broken for binding in broken), default=0.0)
     target = TargetCurve.of(curve)
     position = (laid.rod.position - target.origin) / target.size
@@ -410,7 +410,6 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
 
 
 def _taper_on_curve(request: RodSpec, law: LeavesLaw, length: tuple[float, float] | None) -> Rod | None:
-    """Return the rod of continuously varying thickness that is at rest in the drawn curve, or None."""
     if length is not None and not length[0] <= request.curve.length <= length[1]:
         return None
     try:
@@ -420,11 +419,10 @@ def _taper_on_curve(request: RodSpec, law: LeavesLaw, length: tuple[float, float
 
 
 def _rod_on_curve(request: RodSpec, section: BoundedLaw | None) -> Rod:
-    """Return the rod of least stiffness ratio that is at rest in the drawn curve."""
     return rod_of_request(replace(request, section=section, samples=None))
 
 
-def _broken_by(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
+def _violated_limits(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
     """Return the limits that a stack of plies violates, each with its violation as a fraction of the limit."""
     rod = laid.rod
     s, bend = leaf_bends(rod, laid.section)
@@ -443,8 +441,7 @@ def _broken_by(laid: LeafedRod, limits: Limits) -> tuple[Binding, ...]:
     return tuple(Binding(name, limit, 0.0, over) for name, (limit, over) in shares.items() if over > MET)
 
 
-def _stricter(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
-    """Return stricter limits for the taper, to reduce the violations of the stack."""
+def _stricter_limits(limits: Limits, broken: tuple[Binding, ...]) -> Limits:
     for binding in broken:
         more = 1 + _BEYOND * binding.broken
         if binding.name == "margin":
@@ -514,8 +511,8 @@ def nearest_rod(
         `limits.sheet` limits the strain. For a `LeavesLaw`, the nearest rod of continuously varying thickness
         is found first, and is then approximated by plies (`lay_leaves`).
     natural_curvature : float or RestCurvature
-        Curvature of the unbent rod kappa_0, 1/mm. For a `RestCurvature`, the length of the rod agrees with that
-        of the pre-bent strip within 1 %.
+        Curvature of the unbent rod kappa_0, 1/mm. For a `RestCurvature`, the lengths of the rod and of the
+        pre-bent strip agree within 1 %.
     start : NearestRod, optional
         Result of a similar request, such as the same curve before a small change. The search begins with its
         rod. This takes two thirds of the time, or a tenth if many initial guesses were needed. If the result

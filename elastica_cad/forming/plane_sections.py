@@ -58,7 +58,7 @@ class Mesh:
     def __init__(self, vertices: ArrayLike, faces: ArrayLike) -> None:
         points, rows = _checked(vertices, faces)
         points, index = np.unique(points + 0.0, axis=0, return_inverse=True)
-        rows = _sewn(points, index.reshape(-1)[rows])
+        rows = _with_merged_cracks(points, index.reshape(-1)[rows])
         reports: list[str] = []
         area = _areas(points, rows)
         keep = (area > 0) & np.all(rows != np.roll(rows, 1, axis=1), axis=1)
@@ -73,7 +73,7 @@ class Mesh:
         remaining = remaining[~again]
         if not len(remaining):
             raise InputError("all triangles of the mesh have zero area: export the mesh again")
-        reports += _edge_complaints(points, remaining)
+        reports += _edge_notes(points, remaining)
         for name, value in (("vertices", points), ("faces", remaining), ("reports", tuple(reports))):
             object.__setattr__(self, name, value)
 
@@ -128,8 +128,7 @@ def _checked(vertices: ArrayLike, faces: ArrayLike) -> tuple[FloatArray, IntArra
     return points, rows.astype(np.intp)
 
 
-def _sewn(points: FloatArray, rows: IntArray) -> IntArray:
-    """Return the triangles with border vertices merged across narrow cracks."""
+def _with_merged_cracks(points: FloatArray, rows: IntArray) -> IntArray:
     edges, count = np.unique(
         np.sort(np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]]), axis=1),
         axis=0,
@@ -173,7 +172,7 @@ def _complaint(
     ]  # fmt: skip
 
 
-def _edge_complaints(points: FloatArray, rows: IntArray) -> list[str]:
+def _edge_notes(points: FloatArray, rows: IntArray) -> list[str]:
     """Return notes on edges with one face or more than two faces, and on neighbours of opposite orientation."""
     directed = np.concatenate([rows[:, [0, 1]], rows[:, [1, 2]], rows[:, [2, 0]]])
     edges, index, count = np.unique(

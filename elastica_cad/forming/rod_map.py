@@ -411,7 +411,7 @@ class StripGrid:
 
     def shoot(self, z: FloatArray) -> MappedRod:
         """Return the rod in equilibrium. The last moment of the rod is not finite if numbers overflow."""
-        K, force, length = self._given(z)
+        K, force, length = self._stiffness_forces_length(z)
         u = self.unknowns
         angles, moments = shoot(
             K, length * self.shares, force[1:-1], length / self.edges,
@@ -421,7 +421,7 @@ class StripGrid:
 
     def assemble(self, z: FloatArray, angles: FloatArray, moments: FloatArray) -> MappedRod:
         """Return a rod with given angles (n+2,) and moments (n+1,), which need not be in equilibrium."""
-        return self._assemble(z, angles, moments, *self._given(z))
+        return self._assemble(z, angles, moments, *self._stiffness_forces_length(z))
 
     def sensitivities(self, rod: MappedRod, *, to_equilibrium: bool = False) -> Sensitivities:
         """Return the derivatives of angles, moments and positions with respect to z.
@@ -510,8 +510,7 @@ class StripGrid:
         band[2] = -1
         return band
 
-    def _given(self, z: FloatArray) -> tuple[FloatArray, FloatArray, float]:
-        """Return K at the nodes (n+1,), the forces (n+2, 2) and the length."""
+    def _stiffness_forces_length(self, z: FloatArray) -> tuple[FloatArray, FloatArray, float]:
         u = self.unknowns
         length = float(z[u.length])
         K = self.basis @ z[u.stiffness]

@@ -551,9 +551,9 @@ def smooth_polyline(
 ) -> FloatArray:
     """Return evenly spaced points (count, 2) on a polyline (n, 2), smoothed to remove short waves.
 
-    The points x minimise |x - p|^2 + (wavelength / 2 pi)^6 |x'''|^2 for the unsmoothed points p. The amplitude of
-    a wave of length `wavelength` is halved, and that of a wave of half this length is reduced to 1/65. Parabolas
-    do not change, and both ends do not move.
+    The points x minimise |x - p|^2 + (wavelength / 2 pi)^6 |x'''|^2 for the unsmoothed points p. The amplitude
+    of a wave of length `wavelength` is halved, and the amplitude of a wave of half this length is reduced to
+    1/65. Parabolas do not change, and both ends do not move.
 
     Parameters
     ----------

@@ -60,7 +60,7 @@ def radial_planes(
     [0.0, 1.0, 0.0]
     """
     p, a = _vector("point", point), _direction("axis", axis)
-    x = _rejected("zero", zero, a)
+    x = _normal_direction("zero", zero, a)
     y = np.cross(a, x)
     return tuple(Frame(p, np.cos(t) * x + np.sin(t) * y, a) for t in _row("angles", angles))
 
@@ -104,19 +104,17 @@ def planes_along(
 
 
 def _slopes(s: FloatArray, values: FloatArray) -> FloatArray:
-    """Return the derivatives (n,) of values with respect to the arc length."""
     if s.size < 3:
         return np.full(s.size, (values[-1] - values[0]) / s[-1])
     return np.asarray(np.gradient(values, s, edge_order=2), dtype=float)
 
 
 def _across(point: FloatArray, normal: FloatArray, up: ArrayLike) -> Frame:
-    y = _rejected("up", up, normal)
+    y = _normal_direction("up", up, normal)
     return Frame(point, np.cross(y, normal), y)
 
 
-def _rejected(name: str, value: ArrayLike, along: FloatArray) -> FloatArray:
-    """Return the unit vector (3,) in the direction of the component of a vector that is normal to `along` (3,)."""
+def _normal_direction(name: str, value: ArrayLike, along: FloatArray) -> FloatArray:
     v = _direction(name, value)
     part = v - (v @ along) * along
     size = float(np.linalg.norm(part))

@@ -24,7 +24,7 @@ from elastica_cad.mechanics.loads import (
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable, examine_curvature, lengths
 from elastica_cad.refusals import Length, Listed, note
 
-_SHORTEST_SHARE = 1e-4  # parameter range of an empty part, as a fraction of that of the curve
+_SHORTEST_SHARE = 1e-4  # largest parameter range of an empty part, as a fraction of the range of the curve
 # number of positions that are tried for each support, between its first and its last possible position
 _CHOICES = 5
 _ROUNDS = 2  # number of successive grids, each finer and around the best positions of the last

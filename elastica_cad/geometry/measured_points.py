@@ -21,7 +21,8 @@ FEWEST = 8
 SETTLED = 0.7
 """Ratio of the divided differences of two successive orders that separates noise from shape.
 
-The differences of a smooth curve decrease faster from order to order, and those of noise decrease more slowly.
+The differences of a smooth curve decrease faster from order to order, and the differences of noise decrease
+more slowly.
 """
 
 CROWDED_SHARE = 0.1
@@ -194,7 +195,7 @@ def estimate_noise(points: FloatArray) -> float:
     The result is the median of divided differences normal to the curve, scaled to unit variance of white noise.
     The order of the differences is increased as long as this reduces the estimate. Gasser, Sroka and
     Jennen-Steinmetz (Biometrika 73, 1986) use order 2. The result is 0 if there are too few points, or if the
-    differences decrease like those of a smooth curve.
+    differences decrease like the differences of a smooth curve.
 
     Examples
     --------

@@ -156,7 +156,7 @@ JOIN = 1e-6
 
 
 def meets(before: Segment, after: Segment) -> bool:
-    """Return True if the first segment ends where the second one starts."""
+    """Return True if the segment `before` ends where the segment `after` starts."""
     return dist(before.end.tolist(), after.start.tolist()) <= JOIN
 
 

@@ -355,7 +355,7 @@ def _antiderivatives() -> tuple[FloatArray, FloatArray]:
 LEFT, RIGHT = _antiderivatives()
 SLOPES: FloatArray = np.zeros((ORDER, ORDER))
 SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
-"""Matrix that converts Legendre coefficients of a function to those of its derivative."""
+"""Matrix that converts Legendre coefficients of a function to Legendre coefficients of the derivative."""
 
 
 def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:

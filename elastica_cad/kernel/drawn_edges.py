@@ -94,7 +94,6 @@ def drawn_edges(shape: Shape | Iterable[Shape]) -> list[DrawnEdge]:
 
 
 def _drawn_edge(edge: Shape) -> DrawnEdge:
-    """Return an edge as an exact NURBS in space."""
     k = kernel()
     curve = None if k.BRep_Tool.Degenerated_s(edge) else k.BRep_Tool.Curve_s(edge, 0.0, 1.0)
     if curve is None:

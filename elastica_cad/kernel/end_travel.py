@@ -108,7 +108,7 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
     """
     flat = np.column_stack([points[:, 2]] * 3)
     turn = np.arctan2(points[:, 1], points[:, 0])
-    # points on the straight tabs have angles below 0 or above that of the arc
+    # points on the straight tabs have angles below 0 or above the angle of the arc
     for end, sign in ((0.0, -1.0), (TURN_RAD, 1.0)):
         along = np.array([-np.sin(end), np.cos(end)])
         beyond = sign * (points[:, :2] @ along)

@@ -24,7 +24,7 @@ class MadeFlexure:
     def of(cls, flexure: "Flexure", state: "State | None", color: Any) -> "MadeFlexure":
         """Return the record.
 
-        The colour is a colour of the library, its name, numbers, or None for that of the sheet.
+        The colour is a colour of the library, its name, numbers, or None for the colour of the sheet.
         """
         from elastica_cad.pairs.flexure import Flexure
 

@@ -325,7 +325,6 @@ class StripBody:
         )
 
     def _bent_anew(self, moved: BendOptions) -> Strip:
-        """Return the strip bent to other positions or angles of its ends."""
         refuse_unknown(moved, BendOptions.__annotations__, "bending a strip")
         led: dict[str, Any] = dict(moved)
         for name in ("start", "end"):

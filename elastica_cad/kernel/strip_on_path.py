@@ -152,7 +152,7 @@ def make_strip_on(
         )
     spec = StripSpec(curve, sheet, frame, **options)
     with changes_suggested_in_python(spec.curve, spec.may_change):
-        strip, deviation = _made(spec)
+        strip, deviation = _strip_and_deviation(spec)
     warn_of_strip(strip)
     if deviation > FAR_SHARE * strip.rod.length:
         warn(note(
@@ -177,7 +177,6 @@ def _require_curve(path: Any) -> None:
 
 
 def _is_point(value: Any) -> bool:
-    """Return True for the coordinates of a point and for a vector of a CAD library."""
     return _is_vector(value) or (bare(value) is value and is_series(value) and all(map(is_number, value)))
 
 
@@ -263,8 +262,7 @@ def section_requests(
 
 
 @lru_cache(maxsize=KEPT_REQUESTS)
-def _made(spec: "StripSpec") -> tuple[Strip, float]:
-    """Return the strip for a request, and its deviation from the drawn curve, mm."""
+def _strip_and_deviation(spec: "StripSpec") -> tuple[Strip, float]:
     from elastica_cad.forming.nearest_record import NearestRod
 
     rod = solve_rod(spec.rod_spec)

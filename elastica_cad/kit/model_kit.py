@@ -75,7 +75,7 @@ def check_kit_folder(name: str, folder: str | Path, *, force: bool = False) -> N
     This check is done before the model is computed. A folder that contains the lists of a kit is refused unless
     `force` is set.
     """
-    check_folder(folder, _lists(file_word(name)), force=force)
+    check_folder(folder, _list_names(file_word(name)), force=force)
 
 
 def model_kit(
@@ -106,7 +106,7 @@ def model_kit(
     listed = contents.cut_list.in_files(_file_of_each_piece(contents, parts=parts))
     blocks = (replace(row, file=f"{PARTS}/{row.file}" if step else "") for row in listed.printed)
     listed = replace(listed, printed=tuple(blocks))
-    csv, txt, json, page = _lists(name)
+    csv, txt, json, page = _list_names(name)
     if pictures:
         files.append(
             File(f"{name}-assembly.pdf", partial(_draw_assembly, contents, listed), "assembly sheet")
@@ -231,8 +231,7 @@ def save_model(
     return SavedKit(folder, tuple(file.name for file in kit.files), missing, summary)
 
 
-def _lists(word: str) -> tuple[str, ...]:
-    """Return the file names of the cut list as a table and as text, the report, and the start page."""
+def _list_names(word: str) -> tuple[str, ...]:
     return f"{word}-cut-list.csv", f"{word}-cut-list.txt", f"{word}.json", START_PAGE
 
 
@@ -299,7 +298,7 @@ def _has_holders(contents: KitContents) -> bool:
 
 
 def _file_of_each_piece(contents: KitContents, *, parts: bool) -> dict[str, str]:
-    """Return the file from which each piece is cut: a separate file, or that of the nested sheet."""
+    """Return the file from which each piece is cut: a separate file, or the file of the nested sheet."""
     named = contents.spec.cutting.file_name
     if parts:
         return {piece.name: f"{PARTS}/{named(piece.file_stem, 'dxf')}" for piece in contents.pieces}

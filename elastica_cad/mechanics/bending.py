@@ -109,7 +109,7 @@ def bend(
         turn adds 2 pi); None, also as one value of the pair, keeps the present angle.
     gravity : Gravity, None or "keep"
     supports : Supports, optional
-        New supports; by default those of the rod.
+        New supports; by default the supports of the rod.
     force : (2,) array_like, optional
         Components in x and y of a force with a constant direction, divided by the least bending stiffness B (N
         mm2), 1/mm2. Each component acts at the end where its coordinate is free. None keeps the present force.
@@ -125,7 +125,7 @@ def bend(
     mode : int
         Buckling mode of a straight rod; modes above 1 are usually unstable.
     samples : int, optional
-        Number of nodes; by default that of the rod.
+        Number of nodes; by default the number of the rod.
     settle : bool
         If True, an unstable result is replaced by the stable shape that is found by minimising the energy from it.
     between : sequence of Rail, Pin and Tie, or "keep"

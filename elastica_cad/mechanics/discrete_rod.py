@@ -517,7 +517,7 @@ class DiscreteRod:
 
     Examples
     --------
-    A straight rod without load: its margin is that of the lowest sine of mean zero.
+    A straight rod without load: the lowest mode is the lowest sine of mean zero.
 
     >>> rod = DiscreteRod(np.ones(201), np.zeros(200), np.zeros(2), 0.5)
     >>> round(rod.margin.value / np.pi**2, 3), rod.unstable_modes

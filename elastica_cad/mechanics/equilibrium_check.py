@@ -495,7 +495,7 @@ def find_separating_line(curve: PlaneCurve, zero: CurvatureZero, curvature_sign:
 
     Let p be the zero. The moment M = <b, gamma - p> must have the sign of kappa - kappa_0. All directions
     sign(kappa - kappa_0) (gamma - p) must therefore be in the open half plane <b, .> > 0. The angle of the
-    directions is continuous along the curve gamma; at p it is that of the tangent. Such a vector b exists if
+    directions is continuous along the curve gamma; at p it is the angle of the tangent. Such a vector b exists if
     and only if the angle spans less than pi.
 
     Parameters

@@ -186,7 +186,7 @@ class LaminatedSection:
         """Return the factors c with which a laminate of bending stiffness c K can be built (paper, section 8.1).
 
         K is the relative stiffness. Everywhere the width of the backing is at least `least_backing` and at most
-        that of the base. The exact cross-section is used.
+        the width of the base. The exact cross-section is used.
 
         Parameters
         ----------

@@ -187,7 +187,7 @@ class _AlongArc:
 
 
 def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Profile:
-    """Scale the profile slightly so that its extremes equal those of the stiffness."""
+    """Scale the profile slightly so that its extremes equal the extremes of the stiffness."""
     low, high = profile.extremes
     if high - low <= tolerance:
         return profile
@@ -241,7 +241,7 @@ def optimal_rod(
         nodes.
     samples : int, optional
         Number of nodes of the rod. Without `largest_stiffness` the ratio is then evaluated at these nodes only.
-        By default the ratio is that of the continuous curve and the rod has 601 nodes.
+        By default the ratio is evaluated on the continuous curve and the rod has 601 nodes.
     weight : Weight, optional
         Weight in newtons instead of a proportional weight. With `own=True` the weight of the strip is added.
         The weight of the strip is B / gravity.length^3 per length and relative stiffness.
@@ -778,7 +778,7 @@ def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Lamina
     change, least = np.inf, 1.0  # a smoothed stiffness may have a least value above 1
     for rounds in range(2, _MOST_ROUNDS):
         target = scale / least
-        # an extrapolated scale may require E I above that of two full layers, or below that of the base
+        # an extrapolated scale may require E I above the E I of two full layers, or below the E I of the base
         EI = np.clip(scale * _stiffness(rod, stations), *bounds)
         weight = section.weight(stations, w1, EI / target, target)
         weight = replace(weight, masses=request.masses)

@@ -285,7 +285,7 @@ def _residual_beyond(state: RodState, kept: Residual | None) -> Residual:
 def _relative_error(state: RodState, residual: Residual) -> float:
     """Return the larger of the relative errors of moments and positions.
 
-    Moments are relative to the moments of the rod, but at least to those of a bend of 1e-3 rad.
+    Moments are relative to the moments of the rod, but at least to the moments of a bend of 1e-3 rad.
     """
     length = state.system.length
     unit = max(state.scale, 1e-3 / length)
@@ -338,7 +338,7 @@ def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
 
 
 def _direction(state: RodState) -> float:
-    """Return the angle of the straight rod: the mean of the held angles, or that of the line between the ends."""
+    """Return the angle of the straight rod: the mean of the held angles, or the angle of the chord."""
     system = state.system
     held = [angle for angle in system.held_angles if angle is not None]
     if held:

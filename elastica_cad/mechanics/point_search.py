@@ -46,8 +46,8 @@ def move_one_point(
     """Yield possible curves that differ from an impossible curve in one control point, small moves first.
 
     Every inner control point is moved in 16 directions by four distances. If three inflections are on a common
-    line at a distance between two of these, it is found by bisection. A curve is possible if a rod without weight
-    has a ratio up to 8; its stability is not computed.
+    line at a distance between two of the four, bisection finds this distance. A curve is possible if a rod
+    without weight has a ratio up to 8; the stability of the rod is not computed.
 
     Parameters
     ----------
@@ -187,7 +187,7 @@ class _Move:
     def side(self, share: float) -> tuple[int, float]:
         """Return the number of inflections after a move by `share` times the step, and a signed area, mm2.
 
-        The area is that of the triangle of three inflections, and 0 for another number of inflections.
+        Three inflections form a triangle with this area; for another number of inflections the area is 0.
         """
         try:
             moved = self.at(share)

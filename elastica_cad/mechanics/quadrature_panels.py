@@ -130,7 +130,7 @@ def cut_into_panels(
     zeros : sequence of float
         Parameters at which kappa - kappa_0 is zero; they become ends of panels.
     cuts : sequence of float
-        Further parameters that become ends of panels, such as those of point masses.
+        Further parameters that become ends of panels, such as the parameters of point masses.
     law : MaterialLaw, optional
         Material law whose effective curvature replaces kappa - kappa_0; add cuts where it is not smooth.
     orders : sequence of int, optional

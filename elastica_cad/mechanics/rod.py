@@ -44,8 +44,8 @@ if TYPE_CHECKING:
 # nodes.
 DEFAULT_SAMPLES = SURVEY_POINTS
 
-# Number of nodes of the hundreds of rods in a search. The error of these rods is nine times that of a final rod,
-# but far below the tolerance of limits. `editable_curve` removes it by extrapolation.
+# Number of nodes of the hundreds of rods in a search. The error of these rods is nine times the error of a final
+# rod, but far below the tolerance of limits. `editable_curve` removes this error by extrapolation.
 SEARCH_SAMPLES = 201
 
 
@@ -359,9 +359,9 @@ class Rod:
         mm.
     force : (n, 2) array
         Force lambda, 1/mm2: minus the usual internal force. Multiply by the least bending stiffness (N mm2) to
-        obtain N. For a discrete rod, the value at a node is the mean of its two edges. The value at the
-        start is that of the first edge minus the load of the first node. At the end, the load of the last node is
-        added.
+        obtain N. For a discrete rod, the value at a node is the mean of its two edges. The value at the start
+        is the value of the first edge minus the load of the first node. At the end, the load of the last node
+        is added.
     profile : Profile
         Stiffness K as a spline of arc length, from which the width of a strip is computed.
     natural_curvature : float or (n,) array
@@ -552,7 +552,7 @@ class Rod:
     def bending_law(self) -> MaterialLaw | None:
         """Law M = K m(kappa - kappa_0) for every bend of the rod, as all solvers use it; see `MaterialLaw`.
 
-        If the stiffness of the section depends on the curvature, the law is that of a section with the stiffness
+        If the stiffness of the section depends on the curvature, the law describes a section with the stiffness
         K in the present shape.
         """
         law, section, rest = self.law, self.section, self.natural_curvature

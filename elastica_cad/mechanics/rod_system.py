@@ -351,7 +351,7 @@ class RodState:
         return self.missed(self.residual.miss)
 
     def rod(self, like: Rod) -> Rod:
-        """Return the `Rod` of this equilibrium; other attributes are those of `like`."""
+        """Return the `Rod` of this equilibrium; other attributes are copied from `like`."""
         return replace(like, **self.record)
 
     @property

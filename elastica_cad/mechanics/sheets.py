@@ -700,7 +700,7 @@ class Sheet:
 
     @property
     def shear_ratio(self) -> float:
-        """Ratio G / E of shear modulus to Young's modulus; by default that of a sheet without grain."""
+        """Ratio G / E of shear modulus to Young's modulus; by default the ratio of a sheet without grain."""
         G = self.shear_modulus
         return even_shear_ratio(self.poisson_ratio) if G is None else G / self.youngs_modulus
 
@@ -714,7 +714,7 @@ class Sheet:
         return float((self.youngs_modulus * self.thickness**2 / (12 * weight)) ** (1 / 3))
 
     def gravity(self, direction: tuple[float, float] = (0.0, -1.0)) -> Gravity:
-        """Return the weight of a plain strip of this sheet; `direction` (2,) is that of gravity."""
+        """Return the weight of a plain strip of this sheet; `direction` (2,) is the direction of gravity."""
         return Gravity(self.elasto_gravity_length, direction)
 
     @property

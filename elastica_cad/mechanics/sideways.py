@@ -42,7 +42,7 @@ class SidewaysSection:
     Attributes
     ----------
     width, thickness : (n,) array
-        Width and thickness, mm. The thickness is that of a plate with the same bending and membrane stiffness.
+        Width and thickness, mm. A plate of this thickness has the same bending and membrane stiffness.
     edgewise, torsion : (n,) array
         Stiffness of bending in the plane of the sheet, and torsional stiffness.
     """
@@ -95,7 +95,7 @@ class SidewaysSection:
 
         For the upper bound, displacements are compatible. All ligaments twist equally, with G t h^3/3 for their
         total width t. Edgewise, the ligaments bend as a plane cross-section, whose second moment of area is at
-        most that of material at the edges of the outline of width W, (W^3 - (W - t)^3) h/12.
+        most the value for material at the edges of the outline of width W, (W^3 - (W - t)^3) h/12.
         """
         h = np.full(width.size, thickness)
         cos2 = 1 / (1 + slope**2)
@@ -137,7 +137,7 @@ class SidewaysSection:
         In free torsion, the net shear flow is zero at every point across the strip, so every point twists about
         its own neutral layer. Beside the backing the torsional stiffness per width is G1 h1^3/3, with shear
         modulus G1 and thickness h1 of the base. On the backing it is 4 (D66 - B66^2/A66), with the stiffnesses A,
-        B, D of laminate theory. The result is at least that of both sheets without glue.
+        B, D of laminate theory. The result is at least the torsional stiffness of both sheets without glue.
         """
         sheets, widths = (section.base, section.backing), (base_width, backing_width)
         h1, h2 = (sheet.thickness for sheet in sheets)
@@ -177,7 +177,7 @@ class SidewaysSection:
 
 
 def _checked_shear_ratio(shear_ratio: float | None, poisson_ratio: float) -> float:
-    """Return G / E, by default that of an isotropic sheet; refuse an impossible value."""
+    """Return G / E, by default the ratio of an isotropic sheet; refuse an impossible value."""
     nu = require_number(poisson_ratio, "poisson_ratio")
     if not -1 < nu < 1:
         raise InputError(
@@ -323,7 +323,7 @@ def sideways_stability(
     Parameters
     ----------
     rod : Rod
-        Rod in equilibrium; its stiffness is that of bending in the plane, without the plate effect of wide strips.
+        Rod in equilibrium; its stiffness applies to bending in the plane, without the plate effect of wide strips.
     width : Profile, number or (n,) array
         Width of the strip along the rod, mm; values at equal distances.
     thickness : Profile, number or (n,) array

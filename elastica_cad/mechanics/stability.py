@@ -61,8 +61,8 @@ class Determinant:
 def stability_determinant(rod: DiscreteRod) -> Determinant:
     """Return the stability determinant from the start of the rod, by the discrete Jacobi recursion.
 
-    The recursion is that of the paper, section 7.1. If the angle is free at the start, the solution zeta starts
-    with the slope 0. The rows of a coordinate that is not held at both ends are omitted.
+    The recursion is described in the paper, section 7.1. If the angle is free at the start, the solution zeta
+    starts with the slope 0. The rows of a coordinate that is not held at both ends are omitted.
 
     Examples
     --------
@@ -82,7 +82,7 @@ def stability_determinant(rod: DiscreteRod) -> Determinant:
     fields = np.zeros((n + 2, right.shape[1]))
     fields[1:] = _solve_recursion(rod, right)
     integrals = np.cumsum(rows.T[:, :, None] * fields[1:-1, None, :], axis=0)
-    Z = _matrices(fields, integrals)
+    Z = _stability_matrices(fields, integrals)
     ends = np.cumsum(lengths)
     s = np.append(ends - lengths / 2, ends[-1])
     return Determinant(s, _determinants(Z), fields, integrals)
@@ -122,7 +122,7 @@ def determinant_gradient(
     X, p = z.fields, z.fields.shape[1] - 1
 
     # backward differentiation of the determinants and the integrals
-    G = weights[:, None, None] * _cofactors(_matrices(X, z.integrals))
+    G = weights[:, None, None] * _cofactors(_stability_matrices(X, z.integrals))
     suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[
         ::-1
     ]  # derivatives by the terms of the integrals are sums over the following edges
@@ -219,8 +219,7 @@ def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = 
     return np.asarray(solution)
 
 
-def _matrices(fields: FloatArray, integrals: FloatArray) -> FloatArray:
-    """Return stability matrices (n+1, 1+p, 1+p) at the edges and at the end."""
+def _stability_matrices(fields: FloatArray, integrals: FloatArray) -> FloatArray:
     n, _, m = integrals.shape
     Z = np.empty((n + 1, m, m))
     Z[:, 0, :] = fields[1:]

@@ -163,7 +163,7 @@ class Course:
         """Return the path from the present state of a rod along given entries."""
         if callable(path):
             function = path
-            return cls(rod, lambda t: _entry(function(t)), 1, 1.0)
+            return cls(rod, lambda t: _entry_as_keywords(function(t)), 1, 1.0)
         entries = _entries(path)
         names = {name for entry in entries for name in entry}
         present = _present_values(rod, names)
@@ -292,12 +292,11 @@ def _entries(path: Any) -> list[dict[str, Any]]:
         return steps
     values = numbers(path, "the path of loads")
     if values.ndim == 1 and values.size:
-        return [_entry(value) for value in values]
+        return [_entry_as_keywords(value) for value in values]
     return as_steps(values)
 
 
-def _entry(step: Any) -> dict[str, Any]:
-    """Return an entry of a path (load factor, position of the end, or keywords of `bend`) as keywords."""
+def _entry_as_keywords(step: Any) -> dict[str, Any]:
     if isinstance(step, Mapping):
         load = {"load": float(step["load"])} if "load" in step else {}
         rest = {name: value for name, value in step.items() if name != "load"}

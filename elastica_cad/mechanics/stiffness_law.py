@@ -279,7 +279,7 @@ class LaidLeaves(ThicknessLaw):
     Parameters
     ----------
     sheet, least, largest, width
-        As in `ThicknessLaw`; the sheet is that of a ply.
+        As in `ThicknessLaw`; the sheet is the sheet of a ply.
     leaves : tuple of Leaf
         Plies over the full length first, then the other plies in the order of their numbers.
     """

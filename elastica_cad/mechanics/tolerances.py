@@ -368,7 +368,7 @@ def tolerance_study(
     sheet : Sheet, optional
         Sheet whose ranges are the default.
     ranges : ToleranceRanges, optional
-        Ranges that replace those of `sheet`.
+        Ranges that replace the ranges of `sheet`.
     max_width : float, optional
         Largest width of the strip, mm; without it the kerf is not varied.
     samples : int
@@ -404,7 +404,7 @@ def tolerance_study(
     rng = np.random.default_rng(seed)
     imperfections = {name: _drawn(varied, name, rng, samples) for name in _CAUSES}
     combined = [_merged([imperfections[name][i] for name in _CAUSES]) for i in range(samples)]
-    groups = [(name, imperfections[name], _extremes(varied, name)) for name in _CAUSES] + [
+    groups = [(name, imperfections[name], _corner_imperfections(varied, name)) for name in _CAUSES] + [
         ("combined", combined, [])
     ]
     todo = [v for _, inner, outer in groups for v in (*inner, *outer)]
@@ -450,8 +450,7 @@ def _between(limits: Range, share: FloatArray) -> FloatArray:
     return np.full(share.shape, low) if low == high else low + (high - low) * share
 
 
-def _extremes(ranges: ToleranceRanges, cause: str) -> list[Imperfection]:
-    """Return the imperfections at all corners of the ranges of a cause."""
+def _corner_imperfections(ranges: ToleranceRanges, cause: str) -> list[Imperfection]:
     fields = _CAUSES[cause]
     corners = product(*(getattr(ranges, source) for source in fields.values()))
     return [Imperfection(**dict(zip(fields, corner, strict=True))) for corner in dict.fromkeys(corners)]

@@ -942,7 +942,8 @@ def root_factors(radius: float) -> tuple[float, float]:
 
 
 def curved_beam_factor(share: FloatArray) -> FloatArray:
-    """Return the factors (n,) by which strains on the inner side of a curved beam exceed those of a straight beam.
+    """Return the factors (n,) by which strains on the inner side of a curved beam exceed the strains of a
+    straight beam.
 
     By Winkler's theory, the strain is h |kappa - kappa_0| / 2 times the factor. Here h is the thickness, kappa
     the curvature and kappa_0 the natural curvature. The argument `share` (n,) is h |kappa_0|. The factor is about

@@ -14,7 +14,7 @@ from elastica_cad.refusals import Length
 EDGES = 480
 """Number of edges of the discrete rod (paper, section 7.1).
 
-Its relative error (1 / EDGES)^2 is as large as that of a drawing.
+The relative error (1 / EDGES)^2 is as large as the error of a drawing.
 """
 
 STIFF, STIFFEST = 400.0, 1000.0

@@ -242,7 +242,6 @@ def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> Float
 
 
 def _stiffness_rows(paired: PairedPanels) -> FloatArray:
-    """Return the coefficients (N, p, 6) of the stiffness at the nodes."""
     return np.pad(paired.stiffness, ((0, 0), (0, 0), (0, 1)))
 
 
