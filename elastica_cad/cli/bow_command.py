@@ -52,6 +52,23 @@ class Diameters(click.ParamType):  # type: ignore[type-arg]  # no generic class 
         return low, LENGTH.convert(largest, param, ctx) if largest else low
 
 
+class Shortening(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
+    """Percentage or length of a cord: "5", "5%", "50mm"."""
+
+    name = "shortening"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the fraction and the length in mm, of which one is 0."""
+        try:
+            return float(str(value).removesuffix("%")) / 100, 0.0
+        except ValueError:
+            pass
+        try:
+            return 0.0, LENGTH.convert(value, param, ctx)
+        except click.BadParameter:
+            self.fail(f"{value!r} is neither a percentage nor a length. Write 5 or 50mm.", param, ctx)
+
+
 _STOCK = (
     curve_options,
     which_options,
@@ -64,9 +81,9 @@ _STOCK = (
                  help="Least width of the strip; equal to --max-width for a strip of constant width."),
     smooth_option,
     click.option("--nearest", is_flag=True, help="Change the curve as little as possible, for a varying section."),
-    click.option("--shorter", type=float, multiple=True, metavar="PERCENT",
-                 help="Add a row to the table, with the cord shorter by this percentage; repeatable  "
-                      "[default: 2 5 10 20]"),
+    click.option("--shorter", type=Shortening(), multiple=True, metavar="PERCENT|LENGTH",
+                 help="Add a row to the table, with the cord shorter by this percentage, or by this length with "
+                      "its unit, such as 50mm; repeatable  [default: 2 5 10 20]"),
     output_options,
 )  # fmt: skip
 
@@ -90,10 +107,11 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     """
     (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     sheet, fields = _material(chosen)
-    shares = sorted({percent / 100 for percent in chosen["shorter"]} or SHORTER)
-    made, shorter = _made(requested, sheet, fields, [0.0, *shares])
+    made = _made(requested, sheet, fields)
+    shares = [0.0, *sorted({part + mm / made.cord for part, mm in chosen["shorter"]} or SHORTER)]
+    shorter = made.shortened(shares)
     known = chosen["sheet"] is not None
-    table = _table([0.0, *shares], shorter, known=known)
+    table = _table(shares, shorter, known=known)
     report = {
         "length_mm": made.length, "cord_mm": made.cord, "rise_mm": made.rise,
         "pull_N": made.pull if known else None,
@@ -112,15 +130,12 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     wrote(written)
 
 
-def _made(
-    requested: RequestedCurve, sheet: Sheet, fields: dict[str, Any], shares: list[float]
-) -> tuple[Bow, Travel]:
-    """Return the bow, and its states with shorter cords. If the curve is refused, suggest the nearest curve."""
+def _made(requested: RequestedCurve, sheet: Sheet, fields: dict[str, Any]) -> Bow:
+    """Return the bow. If the curve is refused, suggest the nearest curve."""
     curve = requested.bendable(fields["smooth"]) if "smooth" in fields else requested.curve
 
     suggest_later(lambda _: StripSpec(curve, sheet, supports=ENDS, **fields), typed_change, ["nearest"])
-    made = bow(curve, sheet, label=requested.label, **fields)
-    return made, made.shortened(shares)
+    return bow(curve, sheet, label=requested.label, **fields)
 
 
 def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:

@@ -1,6 +1,7 @@
 """Sheets of material: their data, the library of sheets, and the sheets that withstand the bend of a curve."""
 
 import os
+import re
 import sys
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
@@ -22,7 +23,7 @@ from elastica_cad.declared import Field, Option, declared
 from elastica_cad.errors import InputError, quoted, toml_slip
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, ExcessCurvature, Gravity, NaturalCurvature
-from elastica_cad.refusals import note
+from elastica_cad.refusals import FieldName, note
 
 SCHEMA = 1
 
@@ -661,11 +662,20 @@ class Sheet:
             return library[name]
         names = [*library, *figures]
         near = get_close_matches(str(name).lower(), names, n=3, cutoff=0.4)
-        advice = (
-            note("did you mean {names}?", names=" or ".join(near))
-            if near
-            else note("known sheets: {names}", names=", ".join(names))
-        )
+        material, _, size = str(name).lower().removesuffix("mm").rpartition("-")
+        listed = [re.fullmatch(rf"{re.escape(material)}-(\d+(?:\.\d+)?)", other) for other in names]
+        if re.fullmatch(r"\d+(\.\d+)?", size) and float(size) > 0 and any(listed):
+            nearest = min(filter(None, listed), key=lambda other: abs(float(other[1]) - float(size)))
+            advice = note(
+                "use {name} and set {field} to {size}",
+                name=nearest[0],
+                field=FieldName("thickness"),
+                size=size,
+            )
+        elif near:
+            advice = note("did you mean {names}?", names=" or ".join(near))
+        else:
+            advice = note("known sheets: {names}", names=", ".join(names))
         raise InputError("; ".join((f"unknown sheet {name!r}: {advice}", *problems)))
 
     def with_thickness(self, thickness: float) -> "Sheet":
