@@ -36,6 +36,9 @@ TO_LINE, TO_RATIO = 14, 4
 ROUNDING = 1e-5
 """Precision of a moved control point, as a fraction of the length of the curve."""
 
+ALL_DIRECTIONS = slice(3)
+"""Directions in which `move_while_possible` searches: straight to the end, and along x and y."""
+
 
 def move_one_point(
     curve: PlaneCurve,
@@ -124,6 +127,7 @@ def move_while_possible(
     possible: Callable[[FloatArray], Found | None],
     step: float,
     halvings: int,
+    directions: slice = ALL_DIRECTIONS,
 ) -> Found | None:
     """Return the result at a possible place nearer to an impossible `end`, or None if there is none near `start`.
 
@@ -141,6 +145,8 @@ def move_while_possible(
         Distance below which two places count as the same.
     halvings : int
         Largest number of trials after the first in each direction.
+    directions : slice
+        Directions that are tried: 0 is straight, 1 the longer and 2 the shorter of the parts along x and y.
 
     Examples
     --------
@@ -151,7 +157,7 @@ def move_while_possible(
     """
     displacement = end - start
     axes = np.eye(2)[np.argsort(-np.abs(displacement).reshape(-1, 2).max(axis=0))]
-    for along in (displacement, *(displacement * axis for axis in axes)):
+    for along in (displacement, *(displacement * axis for axis in axes))[directions]:
         size = float(np.hypot(*along.T).max())
         if size <= step:
             continue

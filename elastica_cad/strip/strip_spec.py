@@ -817,14 +817,21 @@ class StripSpec(EqualByValue):
         StrainError
             The strip would break.
         """
-        rod = accepted_rod(solve_rod(self.rod_spec) if found is None else found)
+        strip = self.bend(accepted_rod(solve_rod(self.rod_spec) if found is None else found))
+        return make_within(
+            strip, self.shop, compensate=bool(self.compensate), ignore_limits=self.ignore_limits,
+            noisy=measured_points(self.curve) is not None,
+        )  # fmt: skip
+
+    def bend(self, rod: Rod) -> Strip:
+        """Return the strip of a rod before joints, compensation and the checks whether it can be made."""
         if self.makes_up_for_curl and rod.section is None:
             rod = replace(rod, section=self._width_law)
         if isinstance(self.style, Laminated):  # the style computes the section from the stiffness of the rod
             rod = replace(rod, section=None)
         tabs_note = self.tabs_message
         notes = (*([] if tabs_note is None else [tabs_note]), *self.rod_spec.smoothing.notes)
-        strip = Strip(
+        return Strip(
             replace(rod, warnings=(*rod.warnings, *notes)) if notes else rod,
             self.material,
             max_width=self.max_width,
@@ -837,10 +844,6 @@ class StripSpec(EqualByValue):
             creep=self.creep,
             tolerance=self.tolerance,
         )
-        return make_within(
-            strip, self.shop, compensate=bool(self.compensate), ignore_limits=self.ignore_limits,
-            noisy=measured_points(self.curve) is not None,
-        )  # fmt: skip
 
     def changed(self, **fields: Any) -> "StripSpec":
         """Return a copy of the request with other values of the given fields."""

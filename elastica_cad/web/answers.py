@@ -12,6 +12,7 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import SEEN_APART
 from elastica_cad.design.design_file import Design, design_of, parse_design
 from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.design.strip_table import scaled_places
@@ -29,7 +30,7 @@ from elastica_cad.kit.pair_kit import MadePair
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.elements import NOUNS, PlacedElement, PointForce, Rail
 from elastica_cad.mechanics.loads import PointMass, Weight
-from elastica_cad.mechanics.point_search import move_while_possible
+from elastica_cad.mechanics.point_search import ALL_DIRECTIONS, move_while_possible
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet, cut_sheets
@@ -63,6 +64,9 @@ Record = dict[str, Any]
 
 LEAST_STEP = 1e-3
 """Smallest tolerance, mm, to which the last possible position of a dragged point is searched."""
+
+DIRECTIONS = 2
+"""Largest number of directions per answer in this search; the next answer tries the others."""
 
 HALVINGS = 2
 """Largest number of bisection steps per answer in the search for the last possible position of a dragged point."""
@@ -197,17 +201,15 @@ def _strip(request: Mapping[str, Any]) -> Record:
     If the request contains `hold`, a dragged point stops at its last possible position.
     """
     spec, kept = _with_kept_fractions(request)
-    holds = "hold" in request
-    if holds and _is_too_sharp(spec):
-        return _stopped(request)
+    if "hold" in request:
+        possible = _made_quickly(spec)
+        return _stopped(request) if possible is None else _shown(spec, kept, *possible, live=True)
     try:
         rod, strip = _made(spec)
     except ElasticaError as problem:
-        if holds:
-            return _stopped(request)
         refusal = {"elements": _elements(spec)} | _drawn(spec) | refused(problem)
         return _checked(spec, kept) | refusal
-    return _shown(spec, kept, rod, strip, bool(request.get("live")))
+    return _shown(spec, kept, rod, strip, live=bool(request.get("live")))
 
 
 def _checked(spec: StripSpec, kept: Record) -> Record:
@@ -217,7 +219,7 @@ def _checked(spec: StripSpec, kept: Record) -> Record:
     return {"theorem": _theorem(check), "text": str(check), "path": path, "kept": kept}
 
 
-def _shown(spec: StripSpec, kept: Record, rod: Rod | NearestRod, strip: Strip, live: bool) -> Record:
+def _shown(spec: StripSpec, kept: Record, rod: Rod | NearestRod, strip: Strip, *, live: bool) -> Record:
     """Return the check, shape, flat part and numbers of a strip.
 
     The page requests them at every move of the pointer.
@@ -242,8 +244,9 @@ def _made(spec: StripSpec) -> tuple[Rod | NearestRod, Strip]:
 def _stopped(request: Mapping[str, Any]) -> Record:
     """Return the strip for a possible position of a dragged control point, on its way to the mouse.
 
-    `request["hold"]` has the index of the point, its last possible position `from`, and the tolerance `step`, mm.
-    If the point cannot move, the record has only this position.
+    `request["hold"]` has the index of the point, its last possible position `from`, the tolerance `step`, mm, and
+    the first direction `turn` of this answer. If the point cannot move, the record has this position and, unless
+    all directions were tried, the `turn` of the next answer.
     """
     hold, design, k = request["hold"], request["design"], request.get("strip", 0)
     strip = design["strips"][k]
@@ -256,14 +259,32 @@ def _stopped(request: Mapping[str, Any]) -> Record:
         strips[k] = strip | {"curve": curve | {"spline": spline}}
         with suppress(ElasticaError):
             spec, kept = _with_kept_fractions({**request, "design": design | {"strips": strips}})
-            if not _is_too_sharp(spec):
-                rod, made = _made(spec)
-                return lambda: _shown(spec, kept, rod, made, True) | {"point": spline[index]}
+            if (made := _made_quickly(spec)) is not None:
+                return lambda: _shown(spec, kept, *made, live=True) | {"point": spline[index]}
         return None
 
     start, end = (np.array(xy, dtype=float) for xy in (hold["from"], curve["spline"][index]))
-    found = move_while_possible(start, end, shown, max(float(hold["step"]), LEAST_STEP), HALVINGS)
-    return {"point": hold["from"]} if found is None else found()
+    step, turn = max(float(hold["step"]), LEAST_STEP), int(hold.get("turn", 0))
+    found = move_while_possible(start, end, shown, step, HALVINGS, slice(turn, turn + DIRECTIONS))
+    if found is not None:
+        return found()
+    turn += DIRECTIONS
+    return {"point": hold["from"]} | ({"turn": turn} if turn < ALL_DIRECTIONS.stop else {})
+
+
+def _made_quickly(spec: StripSpec) -> tuple[Rod | NearestRod, Strip] | None:
+    """Return the rod and strip, or None if the strip cannot be made. The reason is not computed."""
+    with suppress(ElasticaError):
+        if _is_too_sharp(spec):
+            return None
+        rod = solve_rod(spec.rod_spec)
+        solid = isinstance(spec.style, Plain) and spec.law is None
+        if solid and isinstance(rod, Rod) and not (spec.compensate or spec.ignore_limits):
+            narrowest = spec.bend(rod).width.extremes[0]
+            if narrowest < (1 - SEEN_APART) * spec.shop.width_for(spec.material):
+                return None
+        return rod, spec.make(rod)
+    return None
 
 
 def _is_too_sharp(spec: StripSpec) -> bool:

@@ -249,11 +249,14 @@ class Studio {
     this.wanted = point;
     if (this.leading) return;
     this.leading = true;
+    let turn = 0; // direction in which the next answer searches
     while (this.wanted) {
       const { design, strip, wanted } = this, from = this.curve().spline[k], length = this.length ?? this.answer?.path?.length;
       this.wanted = null;
       this.curve(design).spline[k] = wanted;
-      const answer = await this.channel.ask({ do: "strip", design, strip, length, live: true, hold: { point: k, from, step: 1 / this.drawing.view.scale } });
+      const answer = await this.channel.ask({ do: "strip", design, strip, length, live: true, hold: { point: k, from, step: 1 / this.drawing.view.scale, turn } });
+      turn = answer?.turn ?? 0;
+      if (turn) this.wanted ??= wanted;
       if (!answer?.position) continue; // the point stays at the border
       this.shown = answer.id;
       this.answered = answer;
