@@ -8,6 +8,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from elastica_cad._signatures import simplify_signature
+
 
 @contextmanager
 def installed_modules() -> Iterator[None]:
@@ -41,6 +43,10 @@ def exports(file: str, package: str) -> tuple[Callable[[str], Any], Callable[[],
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
         home = homes[name]
         with installed_modules():
-            return import_module(f"{home}.{name}") if home == package else getattr(import_module(home), name)
+            if home == package:
+                return import_module(f"{home}.{name}")
+            value = getattr(import_module(home), name)
+        simplify_signature(value)
+        return value
 
     return get, lambda: names, names

@@ -2,8 +2,10 @@
 
 import re
 from collections.abc import Callable, Iterator
-from inspect import Parameter, cleandoc, isclass, signature
+from inspect import Parameter, cleandoc, isclass
 from typing import Any, TypeVar, get_args
+
+from elastica_cad._signatures import PlainText, plain_signature
 
 T = TypeVar("T")
 
@@ -28,6 +30,7 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
 
     Examples
     --------
+    >>> from inspect import signature
     >>> from elastica_cad.kernel.strip_options import FixtureSizes
     >>> @lists(FixtureSizes)
     ... def block(**sizes):
@@ -77,11 +80,11 @@ def _with_first_parameters(text: str) -> str:
 
 def _write_signature(thing: Any, keys: dict[str, tuple[str, str]]) -> None:
     """Replace `**options` in the signature of `thing` by the keys."""
-    given = signature(thing.__init__ if isclass(thing) else thing)
+    given = plain_signature(thing.__init__ if isclass(thing) else thing)
     named = [entry for entry in given.parameters.values() if entry.kind is not Parameter.VAR_KEYWORD]
     taken = {entry.name for entry in named}
     added = [
-        Parameter(name, Parameter.KEYWORD_ONLY, default=..., annotation=kind)
+        Parameter(name, Parameter.KEYWORD_ONLY, default=PlainText("..."), annotation=PlainText(kind))
         for name, (kind, _) in keys.items()
         if name not in taken
     ]
