@@ -152,6 +152,9 @@ class MinimaxProgram:
         Typical rows of the bounds; they determine the scaling of the unknowns.
     side_rows, side_offset : (k, m), (k,) arrays, optional
         Further conditions side_rows @ x + side_offset >= 0.
+    most : float
+        Largest useful R. The search ends as soon as R must be larger, and if the exchange method finds no
+        solution.
     """
 
     def __init__(
@@ -160,7 +163,9 @@ class MinimaxProgram:
         *,
         side_rows: FloatArray | None = None,
         side_offset: FloatArray | None = None,
+        most: float = np.inf,
     ) -> None:
+        self.most = most
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
         # the conditions are rows @ (x, R) >= limits; R >= 0 and -box <= x define the first vertex, and the
@@ -191,15 +196,20 @@ class MinimaxProgram:
         self.limits = np.concatenate([self.limits, -offset])
 
     def solve(self) -> tuple[FloatArray, float] | None:
-        """Return x and R, or None if no x satisfies the conditions."""
+        """Return x and R, or None if no x satisfies the conditions with R up to `most`."""
         answer = self._exchanged()
-        if answer is None:
+        if answer is None and self.most == np.inf:
             boxes = 2 * self.basis.shape[1] + 1
             answer = _by_highs(self.rows[boxes:], self.limits[boxes:])
-        return None if answer is None else (self.basis @ answer[:-1], float(answer[-1]))
+        if answer is None or answer[-1] > self.most:
+            return None
+        return self.basis @ answer[:-1], float(answer[-1])
 
     def _exchanged(self) -> FloatArray | None:
-        """Return the optimal vertex (x, R), or None if the program is unbounded, infeasible or degenerate."""
+        """Return the optimal vertex (x, R), or None if the program is unbounded, infeasible or degenerate.
+
+        The least R never decreases, so the first vertex with R above `most` is returned, too.
+        """
         active, unknowns = self.active, self.basis.shape[1]
         rows, limits = self.rows[active], self.limits[active]
         for _ in range(METHOD.most):
@@ -210,6 +220,8 @@ class MinimaxProgram:
             vertex = inverse.dot(limits)  # `dot` takes half the time of `@` for arrays of this size
             # one step of iterative refinement reduces the error to rounding errors
             vertex += inverse.dot(limits - rows.dot(vertex))
+            if vertex[-1] > self.most:
+                return np.asarray(vertex)
             excess = self.rows.dot(vertex) - self.limits
             if vertex[-1] > 1:
                 excess /= 1 + self.rows[:, -1] * (vertex[-1] - 1)

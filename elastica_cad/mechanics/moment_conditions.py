@@ -337,8 +337,11 @@ def least_ratio(
     family: StiffnessFamily,
     places: tuple[IntArray, FloatArray] | None = None,
     tolerance: float = _SETTLED,
+    most: float = np.inf,
 ) -> tuple[FloatArray, float] | None:
     """Return the numbers y of the stiffness with the least ratio R, and R; None if none is positive everywhere.
+
+    The result can also be None if R is above `most`.
 
     By default R is the ratio on the continuous curve. With `places` (panels and coordinates x), R is the ratio at
     these samples. Extremes of the stiffness between samples are computed from its polynomials and added to the
@@ -352,7 +355,7 @@ def least_ratio(
         more, more_offset = family.extremes(np.ones(family.freedom))
         solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
     else:
-        return _continuous_ratio(family, tolerance)
+        return _continuous_ratio(family, tolerance, most)
     return None if solution is None else (solution.x, solution.ratio)
 
 
@@ -360,12 +363,14 @@ def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> M
     return minimax_ratio(rows, offset=offset, side_rows=family.side_rows, side_offset=family.side_offset)
 
 
-def _continuous_ratio(family: StiffnessFamily, tolerance: float) -> tuple[FloatArray, float] | None:
+def _continuous_ratio(
+    family: StiffnessFamily, tolerance: float, most: float
+) -> tuple[FloatArray, float] | None:
     """Add all local extremes beyond the bounds in each iteration."""
     rows, offset = family.dense
     sides = [side.dense for side in family.sides]
     program = MinimaxProgram(
-        np.concatenate([rows, *sides]), side_rows=family.side_rows, side_offset=family.side_offset
+        np.concatenate([rows, *sides]), side_rows=family.side_rows, side_offset=family.side_offset, most=most
     )
     program.demand(rows, offset, rows, offset)
     for side in sides:
@@ -747,8 +752,13 @@ class ConditionedRows:
             family = replace(family, side_rows=sides[0], side_offset=sides[1])
         return StateFamily(family, basis, fixed)
 
-    def ratio(self, numbers: StateFamily, tolerance: float = _SETTLED) -> tuple[FloatArray, float] | None:
-        """Return the free numbers with the least stiffness ratio, and the ratio; None if no stiffness exists."""
+    def ratio(
+        self, numbers: StateFamily, tolerance: float = _SETTLED, most: float = np.inf
+    ) -> tuple[FloatArray, float] | None:
+        """Return the free numbers with the least stiffness ratio, and the ratio; None if no stiffness exists.
+
+        The result can also be None if the ratio is above `most`.
+        """
         if numbers.family.freedom == 0 and numbers.family.offset is None:
             return None
         if numbers.family.freedom > 0:
@@ -756,7 +766,7 @@ class ConditionedRows:
             sizes = np.abs(rows).sum(axis=1)
             if not sizes.max() < WIDEST_RATIO * sizes.min():
                 return None
-        return least_ratio(numbers.family, self.places, tolerance)
+        return least_ratio(numbers.family, self.places, tolerance, most)
 
     @property
     def places(self) -> tuple[IntArray, FloatArray] | None:

@@ -27,7 +27,7 @@ from elastica_cad.mechanics.moment_conditions import (
     least_ratio,
     moment_rows,
 )
-from elastica_cad.mechanics.quadrature_panels import REFINEMENTS, Panels
+from elastica_cad.mechanics.quadrature_panels import REFINEMENTS, CutCurve, Panels
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, StiffnessLaw
 from elastica_cad.mechanics.theorem1 import NotRealizable
@@ -68,6 +68,23 @@ def balance_of(request: RodRequest) -> BalancedStiffness:
 
 def balance_without_weight(request: RodRequest) -> BalancedStiffness:
     """Return the weightless stiffness of least ratio (paper, Eq. 4) on the whole curve or at the nodes only."""
+    problem, numbers, cut = _weightless(request)
+    state = problem.least(numbers, smooth=bool(request.elements))
+    return replace(problem.balance(problem.steadied(state)), kinks=cut.kinks)
+
+
+def ratio_within(request: RodRequest, most: float) -> float | None:
+    """Return the least stiffness ratio of a weightless rod, or None if it is above `most` or no rod exists.
+
+    This takes less time than `balance_of`, because the reason why no rod exists is not computed.
+    """
+    problem, numbers, _ = _weightless(request)
+    optimum = problem.ratio(numbers, most=most)
+    return None if optimum is None or optimum[1] > most else optimum[1]
+
+
+def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutCurve]:
+    """Return the equilibrium conditions without weight, their free numbers, and the curve cut into panels."""
     cut = request.cut
     for _ in range(REFINEMENTS):
         rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
@@ -79,8 +96,7 @@ def balance_without_weight(request: RodRequest) -> BalancedStiffness:
         if finer is None:
             break
         cut = finer
-    state = problem.least(numbers, smooth=bool(request.elements))
-    return replace(problem.balance(problem.steadied(state)), kinks=cut.kinks)
+    return problem, numbers, cut
 
 
 def _with_weight(request: RodRequest) -> BalancedStiffness:

@@ -13,7 +13,7 @@ from elastica_cad.errors import ElasticaError
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import ExcessCurvature, NaturalCurvature, Supports
 from elastica_cad.mechanics.moment_conditions import RodRequest
-from elastica_cad.mechanics.optimal_balance import balance_of
+from elastica_cad.mechanics.optimal_balance import ratio_within
 from elastica_cad.mechanics.support_search import MOST_RATIO
 
 Found = TypeVar("Found")
@@ -90,8 +90,7 @@ def move_one_point(
             request = RodRequest(
                 move.at(share), supports=supports or Supports(), natural_curvature=natural_curvature
             )
-            values = balance_of(request).stiffness.extremes
-            return bool(values.max() <= MOST_RATIO * values.min())
+            return ratio_within(request, MOST_RATIO) is not None
         return False
 
     angles = 2 * np.pi * np.arange(DIRECTIONS) / DIRECTIONS

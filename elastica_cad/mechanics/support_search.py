@@ -16,7 +16,7 @@ from elastica_cad.mechanics.loads import (
     require_supports,
 )
 from elastica_cad.mechanics.moment_conditions import RodRequest
-from elastica_cad.mechanics.optimal_balance import balance_of
+from elastica_cad.mechanics.optimal_balance import ratio_within
 from elastica_cad.mechanics.stability import stability
 
 PLACES = 11
@@ -105,9 +105,8 @@ def _stable(requests: Sequence[RodRequest], most: float) -> tuple[float, Element
     possible = []
     for i, request in enumerate(requests):
         with suppress(ElasticaError):
-            values = balance_of(request).stiffness.extremes
-            if values.max() <= most * values.min():
-                possible.append((float(values.max() / values.min()), i))
+            if (ratio := ratio_within(request, most)) is not None:
+                possible.append((ratio, i))
     for ratio, i in sorted(possible)[:MOST_STABLE_TRIED]:
         with suppress(ElasticaError):
             if stability(rod_of_request(requests[i])).stable:

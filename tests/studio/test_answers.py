@@ -335,7 +335,9 @@ def test_a_dragged_point_stops_at_the_border(between):
     answers = [at(far, hold=hold)]
     while {"position", "turn"} & answers[-1].keys():  # as the page, which asks until the point stays
         assert "refused" not in at(answers[-1]["point"])
-        answers.append(at(far, hold=hold | {"from": answers[-1]["point"], "turn": answers[-1].get("turn", 0)}))
+        answers.append(
+            at(far, hold=hold | {"from": answers[-1]["point"], "turn": answers[-1].get("turn", 0)})
+        )
     assert 2 < len(answers) < 30
     assert answers[-1] == {"point": answers[-2]["point"]}
     x, y = answers[-1]["point"]

@@ -2,8 +2,12 @@
 
 from contextlib import suppress
 
+import pytest
+
 import elastica_cad as ec
 from elastica_cad.mechanics import suggest_support
+from elastica_cad.mechanics.moment_conditions import RodRequest
+from elastica_cad.mechanics.optimal_balance import balance_of, ratio_within
 
 WAVE = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
 
@@ -22,3 +26,21 @@ def test_the_rail_has_the_least_ratio_of_the_stable_ones():
 
 def test_a_straight_curve_needs_no_element():
     assert suggest_support(ec.PlaneCurve.line((0, 0), (100, 20))) is None
+
+
+@pytest.mark.parametrize("at", [60, 120, 197, 250, 330])
+@pytest.mark.parametrize("kind", [ec.Rail, ec.Pin])
+def test_a_ratio_within_a_limit_is_that_of_the_rod(at, kind):
+    """The search decides as the whole calculation, which words a reason and smooths the stiffness."""
+    points = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
+    request = RodRequest(ec.PlaneCurve.spline(points, degree=5), between=(kind(at),))
+    try:
+        values = balance_of(request).stiffness.extremes
+        least = values.max() / values.min()
+    except ec.NotRealizable:
+        assert ratio_within(request, 1e6) is None
+        return
+    ratio = ratio_within(request, 1.001 * least)
+    assert ratio is not None
+    assert ratio <= least <= 1.011 * ratio
+    assert ratio_within(request, 0.98 * least) is None
