@@ -576,6 +576,7 @@ def system_of(
         end=present.position[-1].copy() if end is None else pair(end, "end"),
         end_angles=_end_angles(angles, rod.supports, present), force=_end_force(force, rod.supports,
         present), moments=_end_moments(moment, rod.supports, present), law=rod.bending_law,
+        compression=rod.compression,
     )  # fmt: skip
     apart = float(np.linalg.norm(system.chord))
     if apart > system.length * (1 + 1e-12):
@@ -613,8 +614,11 @@ def reach(
     The continuation ends early at the first state for which `stop` returns True.
     """
     system = state.system
+    straight = is_straight(state) and stop is None
     if system.held and float(np.linalg.norm(system.chord)) > system.length * (1 - 1e-12):
         taut = stretch(state)
+        if system.compression is not None and is_straight(state):
+            return follow(taut, stop)
         if not is_balanced(taut):
             raise InputError(
                 "the ends are as far apart as the rod is long ({length:.6g}), so the rod must be straight, "
@@ -622,7 +626,11 @@ def reach(
                 length=Length(system.length),
             )
         return Reached(taut, 1.0, 0)
-    straight = is_straight(state) and stop is None
+    if straight and system.compression is not None:
+        bent = reach(state.under(replace(system, compression=None)), side, mode).state
+        reached = follow(bent.under(system))
+        # ends that are only a little closer than the length compress the rod, but do not bend it
+        return reached if reached.arrived else follow(state)
     return leave_straight(state, side, mode) if straight else follow(state, stop)
 
 

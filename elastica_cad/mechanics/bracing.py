@@ -36,7 +36,8 @@ _RANK = 1e-9
 class Bracing:
     """Contribution of elements between the ends to the second variation of a discrete rod of n edges.
 
-    The vector h (n,) contains the changes of the edge angles.
+    The vector h (n,) contains the changes of the edge angles. For an axially elastic rod, h (2 n,) also contains
+    the changes of the strains of the edges.
 
     Attributes
     ----------
@@ -86,29 +87,37 @@ class _Edges:
     tangents: FloatArray
     edge_length: float
     supports: Supports
+    directions: FloatArray | None
 
     @property
     def count(self) -> int:
         return len(self.tangents)
 
+    @property
+    def unknowns(self) -> int:
+        """Number of changes of angles, and of strains of an axially elastic rod."""
+        return self.count if self.directions is None else 2 * self.count
+
     def covered(self, s: float, order: int = 0) -> FloatArray:
         """Return the weights (n,) of the edge vectors in the position at arc length s, or their derivatives."""
         return edge_weights(s, self.edge_length, self.count, order)
 
-    @property
-    def across(self) -> FloatArray:
-        """Edge normals times the edge length (2, n), mm: derivatives of the edge vectors by their angles."""
-        return self.edge_length * left_of(self.tangents).T
+    def moves_with(self, weights: FloatArray) -> FloatArray:
+        """Return the derivatives (2, unknowns) of the edge vectors times `weights` (n,) or (2, n)."""
+        moves = self.edge_length * left_of(self.tangents).T * weights
+        if self.directions is None:
+            return moves
+        return np.concatenate([moves, self.edge_length * self.directions.T * weights], axis=1)
 
     @property
     def free(self) -> FloatArray:
         return np.array(self.supports.free_axes)
 
     def moves(self, s: float) -> FloatArray:
-        """Return the derivatives (2, n) of the position at arc length s by the edge angles; a held end is fixed."""
+        """Return the derivatives (2, unknowns) of the position at arc length s; a held end is fixed."""
         start, end = self.supports.ends
         from_end = np.array([getattr(end, axis) and not getattr(start, axis) for axis in "xy"])
-        return np.asarray(self.across * (self.covered(s) - from_end[:, None]))
+        return self.moves_with(self.covered(s) - from_end[:, None])
 
     def chord(self, s: FloatArray) -> tuple[FloatArray, float]:
         """Return the unit vector (2,) between the positions at two arc lengths s (2,), and their distance, mm."""
@@ -120,20 +129,20 @@ class _Edges:
 
 def _tie_brace(action: ElementForce, edges: _Edges) -> _Brace:
     u, size = edges.chord(action.s)
-    cover = edges.covered(float(action.s[1])) - edges.covered(float(action.s[0]))
+    moves = edges.moves_with(edges.covered(float(action.s[1])) - edges.covered(float(action.s[0])))
     pull = float(action.force[0] @ u)
     acts = slice(None) if pull != 0 else slice(0)  # a tie without pull adds no terms to the energy
     return _Brace(
-        rows=(u @ (edges.across * cover))[None],
+        rows=(u @ moves)[None],
         row_shifts=np.zeros((1, 2)),
-        terms=(edges.edge_length * cover * (edges.tangents @ u))[None][acts],
+        terms=(left_of(u) @ moves)[None][acts],
         term_shifts=np.zeros((1, 2))[acts],
         coefficients=np.array([[pull / size]])[acts, acts],
     )
 
 
 def _pin_brace(action: ElementForce, edges: _Edges) -> _Brace:
-    none = np.zeros((0, edges.count))
+    none = np.zeros((0, edges.unknowns))
     return _Brace(edges.moves(float(action.s[0])), np.eye(2), none, np.zeros((0, 2)), np.zeros((0, 0)))
 
 
@@ -149,7 +158,7 @@ def _rail_brace(action: ElementForce, edges: _Edges) -> _Brace:
     return _Brace(
         rows=(normal @ moves)[None],
         row_shifts=normal[None],
-        terms=np.array([turn, -tangent @ moves])[acts],
+        terms=np.array([np.pad(turn, (0, edges.unknowns - edges.count)), -tangent @ moves])[acts],
         term_shifts=np.array([np.zeros(2), -tangent])[acts],
         coefficients=-push * np.array([[0.0, 1.0], [1.0, kappa]])[acts, acts],
     )
@@ -164,18 +173,21 @@ def bracing_of(
     tangents: FloatArray,
     edge_length: float,
     supports: Supports,
+    directions: FloatArray | None = None,
 ) -> Bracing:
     """Return the contribution of taut elements between the ends to the second variation of a discrete rod.
 
     Parameters
     ----------
     tangents : (n, 2) array
-        Unit tangents of the edges.
+        Unit tangents of the edges, times their length over the nominal length.
+    directions : (n, 2) array, optional
+        Unit tangents of the edges of an axially elastic rod.
     edge_length : float
         Length of an edge, mm.
     """
-    edges = _Edges(tangents, edge_length, supports)
-    n, free = edges.count, edges.free
+    edges = _Edges(tangents, edge_length, supports, directions)
+    n, free = edges.unknowns, edges.free
     braces = [_BRACES[type(action.element)](action, edges) for action in between]
     rows = np.concatenate([np.zeros((0, n)), *(brace.rows for brace in braces)])
     terms = np.concatenate([np.zeros((0, n)), *(brace.terms for brace in braces)])
@@ -193,7 +205,8 @@ def bracing_of(
     turns_freely = free.all() and not any(end.angle for end in supports.ends)
     if ties and len(ties) == len(between) and turns_freely:
         # exclude the rotation of a bow as a whole, which does not change the energy
-        rows = np.concatenate([rows, edge_length * (tangents @ edges.chord(ties[0].s)[0])[None]])
+        turn = left_of(edges.chord(ties[0].s)[0]) @ edges.moves_with(np.ones(edges.count))
+        rows = np.concatenate([rows, turn[None]])
     # the terms of a straight strip are zero to first order, so their norm is bounded from below
     lengths = np.maximum(np.linalg.norm(terms, axis=1), _RANK * edge_length)
     coefficients, first = np.zeros((len(terms), len(terms))), 0

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from math import cos, nan, sin
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from elastica_cad import _native
 from elastica_cad._compiled_scipy import lapack
 from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.bracing import Bracing
 from elastica_cad.mechanics.loads import Supports, whole_number
 
@@ -116,21 +117,45 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
     return int(count)
 
 
-Terms: TypeAlias = tuple[FloatArray, FloatArray]
-"""Linear forms G (r, n) and a symmetric, invertible matrix C (r, r); G^t C G is added to a matrix (n, n)."""
+class Terms(NamedTuple):
+    """Matrix -G^t D^-1 G that is added to a matrix A (n, n), as rows and a corner [[A, G^t], [G, D]] beside it.
+
+    For terms G^t C G with coefficients C, the corner is D = -C^-1. For constraints of an axially elastic rod, the
+    corner is minus their compliance, so that 0 would be a constraint G h = 0.
+
+    Attributes
+    ----------
+    rows : (r, n) array
+        Linear forms G.
+    corner : (r, r) array
+        Symmetric matrix D.
+    below : int
+        Number of negative eigenvalues of the bordered matrix for a positive definite A.
+    """
+
+    rows: FloatArray
+    corner: FloatArray
+    below: int
+
+    @classmethod
+    def of(cls, rows: FloatArray, coefficients: FloatArray) -> "Terms":
+        """Return the terms G^t C G with `rows` G (r, n) and invertible `coefficients` C (r, r)."""
+        positive = np.count_nonzero(np.linalg.eigvalsh(coefficients) > 0)
+        return cls(rows, -np.asarray(np.linalg.inv(coefficients)), int(positive))
+
+    def on(self, vector: FloatArray) -> FloatArray:
+        """Return the product of the added matrix and a vector (n,)."""
+        return np.asarray(-self.rows.T @ np.linalg.solve(self.corner, self.rows @ vector))
 
 
 def _border_of(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
-    """Return the border rows (k + r, n) of constraints and terms, and the corner: 0 for constraints, -C^-1
-    for terms.
-    """
+    """Return constraints and terms as rows (k + r, n) beside a matrix, and the block in the corner between them."""
     k = len(basis)
     if terms is None:
         return basis, np.zeros((k, k))
-    forms, coefficients = terms
-    corner = np.zeros((k + len(forms), k + len(forms)))
-    corner[k:, k:] = -np.linalg.inv(coefficients)
-    return np.concatenate([basis, forms]), corner
+    corner = np.zeros((k + len(terms.rows), k + len(terms.rows)))
+    corner[k:, k:] = terms.corner
+    return np.concatenate([basis, terms.rows]), corner
 
 
 def constrained_inertia(
@@ -140,7 +165,7 @@ def constrained_inertia(
 
     By Sylvester's law for the bordered matrix their number is neg(A - shift) + pos(S) - rank. Here S = C (A -
     shift)^-1 C^t with C = `rows`, and neg and pos are numbers of negative and positive eigenvalues. Terms that
-    are added to A become more rows of the border, with minus their inverse coefficients in the corner.
+    are added to A become more rows of the border.
     """
     constraints = orthonormal_rows(rows)
     basis, corner = _border_of(constraints, terms)
@@ -156,8 +181,7 @@ def constrained_inertia(
     negative = count_negative(diagonal, off, shift)
     schur = basis @ solved.T - corner
     positive = int(np.count_nonzero(np.linalg.eigvalsh((schur + schur.T) / 2) > 0))
-    of_terms = 0 if terms is None else int(np.count_nonzero(np.linalg.eigvalsh(terms[1]) > 0))
-    return negative + positive - len(constraints) - of_terms
+    return negative + positive - len(constraints) - (0 if terms is None else terms.below)
 
 
 def lowest_constrained(
@@ -179,7 +203,7 @@ def lowest_constrained(
     rank = basis.shape[0]
     if n - rank < count:
         raise NotConvergedError(f"a rod of {n} edges has fewer than {count} free modes: use more samples")
-    if n < _FEW:
+    if n < _FEW and (rank or terms is None):
         return _dense(diagonal, off, basis, count, terms)
     d, e, shift = _factored_below(diagonal, off, min(n, rank + count))
     if terms is not None:  # because terms may lower the lowest eigenvalue
@@ -268,7 +292,7 @@ def lowest_weighted(
         if lowest is not None:
             return ConstrainedMode(*lowest)
     root = np.sqrt(lengths)
-    scaled = None if terms is None else (terms[0] / root, terms[1])
+    scaled = None if terms is None else terms._replace(rows=terms.rows / root)
     values, vectors = lowest_constrained(
         diagonal / lengths, off / (root[:-1] * root[1:]), rows / root, terms=scaled
     )
@@ -280,7 +304,7 @@ def lowest_weighted(
     residual[1:] += off * v[:-1]
     residual[:-1] += off * v[1:]
     if terms is not None:
-        residual += terms[0].T @ (terms[1] @ (terms[0] @ v))
+        left += terms.on(v)
     per_length = rows / lengths
     nu = np.linalg.lstsq(per_length @ rows.T, per_length @ residual, rcond=1e-14)[0]
     return ConstrainedMode(float(values[0]), v, nu)
@@ -298,7 +322,7 @@ def _dense(
 ) -> tuple[FloatArray, FloatArray]:
     full = np.diag(diagonal) + np.diag(off, 1) + np.diag(off, -1)
     if terms is not None:
-        full += terms[0].T @ terms[1] @ terms[0]
+        full += terms.on(np.eye(diagonal.size))
     free = (
         np.linalg.svd(basis, full_matrices=True)[2][basis.shape[0] :] if basis.size else np.eye(diagonal.size)
     )
@@ -452,6 +476,40 @@ def bending_moments(
 
 
 @dataclass(frozen=True, eq=False)
+class Compression:
+    """Axial elasticity of the n edges of a rod.
+
+    An edge has its nominal length under the force of the designed shape. Under another force, its length is the
+    nominal length times 1 - c (<lambda, T> - p), with the force lambda, minus the internal force, and the
+    direction T of the edge.
+
+    Attributes
+    ----------
+    compliance : (n,) array
+        Least bending stiffness divided by the axial stiffness E A, c, mm2.
+    pull : (n,) array
+        Component <lambda, T> = p in the designed shape, 1/mm2.
+    """
+
+    compliance: FloatArray
+    pull: FloatArray
+
+    def stretched(self, directions: FloatArray, force: FloatArray) -> FloatArray:
+        """Return the directions (n, 2) of the edges times their length over the nominal length."""
+        more = np.einsum("nk,nk->n", force, directions) - self.pull
+        return np.asarray(directions * (1 - self.compliance * more)[:, None])
+
+    def resampled(self, edges: int) -> "Compression":
+        """Return the record for another number of edges."""
+        old, new = ((np.arange(n) + 0.5) / n for n in (self.pull.size, edges))
+        return Compression(np.interp(new, old, self.compliance), np.interp(new, old, self.pull))
+
+    def scaled(self, least: float) -> "Compression":
+        """Return the record for forces that are divided by `least` times the present bending stiffness."""
+        return Compression(self.compliance * least, self.pull / least)
+
+
+@dataclass(frozen=True, eq=False)
 class Margin:
     """Stability margin: lowest eigenvalue of the second variation for changes that the supports allow.
 
@@ -463,7 +521,8 @@ class Margin:
     mode : (n,) array
         Lowest mode h at the edges, scaled to int h^2 ds = 1; unit 1/sqrt(mm).
     multipliers : (2,) array
-        Multipliers nu of H v - mu W v = C^t nu for x and y; zero for a coordinate that is not held at both ends.
+        Multipliers nu of H v - mu W v = C^t nu for x and y; zero for a coordinate that is not held at both ends,
+        and for axially elastic rods.
     """
 
     value: float
@@ -514,6 +573,8 @@ class DiscreteRod:
         Position of the first node, mm.
     bracing : Bracing or None
         Contribution of elements between the ends to the second variation.
+    compression : Compression or None
+        Axial elasticity of the edges; None for a rod that bends only.
 
     Examples
     --------
@@ -531,6 +592,7 @@ class DiscreteRod:
     supports: Supports = field(default_factory=Supports)
     start: FloatArray = field(default_factory=lambda: np.zeros(2))
     bracing: Bracing | None = None
+    compression: Compression | None = None
 
     @cached_property
     def edge_lengths(self) -> FloatArray:
@@ -543,9 +605,16 @@ class DiscreteRod:
         return node_weights(self.edge_length, self.angles.size)
 
     @cached_property
-    def tangents(self) -> FloatArray:
-        """Unit tangents T of the edges (n, 2)."""
+    def directions(self) -> FloatArray:
+        """Unit tangents of the edges (n, 2)."""
         return tangents(self.angles)
+
+    @cached_property
+    def tangents(self) -> FloatArray:
+        """Unit tangents T of the edges (n, 2), times their length over the nominal length."""
+        if self.compression is None:
+            return self.directions
+        return self.compression.stretched(self.directions, self.force)
 
     @cached_property
     def position(self) -> FloatArray:
@@ -561,6 +630,17 @@ class DiscreteRod:
     def shear(self) -> FloatArray:
         """Slope of the bending moment along each edge (n,), 1/mm2: normal component of the force lambda."""
         return np.asarray(self.force[..., 1] * self.tangents[:, 0] - self.force[..., 0] * self.tangents[:, 1])
+
+    @cached_property
+    def shortening(self) -> FloatArray:
+        """Length c l (n,), mm3, by which a force of 1/mm2 along each edge shortens it."""
+        assert self.compression is not None
+        return self.edge_length * self.compression.compliance
+
+    @cached_property
+    def sideways_pull(self) -> FloatArray:
+        """Derivative (n,), 1/mm2, of the component <lambda, T> of the force along each edge by the edge angle."""
+        return np.asarray(np.einsum("nk,nk->n", self.force, left_of(self.directions)))
 
     @cached_property
     def held(self) -> tuple[int, ...]:
@@ -580,11 +660,15 @@ class DiscreteRod:
         h^t H h = sum_i K_i (h_{i+1} - h_i)^2 / w_i - sum_i l_i <lambda_i, T_i> h_i^2, where h_i is the change of
         an edge angle, K_i and w_i are the stiffness and Voronoi length of a node, and l_i and T_i the length and
         tangent of an edge. At an end with a held angle, h_0 or h_{n+1} is 0. At an end with a free angle, the
-        term of the end node is omitted.
+        term of the end node is omitted. An axially elastic edge adds -c l <lambda, R T>^2 h_i^2, with a quarter
+        turn R, because its length changes with its angle.
         """
         spring = self.stiffness / self.node_lengths
-        self._zero_free_ends(spring)
-        return spring[:-1] + spring[1:] - self.edge_length * self.pull, -spring[1:-1]
+        self._drop_free(spring)
+        diagonal = spring[:-1] + spring[1:] - self.edge_length * self.pull
+        if self.compression is not None:
+            diagonal -= self.shortening * self.sideways_pull**2
+        return diagonal, -spring[1:-1]
 
     @cached_property
     def constraint_rows(self) -> FloatArray:
@@ -621,7 +705,8 @@ class DiscreteRod:
         diagonal, off, rows = self._second_variation
         lowest = lowest_weighted(diagonal, off, lengths, *self._braced(rows))
         nu = np.zeros(2)
-        nu[list(self.held)] = lowest.multipliers[: len(self.held)]
+        if self.compression is None:
+            nu[list(self.held)] = lowest.multipliers[: len(self.held)]
         return Margin(lowest.value * float(lengths.sum()) ** 2, lowest.mode, nu)
 
     @cached_property
@@ -649,7 +734,7 @@ class DiscreteRod:
     @property
     def _second_variation(self) -> tuple[FloatArray, FloatArray, FloatArray]:
         """Diagonal (n,) and off-diagonal (n-1,) of the Hessian, and rows (p, n) of the constraints."""
-        if _native.compiled is None:
+        if _native.compiled is None or self.compression is not None:
             return *self.hessian, self.constraint_rows
         start, end = self.held_angles
         return _native.second_variation(
@@ -658,11 +743,40 @@ class DiscreteRod:
         )  # fmt: skip
 
     def _braced(self, rows: FloatArray) -> tuple[FloatArray, Terms | None]:
-        """Return the constraints of the ends and elements, and the terms that the elements add to the Hessian."""
-        if self.bracing is None:
+        """Return the constraints of the ends and elements, and the terms that are added to the Hessian.
+
+        All constraints of an axially elastic rod are terms.
+        """
+        bracing = self.bracing
+        if self.compression is not None:
+            return np.zeros((0, self.angles.size)), self._elastic_terms(rows)
+        if bracing is None:
             return rows, None
-        terms = (self.bracing.terms, self.bracing.coefficients) if len(self.bracing.terms) else None
-        return np.concatenate([rows, self.bracing.rows]), terms
+        terms = Terms.of(bracing.terms, bracing.coefficients) if len(bracing.terms) else None
+        return np.concatenate([rows, bracing.rows]), terms
+
+    def _elastic_terms(self, rows: FloatArray) -> Terms | None:
+        """Return the constraints and terms of an axially elastic rod, without the strains of its edges.
+
+        Let h be the changes of the angles of the edges and e those of their strains. The energy changes by h^t H h
+        + 2 h^t X e + e^t Y e with diagonal matrices X = l <lambda, R T> and Y = l / c. Constraints and terms are
+        rows @ h + more @ e.
+        """
+        n = self.angles.size
+        terms = Terms.of(np.zeros((0, 2 * n)), np.zeros((0, 0)))
+        both = np.concatenate([rows, self.edge_length * self.directions.T[list(self.held)]], axis=1)
+        if self.bracing is not None:
+            both = np.concatenate([both, self.bracing.rows])
+            terms = Terms.of(self.bracing.terms, self.bracing.coefficients)
+        held = orthonormal_rows(both)
+        both, corner = _border_of(held, terms)
+        if not len(both):
+            return None
+        more = both[:, n:] * self.shortening / self.edge_length
+        return Terms(
+            both[:, :n] - more * self.sideways_pull, corner - more / self.edge_length @ both[:, n:].T,
+            len(held) + terms.below,
+        )  # fmt: skip
 
     def moment_imbalance(self, moments: FloatArray) -> FloatArray:
         """Return the moment imbalance of the edges (n,), 1/mm: the gradient of the energy by the edge angles."""

@@ -180,6 +180,10 @@ class LaminatedSection:
         alpha = self.weight_per_length(w1, w2) - beta * K
         return Weight(alpha=Profile.interpolate(s, alpha), beta=Profile.interpolate(s, beta))
 
+    def axial_stiffness(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
+        """Return E A (n,), N, for the widths of base and backing (n,), mm."""
+        return np.asarray(sum(self._axial(*self._widths(base_width, backing_width))))
+
     def scale_range(
         self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0
     ) -> ScaleRange:

@@ -48,10 +48,11 @@ class ElementEquations:
 
     Attributes
     ----------
-    force : (n, 2) array
-        Contribution of the elements to lambda, minus the internal force, in the edges, 1/mm2.
     rows : (k, n) array
         Derivatives of the residuals by the angles of the edges.
+    pulls : (k, n) array
+        Derivatives by the unknowns of the component along the edge of the force lambda in each edge, minus the
+        internal force, times the length of the edge over the nominal length.
     corner : (k, k) array
         Derivatives of the residuals by the unknowns.
     residual : (k,) array
@@ -59,8 +60,8 @@ class ElementEquations:
         True for residuals that are position errors.
     """
 
-    force: FloatArray
     rows: FloatArray
+    pulls: FloatArray
     corner: FloatArray
     residual: FloatArray
     places: FloatArray
@@ -125,11 +126,21 @@ class MountedElements:
             return np.asarray(reach)
         return np.asarray(self.anchor + reach - self._from_end * self.edge_length * tangents.sum(axis=0))
 
+    def force(self, numbers: FloatArray, edges: int) -> FloatArray:
+        """Return the contribution (n, 2) of the elements to lambda, minus the internal force, 1/mm2."""
+        force = np.zeros((edges, 2))
+        for action in self.solved(numbers):
+            if isinstance(action.element, Tie):
+                force += self._between(action, edges)[:, None] * action.force[0]
+            else:
+                force -= self._up_to(float(action.s[0]), edges) * action.force[0]
+        return force
+
     def equations(self, tangents: FloatArray, numbers: FloatArray) -> ElementEquations:
-        """Return the equations for edge tangents (n, 2) and unknowns (k,)."""
+        """Return the equations for edge tangents (n, 2), times lengths over nominal lengths, and unknowns (k,)."""
         n, k, h = len(tangents), numbers.size, self.edge_length
         across = h * left_of(tangents).T
-        force, rows, corner = np.zeros((n, 2)), np.zeros((k, n)), np.zeros((k, k))
+        rows, pulls, corner = np.zeros((k, n)), np.zeros((k, n)), np.zeros((k, k))
         residual, places = np.zeros(k), np.zeros(k, dtype=bool)
         free = self.free_axes
         first_shift = k - len(free)
@@ -145,7 +156,7 @@ class MountedElements:
                 psi = numbers[more] / length
                 e = np.array([np.cos(psi), np.sin(psi)])
                 weights = self._between(action, n)
-                force += weights[:, None] * f
+                pulls[pair] = tangents.T * weights
                 rows[pair] = across * weights
                 residual[pair] = h * (weights @ tangents) - length * e
                 if self.turns_freely:
@@ -160,16 +171,17 @@ class MountedElements:
                 continue
             slides = isinstance(action.element, Rail)
             s = float(numbers[more] if slides else action.s[0])
-            weights = edge_weights(s, h, n)[:, None] - self._from_end
-            force -= weights * f
+            weights = self._up_to(s, n)
+            pulls[pair] = -(tangents * weights).T
             rows[pair] = -across * weights.T
             residual[pair] = action.mounting.point - self.place(s, tangents) - shift
             for j, axis in enumerate(free):
                 corner[at + axis, first_shift + j] = corner[first_shift + j, at + axis] = -1.0
                 residual[first_shift + j] -= f[axis]
             if slides:
-                slope = self.place(s, tangents, 1)
-                rows[more] = -(f @ across) * edge_weights(s, h, n, 1)
+                slope, crossing = self.place(s, tangents, 1), edge_weights(s, h, n, 1)
+                pulls[more] = -(tangents @ f) * crossing
+                rows[more] = -(f @ across) * crossing
                 residual[more] = -f @ slope
                 corner[pair, more] = corner[more, pair] = -slope
                 corner[more, more] = -f @ self.place(s, tangents, 2)
@@ -178,7 +190,7 @@ class MountedElements:
         if self.turns_freely:  # fix the translation of the rod, because no support does
             corner[first_shift:, first_shift:] = np.eye(len(free))
             residual[first_shift:] = 0.0
-        return ElementEquations(force, rows, corner, residual, places)
+        return ElementEquations(rows, pulls, corner, residual, places)
 
     def solved(self, numbers: FloatArray) -> tuple[ElementForce, ...]:
         """Return the elements with the forces and positions that the unknowns (k,) determine."""
@@ -208,6 +220,10 @@ class MountedElements:
         """Flags (2,): 1 for a coordinate measured from the end of the rod, 0 for one measured from the start."""
         start = self.supports.ends[0]
         return np.array([not start.x, not start.y], dtype=float)
+
+    def _up_to(self, s: float, edges: int) -> FloatArray:
+        """Return the weights (n, 2) of the edge vectors in the position at arc length s, mm."""
+        return np.asarray(edge_weights(s, self.edge_length, edges)[:, None] - self._from_end)
 
     def _between(self, action: ElementForce, edges: int) -> FloatArray:
         """Return the weights (n,) of the edge vectors in the vector between the two points of a tie."""
@@ -240,7 +256,7 @@ class ShapeOfRod:
     @classmethod
     def of(cls, rod: "Rod") -> "ShapeOfRod":
         """Return the shape of a rod."""
-        return cls(tangents(rod.discrete.angles), rod.length / (rod.s.size - 1), rod.position[0])
+        return cls(rod.discrete.tangents, rod.length / (rod.s.size - 1), rod.position[0])
 
     def at(self, s: float, order: int = 0) -> FloatArray:
         """Return the position (2,) at arc length s, mm, or its derivative by s."""
@@ -270,45 +286,55 @@ def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementFor
     if not (rod.between if between is None else between):
         return ()  # skip the curve, because a rod with jumps of its curvature has no spline
     curve = rod.curve
+    shape = curve if rod.compression is None or rod.shape is not None else ShapeOfRod.of(rod)
     if between is None:
-        return tuple(_kept(action, curve) for action in rod.between)
+        return tuple(_kept(action, curve, shape) for action in rod.between)
     actions = []
     for i, element in enumerate(between):
         same = next((action for action in rod.between if action.element == element), None)
         before = rod.between[i] if i < len(rod.between) else None
-        actions.append(_new(element, before, curve) if same is None else _kept(same, curve))
+        actions.append(_new(element, before, curve, shape) if same is None else _kept(same, curve, shape))
     return tuple(actions)
 
 
-def _kept(action: ElementForce, curve: PlaneCurve) -> ElementForce:
+def _positions(shape: "PlaneCurve | ShapeOfRod", s: FloatArray) -> FloatArray:
+    """Return the positions (k, 2) at arc lengths s (k,), mm."""
+    if isinstance(shape, ShapeOfRod):
+        return np.array([shape.at(float(place)) for place in s])
+    return shape.at(s).position
+
+
+def _kept(action: ElementForce, curve: PlaneCurve, shape: "PlaneCurve | ShapeOfRod") -> ElementForce:
     if action.mount is not None:
         return action
-    places = curve.at(action.s)
+    places = _positions(shape, action.s)
     if isinstance(action.element, Tie):
-        apart = float(np.hypot(*(places.position[1] - places.position[0])))
+        apart = float(np.hypot(*(places[1] - places[0])))
         return replace(action, mount=Mount(length=action.element.length or apart))
     side = 0
     if isinstance(action.element, Rail) and action.element.one_sided:
-        side = int(np.sign(action.force[0] @ left_of(tangents(places.angle))[0]))
-    return replace(action, mount=Mount(_point(places.position[0]), side))
+        side = int(np.sign(action.force[0] @ left_of(tangents(curve.at(action.s).angle))[0]))
+    return replace(action, mount=Mount(_point(places[0]), side))
 
 
-def _new(element: Element, before: ElementForce | None, curve: PlaneCurve) -> ElementForce:
+def _new(
+    element: Element, before: ElementForce | None, curve: PlaneCurve, shape: "PlaneCurve | ShapeOfRod"
+) -> ElementForce:
     s = PlacedElement.on(element, curve, curve).s
     force = np.zeros((s.size, 2))
     if before is not None and type(before.element) is type(element):
         force = before.force  # at first, an element that exerted a force is taut
     if isinstance(element, Tie):
-        return _kept(ElementForce(element, s, force), curve)
+        return _kept(ElementForce(element, s, force), curve, shape)
     if isinstance(element, Pin) and before is not None and isinstance(before.element, Pin):
         s = before.s
     assert isinstance(element, Rail | Pin)
-    foot = curve.at(s)
-    point = np.array(element.at) if isinstance(element.at, tuple) else foot.position[0]
-    side, off = 0, float((point - foot.position[0]) @ left_of(tangents(foot.angle))[0])
+    foot = _positions(shape, s)[0]
+    point = np.array(element.at) if isinstance(element.at, tuple) else foot
+    side, off = 0, float((point - foot) @ left_of(tangents(curve.at(s).angle))[0])
     if isinstance(element, Rail) and element.one_sided:
         if before is not None and isinstance(before.element, Rail):
-            side = _kept(before, curve).mounting.side
+            side = _kept(before, curve, shape).mounting.side
         elif abs(off) > MEETS_SHARE * curve.length:
             side = int(np.sign(off))
     return ElementForce(element, s, force, Mount(_point(point), side))

@@ -55,7 +55,9 @@ def newton_step(state: RodState, residual: Residual) -> Step:
 def _step_with_hessian(state: RodState, diagonal: FloatArray, off: FloatArray, residual: Residual) -> Step:
     rows, below = state.rows, -residual.miss
     if state.system.elements is None:
-        return Step(*solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=below))
+        return Step(
+            *solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=below, corner=state.corner)
+        )
     # scale all unknowns of the border to the unit of a force
     unit = np.where(state.places, 1.0, state.system.length**3)
     angles, reactions = solve_bordered(
@@ -255,17 +257,23 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """Return the state with correct positions of ends and elements, by the least change of angles."""
+    """Return the state with correct positions of ends and elements, by the least change of angles.
+
+    The forces of an axially elastic rod change too.
+    """
     moves = np.logical_not(state.places)
     unit = np.where(moves, state.system.length**2, 1.0)
+    softness = 0.0 if state.system.compression is None else 1 / state.system.length
     for _ in range(60):
         miss = np.where(moves, 0.0, state.residual.miss)
         if state.missed(miss) <= 1e-12:
             return state
         rows = np.where(moves[:, None], 0.0, state.rows)
         matrix = rows @ rows.T - np.where(moves[:, None] == moves, 0.0, unit[:, None] * state.corner * unit)
+        if softness:
+            matrix -= softness * np.where(moves[:, None] | moves, 0.0, state.corner)
         share = np.linalg.lstsq(matrix, miss, rcond=1e-12)[0]
-        step = Step(-rows.T @ share, np.where(moves, unit * share, 0.0))
+        step = Step(-rows.T @ share, np.where(moves, unit, softness) * share)
         turned = _turned(step)
         if not np.isfinite(turned) or (not np.any(step.reactions) and turned == 0):
             return None

@@ -19,7 +19,13 @@ from elastica_cad.geometry.polynomials import gauss_rule
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.splines import fit_spline, spline_through
 from elastica_cad.mechanics.bracing import bracing_of, slack_elements
-from elastica_cad.mechanics.discrete_rod import DiscreteRod, edge_forces, edge_positions, tangents
+from elastica_cad.mechanics.discrete_rod import (
+    Compression,
+    DiscreteRod,
+    edge_forces,
+    edge_positions,
+    tangents,
+)
 from elastica_cad.mechanics.elements import AT_END_SHARE, ElementForce, lumped
 from elastica_cad.mechanics.loads import (
     Gravity,
@@ -386,6 +392,8 @@ class Rod:
     between, point_forces : tuple of ElementForce
         Elements and point forces between the ends, with their positions and forces on the strip. `force` jumps by
         these forces.
+    compression : Compression or None
+        Axial elasticity of the edges, or None for a rod whose length is constant.
     """
 
     s: FloatArray
@@ -410,6 +418,7 @@ class Rod:
     moved: float = 0.0
     between: tuple[ElementForce, ...] = ()
     point_forces: tuple[ElementForce, ...] = ()
+    compression: Compression | None = None
 
     def __post_init__(self) -> None:
         n = numbers(self.s, "rod s").size
@@ -710,16 +719,19 @@ class Rod:
         # if an element acts at a node, the nodal force may be the value before or after the jump
         missing = self.force - nodal
         force += np.median(missing, axis=0) if acting else missing.mean(axis=0)
-        edge_length, bracing = self.length / angles.size, None
-        if self.between:
-            slack = slack_elements(self.between, force)
-            bracing = bracing_of(
-                [action for action in self.between if action not in slack], tangents=tangents(angles),
-                edge_length=edge_length, supports=self.supports,
-            )  # fmt: skip
-        return DiscreteRod(
-            self.tangent_stiffness, angles, force, edge_length, self.supports, self.position[0], bracing
-        )
+        edge_length = self.length / angles.size
+        rod = DiscreteRod(
+            self.tangent_stiffness, angles, force, edge_length, self.supports, self.position[0],
+            compression=self.compression,
+        )  # fmt: skip
+        if not self.between:
+            return rod
+        slack = slack_elements(self.between, force)
+        return replace(rod, bracing=bracing_of(
+            [action for action in self.between if action not in slack], tangents=rod.tangents,
+            edge_length=edge_length, supports=self.supports,
+            directions=None if self.compression is None else rod.directions,
+        ))  # fmt: skip
 
     @cached_property
     def curve(self) -> PlaneCurve:
@@ -727,12 +739,16 @@ class Rod:
 
         For a discrete rod the spline has the length, end positions and end angles of the rod. Its distance from
         the nodes is about h^2 kappa / 24, with edge length h and curvature kappa (see `integrate_edges`). If the
-        nodes are samples of a curve, the spline is a fit.
+        nodes are samples of a curve, the spline is a fit. The spline of an axially elastic rod has the angles of
+        the rod and its length without strain, so its end is off by the change of length.
         """
         if self.shape is not None:
             return self.shape
-        if has_even_edges(self.s, self.position):
-            return integrate_edges(self.s, self.position, self.angle)
+        nodes = self.position
+        if self.compression is not None:
+            nodes = edge_positions(nodes[0], self.discrete.directions, self.s[1])
+        if has_even_edges(self.s, nodes):
+            return integrate_edges(self.s, nodes, self.angle)
         return PlaneCurve(*fit_spline(self.position, 5, 1e-6 * self.length), 5)
 
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
@@ -774,13 +790,17 @@ def resample(rod: Rod, samples: int) -> Rod:
         return np.asarray(np.interp(s, rod.s, values))
 
     middles = (s[:-1] + s[1:]) / 2
-    angles = np.interp(middles, (rod.s[:-1] + rod.s[1:]) / 2, rod.discrete.angles)
+    before = (rod.s[:-1] + rod.s[1:]) / 2
+    T = tangents(np.interp(middles, before, rod.discrete.angles))
+    if rod.compression is not None:
+        T *= np.interp(middles, before, np.hypot(*rod.discrete.tangents.T))[:, None]
     return replace(
-        rod, s=s, position=edge_positions(rod.position[0], tangents(angles), s[1]), angle=at(rod.angle),
+        rod, s=s, position=edge_positions(rod.position[0], T, s[1]), angle=at(rod.angle),
         curvature=at(rod.curvature), stiffness=K / K.min(), profile=rod.profile.scaled(1 / float(K.min())),
         moment=at(rod.moment), force=np.column_stack([at(rod.force[:, 0]), at(rod.force[:, 1])]),
         natural_curvature=at_stations(rod.natural_curvature, rod.s, s),
         law=None if rod.law is None else rod.law.resampled(rod.s, s),
+        compression=None if rod.compression is None else rod.compression.resampled(samples - 1),
     )  # fmt: skip
 
 
@@ -810,4 +830,5 @@ def as_bent(rod: Rod) -> Rod:
     return replace(
         rod, law=law.below, stiffness=K / least, profile=profile, weight=weight, moment=rod.moment / least,
         force=rod.force / least, bending_stiffness=B and B * least,
+        compression=None if rod.compression is None else rod.compression.scaled(least),
     )  # fmt: skip

@@ -9,6 +9,7 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.mechanics.bracing import bracing_of
 from elastica_cad.mechanics.discrete_rod import (
+    Compression,
     DiscreteRod,
     bending_moments,
     edge_forces,
@@ -75,6 +76,8 @@ class RodSystem:
         Material law for the moment K m(kappa - kappa_0) instead of K (kappa - kappa_0).
     actions : tuple of ElementForce
         Mounted elements that act between the ends, with initial values of their forces.
+    compression : Compression, optional
+        Axial elasticity of the edges.
     """
 
     stiffness: FloatArray
@@ -89,6 +92,7 @@ class RodSystem:
     moments: FloatArray
     law: MaterialLaw | None = None
     actions: tuple[ElementForce, ...] = ()
+    compression: Compression | None = None
 
     @property
     def edges(self) -> int:
@@ -205,20 +209,17 @@ class RodState:
         K = system.stiffness
         if system.law is not None:
             K = K * self._lawful[1]
-        if self._equations is None:
-            return DiscreteRod(K, self.angles, force, system.edge_length, system.supports)
-        along = tangents(self.angles)
-        bracing = bracing_of(
-            self.actions, tangents=along, edge_length=system.edge_length, supports=system.supports
+        if system.elements is not None:
+            force += system.elements.force(self._numbers, self.angles.size)
+        rod = DiscreteRod(
+            K, self.angles, force, system.edge_length, system.supports, compression=system.compression
         )
-        return DiscreteRod(
-            K,
-            self.angles,
-            force + self._equations.force,
-            system.edge_length,
-            system.supports,
-            bracing=bracing,
-        )
+        if system.elements is None:
+            return rod
+        return replace(rod, bracing=bracing_of(
+            self.actions, tangents=rod.tangents, edge_length=system.edge_length, supports=system.supports,
+            directions=None if system.compression is None else rod.directions,
+        ))  # fmt: skip
 
     @property
     def _numbers(self) -> FloatArray:
@@ -227,7 +228,7 @@ class RodState:
     @cached_property
     def _equations(self) -> ElementEquations | None:
         elements = self.system.elements
-        return None if elements is None else elements.equations(tangents(self.angles), self._numbers)
+        return None if elements is None else elements.equations(self.discrete.tangents, self._numbers)
 
     @cached_property
     def actions(self) -> tuple[ElementForce, ...]:
@@ -239,16 +240,35 @@ class RodState:
     def rows(self) -> FloatArray:
         """Derivatives (p, n) of the errors `residual.miss` by the edge angles."""
         rows = self.discrete.constraint_rows
-        return rows if self._equations is None else np.concatenate([rows, self._equations.rows])
+        if self._equations is not None:
+            rows = np.concatenate([rows, self._equations.rows])
+        if self._pulls is not None:
+            rows = rows - self._pulls * self.discrete.shortening * self.discrete.sideways_pull
+        return rows
+
+    @cached_property
+    def _pulls(self) -> FloatArray | None:
+        """Derivatives (p, n) by the reactions of the components <lambda, T> of an axially elastic rod."""
+        rod, held = self.discrete, list(self.system.held)
+        if rod.compression is None:
+            return None
+        pulls = rod.directions.T[held]
+        if self._equations is None:
+            return pulls
+        lengths = np.einsum("nk,nk->n", rod.tangents, rod.directions)
+        return np.concatenate([pulls, self._equations.pulls / lengths])
 
     @cached_property
     def corner(self) -> FloatArray | float:
         """Derivatives (p, p) of the errors `residual.miss` by the reactions."""
-        if self._equations is None:
+        if self._equations is None and self._pulls is None:
             return 0.0
         held, size = len(self.system.held), self.reactions.size
         corner = np.zeros((size, size))
-        corner[held:, held:] = self._equations.corner
+        if self._equations is not None:
+            corner[held:, held:] = self._equations.corner
+        if self._pulls is not None:
+            corner -= (self._pulls * self.discrete.shortening) @ self._pulls.T
         return corner
 
     @cached_property
@@ -315,6 +335,10 @@ class RodState:
         stored = change**2 / 2 if system.law is None else system.law.energy(change)
         spring = system.stiffness * stored * system.node_lengths
         work = 0.0
+        rod, compression = self.discrete, system.compression
+        if compression is not None:
+            more = np.einsum("nk,nk->n", rod.force, rod.directions) - compression.pull
+            work -= float(rod.shortening @ (more**2 / 2 + compression.pull * more))
         for node, held, moment in zip((0, -1), system.held_angles, system.moments, strict=True):
             if held is None:
                 spring[node] = 0.0

@@ -12,7 +12,13 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bracing import slack_elements
-from elastica_cad.mechanics.discrete_rod import largest_of_inverse, node_weights, orthonormal_rows, tangents
+from elastica_cad.mechanics.discrete_rod import (
+    Terms,
+    largest_of_inverse,
+    node_weights,
+    orthonormal_rows,
+    tangents,
+)
 from elastica_cad.mechanics.elements import Pin, Rail, edge_weights
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.rod import Rod
@@ -497,7 +503,7 @@ def _lowest_braced(lower: FloatArray, braces: _Braces) -> float:
     factor = lapack().dpbtrf(shifted, lower=1)[0]
     theta, _ = largest_of_inverse(
         lambda x: lapack().dpbtrs(factor, x, lower=1)[0], lower.shape[1], orthonormal_rows(braces.rows),
-        terms=(braces.terms, np.eye(len(braces.terms))),
+        terms=Terms.of(braces.terms, np.eye(len(braces.terms))),
     )  # fmt: skip
     return shift + 1 / float(theta[0])
 

@@ -80,6 +80,13 @@ class _PowerLaw(FixedLaw):
         power, inertia, _ = self._shape
         return np.asarray(self.sheet.youngs_modulus * inertia * positive(parameter, self.quantity) ** power)
 
+    def axial_stiffness(self, parameter: ArrayLike) -> FloatArray:
+        """Return E A (n,), N, for parameters (n,), mm."""
+        power, _, area = self._shape
+        return np.asarray(
+            self.sheet.youngs_modulus * area * positive(parameter, self.quantity) ** (power - 2)
+        )
+
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
         power, inertia, _ = self._shape
         EI = positive(bending_stiffness, "bending stiffness")

@@ -26,6 +26,7 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.creep_study import Creep, creep, require_creep
+from elastica_cad.mechanics.discrete_rod import Compression
 from elastica_cad.mechanics.elements import require_free_between
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2
@@ -752,13 +753,18 @@ class Strip:
 
     @cached_property
     def rod_to_bend(self) -> Rod:
-        """Rod for moving the ends of the strip, with the effect of curling across the strip: see `bend_strip`."""
+        """Rod for moving the ends of the strip: see `bend_strip`.
+
+        It includes the effect of curling across the strip, and it is axially elastic.
+        """
         from elastica_cad.strip.as_made import rod_to_bend
 
         rod = rod_to_bend(self.rod, self.layout, corrected=self.correction is not None)
-        # with loads in N, the rod needs a bending stiffness in N mm2
-        own = rod.bending_stiffness is None
-        return replace(rod, bending_stiffness=self.bending_stiffness) if own else rod
+        if rod.bending_stiffness is None:  # loads in N need a bending stiffness in N mm2
+            rod = replace(rod, bending_stiffness=self.bending_stiffness)
+        middles = (rod.s[:-1] + rod.s[1:]) / 2
+        compliance = self.bending_stiffness / self.layout.axial_stiffness(middles)
+        return replace(rod, compression=Compression(compliance, rod.discrete.pull))
 
     @cached_property
     def as_made(self) -> "StripAsMade":

@@ -22,6 +22,7 @@ from elastica_cad.mechanics.stiffness_law import (
     SAME_SCALE,
     BoundedLaw,
     LaidLeaves,
+    RoundLaw,
     StiffnessLaw,
     ThicknessLaw,
     scale_within,
@@ -207,6 +208,15 @@ class Layout:
         """Return the bending stiffness E I (n,), N mm2, for the net widths (n,), mm, of sheet and backing."""
         law, parameter = self.law(material, backing)
         return law.bending_stiffness(parameter)
+
+    def axial_stiffness(self, s: FloatArray) -> FloatArray:
+        """Return E A (n,), N, at arc lengths (n,), mm."""
+        sheet, material = self.sheet, self.material(s)
+        if isinstance(self.section, ThicknessLaw | RoundLaw) and self.size is not None:
+            return self.section.axial_stiffness(self.size(s))
+        if self.backing is None:
+            return np.asarray(sheet.youngs_modulus * sheet.thickness * material)
+        return LaminatedSection(sheet, self.backing.sheet).axial_stiffness(material, self.backing.width(s))
 
     def weight_per_length(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray | None:
         """Return the weight per length (n,), N/mm, for net widths (n,), mm, or None for a single sheet.
