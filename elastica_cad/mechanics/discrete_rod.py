@@ -304,7 +304,7 @@ def lowest_weighted(
     residual[1:] += off * v[:-1]
     residual[:-1] += off * v[1:]
     if terms is not None:
-        left += terms.on(v)
+        residual += terms.on(v)
     per_length = rows / lengths
     nu = np.linalg.lstsq(per_length @ rows.T, per_length @ residual, rcond=1e-14)[0]
     return ConstrainedMode(float(values[0]), v, nu)
@@ -664,7 +664,7 @@ class DiscreteRod:
         turn R, because its length changes with its angle.
         """
         spring = self.stiffness / self.node_lengths
-        self._drop_free(spring)
+        self._zero_free_ends(spring)
         diagonal = spring[:-1] + spring[1:] - self.edge_length * self.pull
         if self.compression is not None:
             diagonal -= self.shortening * self.sideways_pull**2

@@ -48,7 +48,8 @@ def test_an_even_bow_is_the_inflectional_elastica(seed):
     assert made.end_angles == pytest.approx([angle, -angle], rel=1e-6)
     shorter = made.shortened([0.1])
     pull, _, _ = elastica(0.9 * made.cord, curve.length)
-    assert np.hypot(*shorter.end_force[0]) == pytest.approx(pull * E * np.pi * DIAMETER**4 / 64, rel=1e-6)
+    # a shorter cord also compresses the rod along its length
+    assert np.hypot(*shorter.end_force[0]) == pytest.approx(pull * E * np.pi * DIAMETER**4 / 64, rel=1e-4)
 
 
 @pytest.mark.parametrize("side", [1, -1])
