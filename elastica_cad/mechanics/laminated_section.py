@@ -182,7 +182,7 @@ class LaminatedSection:
 
     def axial_stiffness(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
         """Return E A (n,), N, for the widths of base and backing (n,), mm."""
-        return np.asarray(sum(self._axial(*self._widths(base_width, backing_width))))
+        return np.asarray(sum(self._axial_stiffness(*self._widths(base_width, backing_width))))
 
     def scale_range(
         self, base_width: ArrayLike, stiffness: ArrayLike, *, least_backing: float = 0.0

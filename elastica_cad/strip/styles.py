@@ -216,7 +216,8 @@ class Layout:
             return self.section.axial_stiffness(self.size(s))
         if self.backing is None:
             return np.asarray(sheet.youngs_modulus * sheet.thickness * material)
-        return LaminatedSection(sheet, self.backing.sheet).axial_stiffness(material, self.backing.width(s))
+        backing = np.minimum(self.backing.width(s), material)
+        return LaminatedSection(sheet, self.backing.sheet).axial_stiffness(material, backing)
 
     def weight_per_length(self, material: FloatArray, backing: FloatArray | None = None) -> FloatArray | None:
         """Return the weight per length (n,), N/mm, for net widths (n,), mm, or None for a single sheet.
