@@ -44,7 +44,7 @@ GOOD = 1e-7
 """Largest residual below which equations count as solved, as a fraction of the size of the curve."""
 
 ROUGH = 1e-2
-"""Largest residual between the nodes that more nodes can reduce. Above it, the solution is not a meridian."""
+"""Largest residual between nodes that more nodes can reduce; a larger residual shows that there is no meridian."""
 
 FINER = 3
 """Largest number of times that the number of nodes is doubled."""

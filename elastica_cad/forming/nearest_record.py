@@ -227,7 +227,7 @@ _MOST_ADVICE = 4  # largest number of active limits for which suggestions are ma
 # distance from the target below which no suggestions are made, in diagonals of the target
 _SLIGHT_DIAGONALS = 1e-3
 _NEGLIGIBLE = 0.01  # least effect of a suggested change, as a fraction of the distance
-_MISSED = 1e-4  # least violation that is reported
+_LEAST_REPORTED = 1e-4
 _IN_LENGTHS = ("end position", "points", "keep-out")
 
 
@@ -246,7 +246,7 @@ def _advise(near: NearestRod) -> Iterator[str]:
     ]
     if near.status is Status.NOT_MET:
         yield from (
-            _violation_sentence(near, binding) for binding in near.binding if binding.broken > _MISSED
+            _violation_sentence(near, binding) for binding in near.binding if binding.broken > _LEAST_REPORTED
         )
         if named:
             yield note("Relax {limits}.", limits=Either(name for _, name in named))

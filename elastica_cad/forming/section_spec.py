@@ -17,7 +17,6 @@ from elastica_cad.geometry.plane_points import lengths_along
 from elastica_cad.refusals import Length, Point, Refusal, note, sentences
 
 MOST_PLANES = 1000
-"""Largest number of planes in a request."""
 
 
 def parallel_planes(

@@ -367,7 +367,8 @@ class Iterate(Generic[Point]):
 
     def is_reliable(self, promise: float, highest_penalty: float) -> bool:
         """Return True if the error of the predicted equilibrium is small compared with the decrease `promise`."""
-        if not self.defect**2 * highest_penalty < SETTINGS.reliability * promise:  # whatever the objective
+        # necessary for every objective
+        if not self.defect**2 * highest_penalty < SETTINGS.reliability * promise:
             return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
         return self.defect**2 * (weight + highest_penalty) < SETTINGS.reliability * promise
@@ -769,7 +770,7 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
         missed = float(np.where(rows.one_sided, aim, np.abs(aim)).max(initial=0.0))
         if missed < least:
             best, least = point, missed
-        elif least <= SETTINGS.clearance:  # rounding is left
+        elif least <= SETTINGS.clearance:  # only rounding errors remain
             break
         if missed <= SETTINGS.exact_violation or missed > SETTINGS.correctable_violation:
             break

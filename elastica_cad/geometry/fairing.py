@@ -34,7 +34,7 @@ POLYLINE_DEGREE = 4
 FIT_TOLERANCE = 0.05
 """Largest distance, mm, between a curve and the points to which it is fitted."""
 
-_EACH_SIDE = 4  # number of samples of the curve for each side of a polyline
+_SAMPLES_PER_SIDE = 4
 
 
 def fit_polyline(vertices: FloatArray, tolerance: float) -> tuple[PlaneCurve, float]:
@@ -79,7 +79,7 @@ def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
     length.
     """
     places = lengths_along(vertices)
-    count = _EACH_SIDE * len(places)
+    count = _SAMPLES_PER_SIDE * len(places)
     positions = curve.sample(count).position
     side = np.searchsorted(places, places[-1] * np.linspace(0, 1, count)[1:-1], side="right") - 1
     nearest = np.full(count - 2, np.inf)
@@ -97,9 +97,9 @@ DEGREE = 4  # with simple knots, the curvature and its slope are continuous
 USUAL, USUAL_SHARE = 0.1, 5e-4
 """Default of the largest distance by which a curve is smoothed: in mm, and as a fraction of its length."""
 
-_EACH = 5  # number of sample points of each span
-_FEWEST, _MOST = 24, 768  # least and largest number of spans
-_ROUNDS = 3  # number of linearisations
+_SAMPLES_PER_SPAN = 5
+_FEWEST_SPANS, _MOST_SPANS = 24, 768
+_LINEARISATIONS = 3
 _HALVINGS = 14  # number of bisections of the range of smoothing lengths
 # fraction of the tolerance that is used at the samples, because the distance between samples may be larger
 _USED = 0.96
@@ -175,9 +175,9 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
         raise InputError(
             "a curve with corners cannot be smoothed: round the corners, or cut the curve at the corners"
         )
-    spans = int(np.clip(4 * len(curve.breaks), _FEWEST, _MOST // 4))
+    spans = int(np.clip(4 * len(curve.breaks), _FEWEST_SPANS, _MOST_SPANS // 4))
     best: Fairing | None = None
-    while spans <= _MOST:
+    while spans <= _MOST_SPANS:
         fairing, length = _fitted(curve, tolerance, spans, unbent)
         if fairing is not None:
             if best is None or fairing.moved <= tolerance:
@@ -202,7 +202,7 @@ def _fitted(
     points = problem.start()
     within: FloatArray | None = None
     reached = 0.0
-    for _ in range(_ROUNDS):
+    for _ in range(_LINEARISATIONS):
         slope = problem.slope_rows(points)
         low, high = np.log(problem.width / 4), np.log(curve.length)
         latest: FloatArray | None = None
@@ -242,14 +242,14 @@ class _Problem:
         beyond = self.width * np.arange(1, DEGREE + 1) * curve.is_closed
         self.knots = np.concatenate([edges[0] - beyond[::-1], edges, edges[-1] + beyond])
         self.spans = bezier_spans(self.knots, DEGREE)
-        local = (np.arange(_EACH) + 0.5) / _EACH
+        local = (np.arange(_SAMPLES_PER_SPAN) + 0.5) / _SAMPLES_PER_SPAN
         self.s = (edges[:-1, None] + self.width * local).ravel()
         samples = curve.at(self.s)
         self.data = samples.position
         self.along = np.column_stack([np.cos(samples.angle), np.sin(samples.angle)])
         self.across = left_of(self.along)
         self.basis = [self.spans.local_basis(self.s, k)[0] for k in range(4)]
-        self.support = np.repeat(self.spans.first, _EACH)[:, None] + np.arange(DEGREE + 1)
+        self.support = np.repeat(self.spans.first, _SAMPLES_PER_SPAN)[:, None] + np.arange(DEGREE + 1)
         self.held = np.zeros((self.spans.count, 2))
         if curve.is_closed:
             places = np.arange(self.spans.count) % spans

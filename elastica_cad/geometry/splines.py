@@ -388,7 +388,6 @@ _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
 """Fractions of a span at which the error is measured; no interpolation point is at these fractions."""
 
 _MOST_DEGREE = 12
-"""Largest degree of the splines that approximate functions."""
 
 _MOST_SPANS = 3000
 """Largest number of spans; a function that needs more is refused."""

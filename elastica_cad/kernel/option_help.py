@@ -48,7 +48,7 @@ def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
 
     def add(thing: T) -> T:
         _write_signature(thing, keys)
-        if thing.__doc__ is None:  # python -OO
+        if thing.__doc__ is None:  # `python -OO` removes docstrings
             return thing
         text = cleandoc(thing.__doc__)
         if drawn:

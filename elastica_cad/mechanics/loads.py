@@ -430,7 +430,7 @@ LENGTHS_APART = 0.01
 BLANK_TOLERANCE = 1e-9
 """Error of the natural curvature, relative to its largest value."""
 
-_SAMPLES = 401  # number of samples for the largest curvature of a curve
+_CURVATURE_SAMPLES = 401
 # distance from a break, as a fraction of the length, below which a position is at the break
 _AT_BREAK_SHARE = 1e-9
 
@@ -485,7 +485,7 @@ class RestCurvature(EqualByValue):
                 "the pre-bent strip has a corner at {s:.4g}, but a strip bends without kinks: round the corner",
                 s=Length(blank.tangent_breaks[0].s),
             )
-        size = max(float(np.abs(blank.sample(_SAMPLES).curvature).max()), 1 / blank.length)
+        size = max(float(np.abs(blank.sample(_CURVATURE_SAMPLES).curvature).max()), 1 / blank.length)
         return cls(
             Profile.fit(
                 lambda s: blank.at(s).curvature,
@@ -639,5 +639,5 @@ class ExcessCurvature:
     @cached_property
     def _size(self) -> float:
         """Largest sum of both absolute curvatures, 1/mm; it determines the rounding error of their difference."""
-        t = np.linspace(*self.curve.domain, _SAMPLES)
+        t = np.linspace(*self.curve.domain, _CURVATURE_SAMPLES)
         return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

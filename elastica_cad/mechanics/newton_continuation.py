@@ -22,7 +22,7 @@ ASTRAY_RAD = float(np.pi)  # largest rotation of an edge in a step of a minimisa
 NEAR_REST_RAD = 1e-2
 # size of a Newton step after which the next step, about its square, is below rounding errors
 CONVERGED_RAD = 1e-9
-MOST_DESCENTS = 300  # largest number of steps of a minimisation
+MOST_DESCENT_STEPS = 300
 # accuracy, as a fraction of the path, with which the change of an element to slack or taut is located
 STOP_SHARE = 1e-3
 LEAST_STEP = 1e-7  # least step, as a fraction of the path; it determines how precisely a fold is located
@@ -211,7 +211,7 @@ def _minimise_energy(state: RodState, astray: float) -> RodState | None:
     """
     system = state.system
     softest = 1e-3 * system.edge_length / system.length**2
-    for _ in range(MOST_DESCENTS):
+    for _ in range(MOST_DESCENT_STEPS):
         rod, residual = state.discrete, state.residual
         (diagonal, off), inertia = rod.hessian, rod.unstable_modes
         convex, push = diagonal, np.zeros_like(state.angles)

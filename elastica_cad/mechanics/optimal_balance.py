@@ -358,7 +358,6 @@ WIDEST_REACH = 0.1
 """Largest mean change of E I in a step of a descent, as a fraction of the limits of E I."""
 
 MOST_STEPS = 150
-"""Largest number of steps of a descent."""
 
 SHORTER, LONGER = 0.5, 1.2
 """Factors on the largest step of a descent after a reversal of direction, and after a step without reversal."""

@@ -44,7 +44,6 @@ OPTIONAL_UNITS = {
     "break_strain": UNITS["max_strain"],
     **dict.fromkeys(("least_width", "least_ligament", "least_bridge"), "mm"),
 }
-"""Units of the optional properties of a sheet."""
 
 # key -> lowest value of any sheet, highest value, description of the unit
 PLAUSIBLE: dict[str, tuple[float, float, str]] = {
@@ -802,7 +801,6 @@ KINDS = {
     "card": "Card and paper", "plywood": "Plywood", "wood": "Solid wood, veneer and bamboo", "plastic": "Plastics",
     "board": "Fibre boards", "metal": "Metals", "composite": "Composites", "rod": "Rods and flat bars",
 }  # fmt: skip
-"""Titles of the kinds of sheets."""
 
 
 def cut_sheets() -> list[Sheet]:
@@ -844,7 +842,6 @@ def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:
 
 
 SUFFIXES = {"mm": "_mm", "MPa": "_MPa", "kg/m3": "_kg_m3"}
-"""Suffixes of keys in files, by unit."""
 
 
 @cache

@@ -615,7 +615,7 @@ GENTLE_SHARE = 1e-5
 """Slope of the curvature at an inflection up to which it counts as 0.
 
 The slope is relative to the largest curvature over the length. For this slope, the stiffness at the inflection
-would be some ten thousand times that at other points.
+would be some ten thousand times the stiffness at other points.
 """
 
 FAINT_SHARE = 1e-7

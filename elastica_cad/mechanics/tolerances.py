@@ -188,10 +188,9 @@ def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
     return replace(rod, weight=weight, bending_stiffness=B)
 
 
-_CHUNK = 16  # number of rods in one task of an executor
+_RODS_PER_TASK = 16
 
 MOST_SAMPLES = 100_000
-"""Largest number of rods that are bent in a study."""
 
 
 SIGNED = ("angle", "width_loss", "thickness_wave", "wave_phase")
@@ -469,7 +468,9 @@ def _outcomes_of(
     """Compute equal imperfections only once."""
     different = list(dict.fromkeys(_without_ineffective_changes(rod, v) for v in todo))
     bent = partial(_outcome, rod, max_width)
-    answers = map(bent, different) if executor is None else executor.map(bent, different, chunksize=_CHUNK)
+    answers = (
+        map(bent, different) if executor is None else executor.map(bent, different, chunksize=_RODS_PER_TASK)
+    )
     outcomes = dict(zip(different, answers, strict=True))
     return [outcomes[_without_ineffective_changes(rod, v)] for v in todo]
 

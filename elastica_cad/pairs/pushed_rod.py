@@ -18,9 +18,8 @@ The relative error (1 / EDGES)^2 is as large as the error of a drawing.
 """
 
 STIFF, STIFFEST = 400.0, 1000.0
-"""Length over thickness of a rod of unknown thickness, and largest value in computations.
-
-A thinner rod hardly stretches, and its axial forces would have large rounding errors.
+"""Ratio of length to thickness if the thickness is unknown, and largest ratio in computations. A thinner rod
+hardly stretches, and its axial forces would have large rounding errors.
 """
 
 MOST_ITERATIONS = 2000
