@@ -51,7 +51,7 @@ def work():
     drawn = sketch(document, ARCH, name="SketchBody")
     body.addObject(drawn)
     body.Placement.Base = App.Vector(0, 400, 0)
-    strip.create(document, drawn)
+    strip.create(document, drawn).Between = ["at = 60"]
     whole = model.create(document, [first, second])
     flat.create(document, plain)
     flat.create(document, layers, "Backing")
@@ -66,7 +66,7 @@ def work():
     document.recompute()
     curves.section(document, [plate]).Closed = "left and right"
     held = strip.create(document, sketch(document, WAVE, degree=5, name="SketchHeld"))
-    held.Between = ["at = 197", 'kind = "pin", at = 200', 'kind = "tie", start = 40.5, end = 310']
+    held.Between = ['kind = "pin", at = 200', 'kind = "tie", start = 40.5, end = 310']
     held.Gravity, held.GravityDirection = True, (0, -1, 0)
     held.Loads = ["at = 150, force = [0, -0.2]", "at = 90, mass = 3"]
     states = [sketch(document, points, degree=3, name=f"Sketch{name}") for name, points in STATES.items()]
