@@ -15,6 +15,7 @@ from elastica_cad.forming.meridians import Meridian, meridian, meridian_through
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.model import Model
+from elastica_cad.model.plate_holes import PlateHoles
 from elastica_cad.model.revolution_model import revolve
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.outline import Tab
@@ -59,6 +60,7 @@ class RevolutionTable:
     ] = None
     rings: Annotated[Sheet | None, Option("Sheet of the rings at both ends.")] = None
     gap: Annotated[float | None, Option("Distance between two rings at each end.", "mm", least=0)] = None
+    holes: Annotated[PlateHoles | None, Option("Holes of the rings for a lamp holder and screws.")] = None
     ends: Annotated[
         tuple[Tab, Tab] | None,
         Option("Tab for both ends, or one for the start and one for the end.", written=Tab | tuple[Tab, Tab]),
@@ -130,6 +132,7 @@ class RevolutionTable:
             ends=self.ends,
             rings=self.rings,
             gap=self.gap,
+            holes=self.holes,
             name=name,
             shop=self.shop,
             ignore_limits=self.ignore_limits,

@@ -22,6 +22,7 @@ from elastica_cad.model.model import Model as Model
 from elastica_cad.model.cut_rows import cut_list as cut_list, CutList as CutList, CutListRow as CutListRow
 from elastica_cad.model.nesting import nest_pieces as nest_pieces, NestedSheet as NestedSheet
 from elastica_cad.model.plate_pairs import plate_pair as plate_pair, ring_pair as ring_pair
+from elastica_cad.model.plate_holes import PlateHoles as PlateHoles
 from elastica_cad.model.plates import (
     base_plate as base_plate,
     BasePlate as BasePlate,

@@ -13,6 +13,7 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import Key, PlacedTab, tabs_to_hold
 from elastica_cad.model.held_tabs import slot_walls, tab_seats
+from elastica_cad.model.plate_holes import refuse_other_ends
 from elastica_cad.model.plates import (
     FLATTEST_RAD,
     GAP_MM,
@@ -370,6 +371,7 @@ def end_plates(
     tabs_at = _tabs_at_ends(placed)
     called = _names_of_ends(ring_options.name, tabs_at)
     names = [ring_options.name] if len(groups) == 1 else [called[end] for (end,) in groups]
+    refuse_other_ends(ring_options.holes, names)
     plates: list[BasePlate] = []
     for group, name in zip(groups, names, strict=True):
         plate = _plate(

@@ -15,9 +15,11 @@ from elastica_cad.errors import InputError, refuse_unknown
 from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.offset import offset_path
 from elastica_cad.geometry.path import Path
-from elastica_cad.geometry.plane_points import boxes_about, boxes_meet
+from elastica_cad.geometry.path_intersections import encloses, polylines_cross
+from elastica_cad.geometry.plane_points import box_about, boxes_about, boxes_meet
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import PlacedTab, require_ends, tabs_to_hold
+from elastica_cad.model.plate_holes import PlateHoles, hole_name, refuse_other_ends
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.refusals import note
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
@@ -46,6 +48,9 @@ LEAST_OPENING_SHARE = 0.4
 
 LABEL_MM = 4.0
 """Height of engraved names, mm, if the plate is large enough."""
+
+FLAT_MM = 0.01
+"""Largest distance, mm, of holes from the polylines with which their overlap is tested."""
 
 BELOW_MM = 1e-6
 """Least depth, mm, of the tip of a tab below the upper face of its plate."""
@@ -79,6 +84,7 @@ class PlateOptions:
     shape: Outline = "hull"
     ends: Annotated[Sequence[StripEnd], Option("Tabs to hold; by default all.", written=StripEnd)] = ENDS
     name: Name = "base"
+    holes: Annotated[PlateHoles | None, Option("Holes for a lamp holder and screws.")] = None
     shop: FabricationLimits | None = None
     ignore_limits: bool = False
 
@@ -165,7 +171,9 @@ class BasePlate:
     warnings : tuple of str
         Reasons not to cut the plate, if limits were ignored.
     opening : Path or None
-        Closed loop of the opening in the middle, or None.
+        Closed loop of the opening in the middle, or None if the plate is closed or has a bridge.
+    holes : tuple of Path
+        Closed loops of further holes: for a lamp holder, for screws and beside a bridge.
     glued : bool
         True if the tabs are glued at their angle, with feet (gussets).
     options : PlateOptions or None
@@ -179,13 +187,15 @@ class BasePlate:
     name: str = "base"
     warnings: tuple[str, ...] = ()
     opening: Path | None = None
+    holes: tuple[Path, ...] = ()
     glued: bool = False
     options: PlateOptions | None = None
 
     @property
     def _inner(self) -> tuple[Path, ...]:
-        """All loops that are cut inside the outline: the slots and the opening."""
-        return (*(slot.path for slot in self.slots), *(() if self.opening is None else (self.opening,)))
+        """All loops that are cut inside the outline: the slots, the opening and the holes."""
+        opening = () if self.opening is None else (self.opening,)
+        return (*(slot.path for slot in self.slots), *opening, *self.holes)
 
     def checked(self, options: PlateOptions) -> Self:
         """Return the plate with its warnings.
@@ -193,15 +203,20 @@ class BasePlate:
         Raises
         ------
         InputError
-            Slots meet. Or slots are far wider than their tabs, bridges are thin, or the plate is larger than
-            the sheet, and `ignore_limits` is False.
+            Slots or holes meet. Or slots are far wider than their tabs, bridges are thin, or the plate is
+            larger than the sheet, and `ignore_limits` is False.
         """
         require_record(options, PlateOptions, "options", "a PlateOptions")
         _refuse_meetings(self.slots, self.name)
         called = [note("the slot of {name}", name=slot.name) for slot in self.slots]
+        called += [] if self.opening is None else [note("the opening")]
+        drilled = [hole_name(hole) for hole in self.holes]
+        _refuse_overlaps(self, called, drilled)
         faults = (
             *find_slot_faults(self.name, [(slot.name, slot.size[1], slot.through) for slot in self.slots]),
-            *find_plate_faults(self.name, self.sheet, self.outline, self._inner, options.shop, called),
+            *find_plate_faults(
+                self.name, self.sheet, self.outline, self._inner, options.shop, called, drilled
+            ),
         )
         return replace(self, warnings=accept_faults(faults, options.ignore_limits), options=options)
 
@@ -228,9 +243,11 @@ class BasePlate:
 
         It is between opening and slots, and distinguishes the rings of a pair.
         """
-        if self.opening is None:
+        loops = [self.opening, *self.holes] if self.opening is not None else [*self.holes]
+        if not loops:
             return ()
-        center, inner = self.opening.bounds.mean(axis=0), float(np.ptp(self.opening.bounds[:, 0])) / 2
+        center = _middle([slot.corners for slot in self.slots])
+        inner = max(float(np.hypot(*(loop.points(0.1) - center).T).max()) for loop in loops)
         free, _ = around([slot.corners for slot in self.slots], center, CLEAR_MM)
         return _rim_text(self.name, inner + CLEAR_MM, free, center)
 
@@ -284,6 +301,7 @@ def base_plate(
     name, ends, sheet = plate_options.name, plate_options.ends, Sheet.of(sheet)
     placed, ground = require_placed(placed), frame_or_plain(frame)
     require_ends(ends)
+    refuse_other_ends(plate_options.holes, [name])
     tabs = tabs_to_hold(placed, ends)
     if not tabs:
         raise InputError("{name} has no strip to hold: give other strips or ends", name=name)
@@ -326,12 +344,30 @@ def plate_with(
     """
     loops = [slot.corners for slot in slots]
     outline, opening = _outline(np.concatenate(loops), options.border, options.shape), None
+    center = np.zeros(2) if kind is Ring else _middle(loops)
     if kind is Ring:
-        outline, opening = _round(loops, np.zeros(2), options.border)
+        outline, opening = _round(loops, center, options.border)
     elif options.shape == "ring":
-        rim, hole = _round(loops, np.mean([loop.mean(axis=0) for loop in loops], axis=0), options.border)
+        rim, hole = _round(loops, center, options.border)
         outline, opening = (outline, None) if hole is None else (rim, hole)
-    return kind(sheet, frame, outline, tuple(slots), options.name, opening=opening).checked(options)
+    opening, holes = _with_holes(options, center, opening)
+    return kind(sheet, frame, outline, tuple(slots), options.name, opening=opening, holes=holes).checked(
+        options
+    )
+
+
+def _middle(loops: Sequence[FloatArray]) -> FloatArray:
+    """Return the mean (2,) of the centres of slots."""
+    return np.asarray(np.mean([loop.mean(axis=0) for loop in loops], axis=0), dtype=float)
+
+
+def _with_holes(
+    options: PlateOptions, center: FloatArray, opening: Path | None
+) -> tuple[Path | None, tuple[Path, ...]]:
+    """Return the opening and the holes of a plate with the requested holes."""
+    if options.holes is None or not options.holes.is_in(options.name):
+        return opening, ()
+    return options.holes.cut(center, opening, options.border)
 
 
 def _round(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[Path, Path | None]:
@@ -405,6 +441,34 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
         )
 
 
+def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[str]) -> None:
+    """Raise InputError if a hole meets another cut of the plate or the seat of a tab.
+
+    `called` are the names of the slots and the opening, `drilled` those of the holes.
+    """
+    seats = plate.seats if isinstance(plate, Ring) else ()
+    others = [path.closed_points(FLAT_MM) for path in (*plate._inner, *seats)]
+    names = (*called, *drilled, *(note("the seat of a tab") for _ in seats))
+    edge = plate.outline.closed_points(FLAT_MM)
+    for k, name in enumerate(drilled, start=len(called)):
+        hole = others[k]
+        inside = encloses(edge[:-1], hole[0]) and polylines_cross(hole, edge) is None
+        edges = () if inside else (note("the edge"),)
+        met = (*edges, *(other for i, other in enumerate(names) if i != k and _overlap(hole, others[i])))
+        if met:
+            raise InputError(
+                "{name}: {hole} and {other} overlap. Use smaller holes, other distances or a larger plate.",
+                name=plate.name, hole=name, other=met[0],
+            )  # fmt: skip
+
+
+def _overlap(p: FloatArray, q: FloatArray) -> bool:
+    """Return True if the areas in two closed polylines (n, 2) overlap."""
+    if not boxes_meet(box_about(p), box_about(q)):
+        return False
+    return polylines_cross(p, q) is not None or encloses(p[:-1], q[0]) or encloses(q[:-1], p[0])
+
+
 def _gaps(first: FloatArray, others: FloatArray) -> FloatArray:
     """Return lower bounds (...,) of the distance, mm, between pairs of rectangles (..., 4, 2).
 
@@ -469,27 +533,20 @@ class Ring(BasePlate):
     Attributes
     ----------
     seats : tuple of Path
-        Engraved outlines of tabs on the face.
-    holes : tuple of Path
-        Holes for the bolts of these tabs.
+        Engraved outlines of tabs on the face. The holes for their bolts are the first `holes`.
     seated : tuple of str
         Names of these tabs.
     """
 
     seats: tuple[Path, ...] = ()
-    holes: tuple[Path, ...] = ()
     seated: tuple[str, ...] = ()
 
     @property
     def radii(self) -> tuple[float, float]:
-        """Radius of the opening (0 for a cap) and of the rim, mm."""
+        """Radius of the opening (0 if there is none) and of the rim, mm."""
         return 0.0 if self.opening is None else float(self.opening.bounds[1, 0]), float(
             self.outline.bounds[1, 0]
         )
-
-    @property
-    def _inner(self) -> tuple[Path, ...]:
-        return (*super()._inner, *self.holes)
 
     @cached_property
     def drawing(self) -> Drawing:
@@ -511,7 +568,7 @@ Plate = TypeVar("Plate", bound=BasePlate)
 
 
 def _rim_text(
-    name: str, inner: float, outer: float, center: Sequence[float] = (0.0, 0.0)
+    name: str, inner: float, outer: float, center: Sequence[float] | FloatArray = (0.0, 0.0)
 ) -> tuple[Text, ...]:
     """Return the name as the largest text that fits between two radii above the centre.
 
@@ -603,7 +660,8 @@ def ring_plate(
     loops = tuple(Path.polygon(seat) for seat in seats)
     seated = tuple(tab.name for tab in tabs)
     outline, opening = _round(seats, np.zeros(2), ring_options.border)
-    ring = Ring(sheet, frame, outline, (), name, (), opening, seats=loops, holes=holes, seated=seated)
+    opening, further = _with_holes(ring_options, np.zeros(2), opening)
+    ring = Ring(sheet, frame, outline, (), name, (), opening, (*holes, *further), seats=loops, seated=seated)
     return ring.checked(ring_options)
 
 

@@ -18,6 +18,7 @@ from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import tabs_to_hold
 from elastica_cad.model.model import Model
+from elastica_cad.model.plate_holes import PlateHoles, refuse_other_ends
 from elastica_cad.model.plate_pairs import ring_pair
 from elastica_cad.model.plates import FLATTEST_RAD, Ring, end_names, ring_plate, slot_reach
 from elastica_cad.refusals import Length
@@ -220,6 +221,7 @@ def revolve(
     ends: tuple[Tab, Tab] | None = None,
     rings: Sheet | str | None = None,
     gap: float | None = None,
+    holes: PlateHoles | None = None,
     name: str = "revolution",
     shop: FabricationLimits = DEFAULT_LIMITS,
     ignore_limits: bool = False,
@@ -244,6 +246,8 @@ def revolve(
     gap : float, optional
         If given, two rings at this distance, mm, replace each single slotted ring and hold the tabs at their
         angle; see `ring_pair`.
+    holes : PlateHoles, optional
+        Holes of the rings for a lamp holder and screws.
     name : str
     shop : FabricationLimits
         Limits of the workshop.
@@ -273,7 +277,7 @@ def revolve(
     ends = None if ends is None else pair_of_tabs(ends)
     if gap is not None:
         require_number(gap, "gap", "mm")
-    request = _Request(strips, sheet, ends, rings, gap, shop, ignore_limits)
+    request = _Request(strips, sheet, ends, rings, gap, holes, shop, ignore_limits)
     try:
         placed, plates, reports = request.made(meridian)
     except InputError as problem:
@@ -294,6 +298,7 @@ class _Request:
     ends: tuple[Tab, Tab] | None
     rings: Sheet | None
     gap: float | None
+    holes: PlateHoles | None
     shop: FabricationLimits
     ignore_limits: bool
 
@@ -310,7 +315,13 @@ class _Request:
         heights = strip.rod.position[:, 1]
         middle = float(heights.min() + heights.max()) / 2
         names = end_names("ring", (heights[0], heights[-1]))
-        options: dict[str, Any] = {"middle": middle, "shop": self.shop, "ignore_limits": self.ignore_limits}
+        refuse_other_ends(self.holes, [*names.values()])
+        options: dict[str, Any] = {
+            "middle": middle,
+            "holes": self.holes,
+            "shop": self.shop,
+            "ignore_limits": self.ignore_limits,
+        }
         plates: list[Ring] = []
         for end in ENDS:
             tabs, called = tabs_to_hold(placed, [end]), names[end]

@@ -473,20 +473,29 @@ def find_plate_faults(
     holes: Sequence[Path],
     shop: FabricationLimits | None = None,
     called: Sequence[str] = (),
+    drilled: Sequence[str] = (),
 ) -> tuple[Fault, ...]:
     """Return the faults of a ring, a base or a rail: thin bridges between cuts, and excessive size.
 
-    `called` are the names of the first holes."""
+    `called` are the names of the first holes, which are slots; `drilled` are the names of the last holes.
+    """
     shop = limits_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
     far_larger = max(length, width) >= FAR_LARGER * stock[0]
+    places = () if far_larger else find_thin_places([outline], holes, least)
+    others = len(holes) - len(called) - len(drilled)
+    loops = (note("the edge"), *called, *(note("a hole") for _ in range(others)), *drilled)
+    at_holes = [place for place in places if max(place.loops) > len(called) + others]
     return (
         *_faults_at(
-            name, () if far_larger else find_thin_places([outline], holes, least), least, sheet,
+            name, [place for place in places if place not in at_holes], least, sheet,
             note("Leave more room between the slots: use a larger ring or plate, fewer or narrower strips, "
                  "or a wider border"),
-            (note("the edge"), *called, *(note("a hole") for _ in holes[len(called):])),
+            loops,
+        ),
+        *_faults_at(
+            name, at_holes, least, sheet, note("Use smaller holes, other distances or a larger plate"), loops
         ),
         *_too_large(name, float(length), float(width), sheet, stock),
     )  # fmt: skip

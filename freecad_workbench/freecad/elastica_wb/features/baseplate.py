@@ -14,12 +14,13 @@ from freecad.elastica_wb.curves.sketch_curves import container, frame_of
 from freecad.elastica_wb.features.fixtures import report_holders, source_model
 from freecad.elastica_wb.features.proxy import CONTAINERS, REPORTS, Feature, added
 from freecad.elastica_wb.host.objects import is_rings
-from freecad.elastica_wb.host.property_table import Property, declared_property, values_of
+from freecad.elastica_wb.host.property_table import NOTHING, Property, declared_property, values_of
 from freecad.elastica_wb.host.sheet_store import sheet_called
 
 from elastica_cad.declared import Field, declared
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import sheet_color
+from elastica_cad.model.plate_holes import PlateHoles
 from elastica_cad.model.plate_pairs import end_plates
 from elastica_cad.model.plates import BasePlate, PlateOptions, RingOptions
 from elastica_cad.strip.outline import ENDS
@@ -37,6 +38,10 @@ def _sizes(options: type[PlateOptions]) -> dict[str, Field]:
 SIZES, RING_SIZES = _sizes(PlateOptions), _sizes(RingOptions)
 
 
+HOLE_SIZES = {field.name.title(): field for field in declared(PlateHoles)}
+PLATE_HOLE_SIZES = {name: field for name, field in HOLE_SIZES.items() if name not in ("Bridge", "Side")}
+
+
 class BasePlateFeature(Feature):
     """A base plate. Its upper face is the plane z = 0 of its placement."""
 
@@ -47,6 +52,7 @@ class BasePlateFeature(Feature):
         Property("Enumeration", "Sheet", "Base plate", "Sheet of the plate"),
         Property("String", "SheetData", "Base plate", "Data of the sheet", hidden=True),
         *(declared_property(field, "Base plate", name) for name, field in SIZES.items()),
+        *(declared_property(field, "Holes", name) for name, field in PLATE_HOLE_SIZES.items()),
         REPORTS,
         CONTAINERS,
     )
@@ -77,6 +83,7 @@ class RingsFeature(Feature):
             "Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end",
         ),
         *(declared_property(field, "Rings", name) for name, field in RING_SIZES.items()),
+        *(declared_property(field, "Holes", name) for name, field in HOLE_SIZES.items()),
         REPORTS,
         CONTAINERS,
     )
@@ -114,9 +121,16 @@ def plates_of(obj: Any) -> tuple[BasePlate, ...]:
     model, sheet = source_model(obj.Sources), sheet_called(obj.Sheet, obj.SheetData)
     if is_rings(obj):
         ends = ENDS if obj.Ends == HELD_ENDS[0] else (obj.Ends,)
-        options = values_of(obj, RING_SIZES)
-        return end_plates(
-            model.placed, sheet, gap=obj.Gap.Value or None, ends=ends, name=obj.Label, **options
-        )
-    frame = frame_of(obj.getGlobalPlacement())
-    return (model.base_plate(sheet, frame=frame, name=obj.Label, **values_of(obj, SIZES)),)
+        options = {**values_of(obj, RING_SIZES), "holes": _holes(obj, HOLE_SIZES), "name": obj.Label}
+        return end_plates(model.placed, sheet, gap=obj.Gap.Value or None, ends=ends, **options)
+    options = {**values_of(obj, SIZES), "holes": _holes(obj, PLATE_HOLE_SIZES), "name": obj.Label}
+    return (model.base_plate(sheet, frame=frame_of(obj.getGlobalPlacement()), **options),)
+
+
+def _holes(obj: Any, sizes: dict[str, Field]) -> PlateHoles | None:
+    """Return the requested holes of plates, or None if there are none."""
+    values = values_of(obj, sizes)
+    if not values["bulb"] and not values["screws"]:
+        return None
+    side = values.get("side", NOTHING)
+    return PlateHoles(**{**values, "side": None if side == NOTHING else side})

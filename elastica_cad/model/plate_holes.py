@@ -1,0 +1,142 @@
+"""Holes in the middle of plates and rings, for lamp holders and screws, and a bridge that carries them."""
+
+from dataclasses import dataclass
+from typing import Annotated, Literal
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.declared import Option, require_declared
+from elastica_cad.errors import InputError
+from elastica_cad.geometry.path import Path
+from elastica_cad.geometry.segments import Arc, Line, Segment
+from elastica_cad.refusals import FieldName, Length, note
+
+SECOND_PLATES = ("-outer", "-lower")
+"""Ends of the names of second plates."""
+
+
+@dataclass(frozen=True)
+class PlateHoles:
+    """Holes in the middle of a plate or ring.
+
+    The first screw hole is in the direction x of the plate, as is the bridge. Without a bridge, the plate is
+    closed around the hole of a lamp holder.
+
+    Examples
+    --------
+    >>> from elastica_cad.model import end_plates  # doctest: +SKIP
+    >>> end_plates(lamp, "mdf-3", holes=PlateHoles(bulb=40, bridge=16))  # doctest: +SKIP
+    """
+
+    bulb: Annotated[
+        float | None,
+        Option(
+            "Diameter of a central hole: about 40 for a lamp holder E27, 28 to 30 for E14.", "mm", least=0
+        ),
+    ] = None
+    bridge: Annotated[
+        float | None,
+        Option("Width of a bar across the opening of a ring that carries the holes.", "mm", least=0),
+    ] = None
+    screws: Annotated[int, Option("Number of screw holes on a circle.", least=0, most=100)] = 0
+    screw: Annotated[float, Option("Diameter of the screw holes.", "mm", above=0)] = 4.2
+    circle: Annotated[
+        float | None,
+        Option(
+            "Diameter of the circle of the screw holes; by default the border is between them and the central "
+            "hole.",
+            "mm",
+            least=0,
+        ),
+    ] = None
+    side: Annotated[
+        Literal["bottom", "top", "start", "end"] | None,
+        Option("The only side of the model whose plates have the holes; by default both."),
+    ] = None
+
+    def __post_init__(self) -> None:
+        require_declared(PlateHoles, vars(self), "holes:")
+        if not self.bulb and not self.screws:
+            raise InputError(
+                "There is no hole. Set {bulb} or {screws}.",
+                bulb=FieldName("holes.bulb"),
+                screws=FieldName("holes.screws"),
+            )
+        if self.screws and not self.bulb and not self.circle:
+            raise InputError(
+                "The positions of the screw holes are unknown. Set {circle}, the diameter of their circle.",
+                circle=FieldName("holes.circle"),
+            )
+
+    def is_in(self, name: str) -> bool:
+        """Return True if the plate of this name has the holes."""
+        for ending in SECOND_PLATES:
+            name = name.removesuffix(ending)
+        return self.side is None or name.endswith(f"-{self.side}")
+
+    def cut(
+        self, center: FloatArray, opening: Path | None, border: float
+    ) -> tuple[Path | None, tuple[Path, ...]]:
+        """Return the opening that remains of a round opening, and the loops of the holes."""
+        round_hole = (self.bulb or 0.0) / 2
+        circle = (self.circle or self.bulb_and_border(border)) / 2
+        turns = 2 * np.pi * np.arange(self.screws) / max(self.screws, 1)
+        middles = center + circle * np.column_stack([np.cos(turns), np.sin(turns)])
+        holes = [Path.circle(center, round_hole)] if round_hole else []
+        holes += [Path.circle(middle, self.screw / 2) for middle in middles]
+        if opening is None or (not round_hole and not self.bridge):
+            return opening, tuple(holes)
+        windows: tuple[Path, ...] = ()
+        if self.bridge:
+            inner = float(np.ptp(opening.bounds[:, 0])) / 2
+            reach = circle + self.screw / 2 if self.screws and circle - self.screw / 2 < inner else 0.0
+            hub = max(round_hole, reach)
+            windows = _windows(center, inner, hub + self.bridge / 2 if hub else 0.0, self.bridge / 2)
+        return None, (*holes, *windows)
+
+    def bulb_and_border(self, border: float) -> float:
+        """Return the default diameter, mm, of the circle of the screw holes."""
+        return (self.bulb or 0.0) + self.screw + 2 * border
+
+
+def _windows(center: FloatArray, outer: float, hub: float, half: float) -> tuple[Path, ...]:
+    """Return both parts of a round opening beside a bar along x with a hub, or none if the hub fills the opening.
+
+    `half` is half of the width of the bar, mm; `outer` and `hub` are radii, mm.
+    """
+    if max(hub, half) + half >= outer:
+        return ()
+    far = np.sqrt(outer**2 - half**2)
+    turn = float(np.arcsin(half / outer))
+    segments: list[Segment] = [Arc((0, 0), outer, turn, np.pi - turn)]
+    if hub > half:
+        near, bend = np.sqrt(hub**2 - half**2), float(np.arcsin(half / hub))
+        segments += [
+            Line((-far, half), (-near, half)),
+            Arc((0, 0), hub, np.pi - bend, bend),
+            Line((near, half), (far, half)),
+        ]
+    else:
+        segments.append(Line((-far, half), (far, half)))
+    upper = Path(segments, closed=True)
+    return tuple(
+        path.moved(*map(float, center)) for path in (upper, upper.transformed(np.diag([-1.0, -1.0, 1.0])))
+    )
+
+
+def hole_name(path: Path) -> str:
+    """Return the name of a hole in messages."""
+    (arc, *others) = path.segments
+    if isinstance(arc, Arc) and not others:
+        return note("the hole of {diameter}", diameter=Length(2 * arc.radius))
+    return note("the opening beside the bridge")
+
+
+def refuse_other_ends(holes: PlateHoles | None, names: list[str]) -> None:
+    """Raise InputError if none of the plates is at the end that has the holes."""
+    if holes is not None and not any(holes.is_in(name) for name in names):
+        raise InputError(
+            "{field} is {side}, but the plates are {names}. Use the last word of such a name, or leave {field} out.",
+            field=FieldName("holes.side"), side=holes.side, names=", ".join(names),
+        )  # fmt: skip
