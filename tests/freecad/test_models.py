@@ -439,6 +439,24 @@ def test_rings_are_cut_with_their_lamp(document, lamp):
     assert "make the tab" in rings.getStatusString()
 
 
+def test_rings_are_drilled_for_a_lamp_holder(document, lamp):
+    rings = new(baseplate.create_rings, document, lamp)
+    plain = [cut.piece.size for cut in cuts_of([rings])]
+    change(rings, Bulb=40, Bridge=12, Screws=3, Side="top")
+    assert rings.State == ["Up-to-date"], rings.getStatusString()
+    lower, upper = rings.Shape.Solids
+    radii = [
+        sorted(round(edge.Curve.Radius, 6) for edge in solid.Edges if isinstance(edge.Curve, Part.Circle))
+        for solid in (lower, upper)
+    ]
+    assert 20 not in radii[0]
+    assert radii[1].count(2.1) == 6
+    assert radii[1].count(20) == 2
+    assert [cut.piece.size for cut in cuts_of([rings])] == plain
+    change(rings, Side="none", Circle=44)
+    assert "overlap" in rings.getStatusString()
+
+
 def test_a_nest_and_its_files(document, standing, tmp_path):
     made = model.create(document, standing)
     plate = baseplate.create(document, [made])

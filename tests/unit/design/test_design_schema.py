@@ -199,6 +199,7 @@ slot_width = 1
 [[base]]
 sheet = "mdf-3"
 feet = 9
+holes = { bulb = 29 }
 [rings]
 strips = ["S*"]
 sheet = "mdf-3"
@@ -208,6 +209,7 @@ margin = 3
 shape = "ring"
 name = "ring"
 ends = "end"
+holes = { bulb = 29, bridge = 12, screws = 3, screw = 3.2, circle = 46, side = "top" }
 play = 0.4
 clearance = 0.1
 border = 9
@@ -245,7 +247,7 @@ sheet_size = [600, 400]
 margin = 3
 """,
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\nthickness = 0.3\nstrips = 12\ngap = 9\n'
-    "rings = 'card-200gsm'\nends = { length = 9 }\n"
+    "rings = 'card-200gsm'\nends = { length = 9 }\nholes = { bulb = 40 }\n"
     "shop = { least_width = 1 }\nignore_limits = true\na = 0.2\nb = [0, 0.01]\nstart = [60, 0]\n"
     "angle = 1.2\nlength = 90\nring = 10\n",
     'schema = 1\n[revolution]\nsheet = "card-200gsm"\n'
