@@ -442,24 +442,33 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
 
 
 def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[str]) -> None:
-    """Raise InputError if a hole meets another cut of the plate or the seat of a tab.
+    """Raise InputError if a hole meets another cut of the plate or the edge.
 
     `called` are the names of the slots and the opening, `drilled` those of the holes.
     """
-    seats = plate.seats if isinstance(plate, Ring) else ()
-    others = [path.closed_points(FLAT_MM) for path in (*plate._inner, *seats)]
-    names = (*called, *drilled, *(note("the seat of a tab") for _ in seats))
+    loops, names = [path.closed_points(FLAT_MM) for path in plate._inner], (*called, *drilled)
     edge = plate.outline.closed_points(FLAT_MM)
-    for k, name in enumerate(drilled, start=len(called)):
-        hole = others[k]
+    for k, hole in enumerate(loops[len(called) :], start=len(called)):
         inside = encloses(edge[:-1], hole[0]) and polylines_cross(hole, edge) is None
         edges = () if inside else (note("the edge"),)
-        met = (*edges, *(other for i, other in enumerate(names) if i != k and _overlap(hole, others[i])))
+        met = (*edges, *(name for i, name in enumerate(names) if i != k and _overlap(hole, loops[i])))
         if met:
-            raise InputError(
-                "{name}: {hole} and {other} overlap. Use smaller holes, other distances or a larger plate.",
-                name=plate.name, hole=name, other=met[0],
-            )  # fmt: skip
+            raise _overlap_error(plate.name, names[k], met[0])
+
+
+def _refuse_holes_in_seats(name: str, holes: Sequence[Path], seats: Sequence[FloatArray]) -> None:
+    """Raise InputError if a hole meets the seat (4, 2) of a tab that is glued to the plate."""
+    for hole in holes:
+        loop = hole.closed_points(FLAT_MM)
+        if any(_overlap(loop, np.concatenate([seat, seat[:1]])) for seat in seats):
+            raise _overlap_error(name, hole_name(hole), note("the seat of a tab"))
+
+
+def _overlap_error(name: str, hole: str, other: str) -> InputError:
+    return InputError(
+        "{name}: {hole} and {other} overlap. Use smaller holes, other distances or a larger plate.",
+        name=name, hole=hole, other=other,
+    )  # fmt: skip
 
 
 def _overlap(p: FloatArray, q: FloatArray) -> bool:
@@ -661,6 +670,7 @@ def ring_plate(
     seated = tuple(tab.name for tab in tabs)
     outline, opening = _round(seats, np.zeros(2), ring_options.border)
     opening, further = _with_holes(ring_options, np.zeros(2), opening)
+    _refuse_holes_in_seats(name, further, seats)
     ring = Ring(sheet, frame, outline, (), name, (), opening, (*holes, *further), seats=loops, seated=seated)
     return ring.checked(ring_options)
 
