@@ -211,7 +211,23 @@ def solved(setup: Setup, folder: Path, size: float) -> BetweenEnds:
     strayed = body.nodes + answer.displacement[:n] - pose
     _, off = middle_line(body, strayed, length)
     found = _pull(setup, drawn, means + answer.displacement[n:])
-    return BetweenEnds(setup.name, n, float(np.hypot(*off.T).max()) / length, setup.pull, found)
+    return BetweenEnds(setup.name, n, float(np.hypot(*off.T).max()) / length, _computed(setup), found)
+
+
+def _computed(setup: Setup) -> float:
+    """Computed force, N. Under a rail, the flat strip is compressed along its length; the rail yields."""
+    if setup.anchor is None:
+        return setup.pull
+    rod = setup.strip.rod_to_bend
+    flat = replace(rod, compression=replace(rod.compression, pull=np.zeros(rod.s.size - 1)))
+    place = setup.strip.rod.curve.at(np.array(setup.stations[:1])).position[0]
+    along = (np.array(setup.anchor) - place) / FAR
+    push = setup.pull
+    for _ in range(12):
+        point = place + along * setup.give * rod.length * (1 - push / setup.pull)
+        bent = ec.bend(flat, between=ec.Rail((float(point[0]), float(point[1]))))
+        push = float(np.hypot(*bent.between_forces[0])) * setup.strip.bending_stiffness
+    return push
 
 
 def _section(body: Bricks, s: float) -> tuple[np.ndarray, np.ndarray]:
