@@ -593,7 +593,7 @@ def test_strips_that_run_through_each_other_are_told_a_moment_later(tmp_path):
     assert found["slotted"] == [1, True]
     assert found["found"]
     (told,), footnote = found["told"]
-    assert re.fullmatch(r"Strip at [0-9.]+ mm runs through Strip001 at [0-9.]+ mm: slot them .*", told)
+    assert re.fullmatch(r"Strip at [0-9.]+ mm passes through Strip001 at [0-9.]+ mm: cut slots .*", told)
     assert footnote == told
     assert found["reported"] == 1
     assert found["before export"][0] == told
@@ -657,7 +657,7 @@ def test_arrays_and_clones_are_cut_as_often_as_they_stand(tmp_path):
         )
     assert found["held by a plate"] == 2, "blocks for what stands on a plate"
     assert found["opened again"] == [{"Strip": 2}, {"Strip": 3}, {"Strip": 1}]
-    assert "set its Scale to 1" in found["scaled"]
+    assert "Set its Scale to 1" in found["scaled"]
 
 
 @pytest.mark.campaign
