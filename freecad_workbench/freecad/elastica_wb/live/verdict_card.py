@@ -197,7 +197,8 @@ class VerdictCard(QtCore.QObject):
     def _free_corner(self) -> tuple[tuple[int, int], int]:
         """Return the upper left corner at which the frame hides the fewest points, and the number of these points.
 
-        The current position is preferred to other positions with the same number.
+        The current position is preferred to other positions with the same number. A corner with another card
+        counts as the worst.
         """
         over, size = self._over, self.frame.size()
         part = free_part(over)
@@ -210,8 +211,16 @@ class VerdictCard(QtCore.QObject):
             (x / scale, over.height() - y / scale) for x, y in map(self._view.getPointOnScreen, self._places)
         ]
 
+        cards = [
+            card.geometry()
+            for card in over.findChildren(QtWidgets.QFrame, self.frame.objectName())
+            if card != self.frame and card.isVisible()
+        ]
+
         def hidden(corner: int) -> int:
             left, top = corners[corner]
+            if any(card.intersects(QtCore.QRect(QtCore.QPoint(left, top), size)) for card in cards):
+                return len(seen) + 1
             wide, tall = size.width() + GAP_PX, size.height() + GAP_PX
             return sum(left - GAP_PX < x < left + wide and top - GAP_PX < y < top + tall for x, y in seen)
 
