@@ -604,6 +604,8 @@ class Studio {
       this.history.replace(k ? design : EMPTY);
       this.whole.checked = Boolean(design.patterns || design.revolution || design.strips?.length > 1);
       this.dialog.close();
+      this.chosen = null;
+      this.point.hidden = true;
       this.draws(!this.points().length);
       this.changed();
       this.drawing.fit();
