@@ -8,8 +8,6 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from elastica_cad._signatures import simplify_signature
-
 
 @contextmanager
 def installed_modules() -> Iterator[None]:
@@ -45,8 +43,10 @@ def exports(file: str, package: str) -> tuple[Callable[[str], Any], Callable[[],
         with installed_modules():
             if home == package:
                 return import_module(f"{home}.{name}")
+            from elastica_cad._signatures import simplify_signature
+
             value = getattr(import_module(home), name)
-        simplify_signature(value)
+            simplify_signature(value)
         return value
 
     return get, lambda: names, names
