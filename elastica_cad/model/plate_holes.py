@@ -25,8 +25,9 @@ class PlateHoles:
 
     Examples
     --------
-    >>> from elastica_cad.model import end_plates  # doctest: +SKIP
-    >>> end_plates(lamp, "mdf-3", holes=PlateHoles(bulb=40, bridge=16))  # doctest: +SKIP
+    >>> holes = PlateHoles(bulb=40, bridge=16, side="top")
+    >>> [holes.is_in(name) for name in ("ring-top", "ring-top-outer", "ring-bottom")]
+    [True, True, False]
     """
 
     bulb: Annotated[
