@@ -1,7 +1,7 @@
 """Assembly sheet as PDF: an exploded view, the order of assembly, positions and the parts."""
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate, groupby, zip_longest
@@ -22,7 +22,7 @@ from elastica_cad.model.assembly import (
     list_assembly_steps,
     single_holders,
 )
-from elastica_cad.model.cut_rows import CutList, CutListRow
+from elastica_cad.model.cut_rows import CutList
 from elastica_cad.model.fixtures import EndFixture, place_tabs
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
@@ -292,17 +292,18 @@ def _held_rows(model: Model) -> Iterator[tuple[str, ...]]:
 
 
 def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
-    """Yield a row for each run of parts of equal shape, which differ only in their engraving."""
-    for _, run in groupby(cut_list.rows, lambda row: row.like or row.part):
-        yield _part_row(run, "{0.length:.1f} x {0.width:.1f}")
-    for _, run in groupby(cut_list.printed, lambda row: (row.length, row.width, row.thickness)):
-        yield _part_row(run, "{0.length:.1f} x {0.width:.1f} x {0.thickness:.1f}")
-
-
-def _part_row(equal: Iterable[CutListRow], size: str) -> tuple[str, ...]:
-    rows = [*equal]
-    count, file = sum(row.count for row in rows), f"{rows[0].file}{and_more(rows)}"
-    return _range([row.part for row in rows]), str(count), rows[0].sheet, size.format(rows[0]), file
+    """Yield a row for each shape. Parts of equal shape differ only in their engraving."""
+    flat, solid = "{0.length:.1f} x {0.width:.1f}", "{0.length:.1f} x {0.width:.1f} x {0.thickness:.1f}"
+    for listed, size in ((cut_list.rows, flat), (cut_list.printed, solid)):
+        shapes: dict[str, list[int]] = {}
+        for k, row in enumerate(listed):
+            shapes.setdefault(row.like or (row.part if size is flat else size.format(row)), []).append(k)
+        for places in shapes.values():
+            rows = [listed[k] for k in places]
+            names = [row.part for row in rows]
+            name = _range(names) if places[-1] - places[0] < len(places) else _listed(names)
+            count, file = sum(row.count for row in rows), f"{rows[0].file}{and_more(rows)}"
+            yield name, str(count), rows[0].sheet, size.format(rows[0]), file
 
 
 def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:

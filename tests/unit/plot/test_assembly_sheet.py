@@ -16,14 +16,14 @@ BOW = ec.make_strip(ec.PlaneCurve.arc((0, 0), 60, 0.02, 3.12), "birch-plywood-0.
 def sheet(monkeypatch):
     """Return a function that makes a sheet and returns the texts of each page, which are 8 points or larger."""
 
-    def read(model, *holders):
+    def read(model, *holders, **options):
         pages = []
         with monkeypatch.context() as patch:
             patch.setattr(
                 "elastica_cad.plot.assembly_sheet.write_pages",
                 lambda figures, *_, **__: pages.extend(figures),
             )
-            save_assembly_sheet(model, "sheet.pdf", holders=holders)
+            save_assembly_sheet(model, "sheet.pdf", holders=holders, **options)
         texts = [[*page.texts, *(text for axes in page.axes for text in axes.texts)] for page in pages]
         assert min(text.get_fontsize() for page in texts for text in page) >= 8
         return [[text.get_text() for text in page] for page in texts]
@@ -65,3 +65,16 @@ def test_the_text_of_a_large_model_is_on_pages_of_its_own(sheet):
     numbers = [f"S{k}" for k in range(1, 61)]
     assert [text for page in tables for text in page if text in numbers] == numbers
     assert picture[1:2] == [f"1 / {1 + len(tables)}"]
+
+
+def test_parts_of_equal_shape_share_a_row(sheet):
+    other = ec.make_strip(ec.PlaneCurve.arc((0, 0), 50, 0.02, 3.12), "birch-plywood-0.8", max_width=20)
+    strips = [replace(BOW, label="A"), replace(other, label="B"), replace(BOW, label="C")]
+    strips += [replace(other, label=label) for label in ("D", "E")]
+    model = ec.Model(
+        [ec.Placed(strip, (0, 30 * k, 0), (1, 0, 0), (0, 0, 1)) for k, strip in enumerate(strips)]
+    )
+    (page,) = sheet(model, cut_list=model.cut_list())
+    row = page.index("A and C")
+    assert page[row + 1] == "2"
+    assert page[page.index("B, D and E") + 1] == "3"
