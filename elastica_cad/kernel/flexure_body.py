@@ -29,7 +29,7 @@ class MadeFlexure:
         from elastica_cad.pairs.flexure import Flexure
 
         require_record(flexure, Flexure, "the part", "a Flexure")
-        return cls(flexure, state, color_numbers(color) if color else sheet_color(flexure.sheet))
+        return cls(flexure, state, sheet_color(flexure.sheet) if color is None else color_numbers(color))
 
     def __deepcopy__(self, memo: dict[int, Any]) -> "MadeFlexure":
         return self

@@ -7,7 +7,7 @@ from math import radians
 from os import PathLike
 from typing import TYPE_CHECKING, Annotated, Any
 
-from elastica_cad._values import is_number, is_series, several
+from elastica_cad._values import is_number, is_one_of, is_series, several
 from elastica_cad.errors import InputError, UnknownOptionError, refuse_unknown
 from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.frame import Frame
@@ -168,7 +168,7 @@ def _require_curve(path: Any) -> None:
         raise InputError(
             f"{str(path)!r} is not a curve. Pass the curve first; ec.read_curves(file)[0] reads a file."
         )
-    rows = path if isinstance(path, Sequence) or hasattr(path, "tolist") else ()
+    rows = list(path) if is_series(path) and (isinstance(path, Sequence) or hasattr(path, "tolist")) else []
     if len(rows) and all(map(_is_point, rows)):
         raise InputError(
             f"The path is a list of {len(rows)} points. Pass a spline through them, such as "
@@ -215,7 +215,8 @@ def make_fixture_on(
 
     sizes = {name: options.pop(name) for name in FIXTURE_SIZES if name in options}
     _refuse_unknown(options, FIXTURE_SIZES)
-    color = color_numbers(options.pop("color", None) or FIXTURE_COLOR)
+    color = options.pop("color", None)
+    color = color_numbers(FIXTURE_COLOR if color is None else color)
     result = replace(make_strip_on(path, sheet, workplane=workplane, **options), color=color)
     ground = None if floor is None else _frame_of(floor)
     engrave = None if engrave is None else str(engrave)
@@ -254,7 +255,8 @@ def section_requests(
 
     The options include the plane and a numbered label.
     """
-    called = options.get("label") or "strip"
+    label = options.get("label")
+    called = "strip" if is_one_of(label, (None, "")) else label
     return [
         (section.curve, {**options, "plane": section.frame, "label": f"{called}-{number}"})
         for number, section in enumerate(_curves_on_body(body, planes, half=half), start=1)

@@ -6,7 +6,15 @@ from typing import Any
 import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
-from elastica_cad._values import alike, is_number, is_one_of, numbers, require_number, require_positive
+from elastica_cad._values import (
+    alike,
+    is_number,
+    is_one_of,
+    numbers,
+    require_number,
+    require_positive,
+    require_record,
+)
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Weight
 from elastica_cad.mechanics.section_limits import LayerStrain, ScaleRange, matched, positive
@@ -445,6 +453,7 @@ class WidthLaw:
 
         None if the largest width is None, or the plate effect unknown or 0.
         """
+        require_record(sheet, Sheet, "the sheet", "a Sheet")
         has_plate_effect = largest is not None and sheet.poisson_known and sheet.poisson_ratio > 0
         return cls(sheet, 0.0, largest) if largest is not None and has_plate_effect else None
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._text import html_text
 from elastica_cad._types import FloatArray
-from elastica_cad._values import numbers
+from elastica_cad._values import numbers, pair, require_number
 from elastica_cad.errors import Change, ElasticaError, InputError
 from elastica_cad.geometry.fairing import smooth_for_corners
 from elastica_cad.geometry.measured_points import MeasuredPoints, Provenance
@@ -43,8 +43,9 @@ class InflectionLine:
     @classmethod
     def of_moment(cls, moment: float, b: FloatArray, position: FloatArray) -> "InflectionLine":
         """Return the line on which the moment, `moment` + <b, x - position>, is zero."""
+        b, position = pair(b, "b"), pair(position, "position")
         size = np.hypot(*b)
-        foot = position - b * moment / size**2
+        foot = position - b * require_number(moment, "moment") / size**2
         return cls((float(foot[0]), float(foot[1])), (float(b[1] / size), float(-b[0] / size)))
 
     @property

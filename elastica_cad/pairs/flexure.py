@@ -11,6 +11,8 @@ import numpy as np
 from elastica_cad._types import FloatArray, Takes, required
 from elastica_cad._values import (
     is_number,
+    is_one_of,
+    is_series,
     numbers,
     require_flag,
     require_number,
@@ -18,7 +20,7 @@ from elastica_cad._values import (
     require_record,
 )
 from elastica_cad.declared import Option, require_declared
-from elastica_cad.errors import InputError, NotConvergedError, StrainError, rounded_up
+from elastica_cad.errors import InputError, NotConvergedError, StrainError, quoted, rounded_up
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
@@ -235,6 +237,8 @@ class Flexure:
                  "the pads"),
                 length=Length(self.pair.length), at=Length(self.push_at),
             )  # fmt: skip
+        if not (is_series(self.state_names) and [type(name) for name in self.state_names] == [str, str]):
+            raise InputError(f"state_names is {quoted(self.state_names)}. Pass two texts.")
         faults = list(self._faults())
         if faults and not self.ignore_limits:
             raise faults[0]
@@ -483,6 +487,7 @@ class Flexure:
 
     def hole_places(self, line: "CentreLine") -> FloatArray:
         """Return the centres of the holes (2, 2, 2) in the start and end pads, starting at the strip."""
+        require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
         places = []
         for s, sign in ((-self.overhang(0.0), -1), (self.pair.length + self.overhang(self.pair.length), 1)):
             position, along, _ = self._root(line, s, sign)
@@ -555,7 +560,7 @@ class Flexure:
         The joints "start" and "end" are on the inner edges of the pads, with x outward. The joints "hole1" to
         "hole4" are the holes from start to end, with x along the part. All joints are at half the depth.
         """
-        if state not in (None, *STATES):
+        if not is_one_of(state, (None, *STATES)):
             raise InputError(f"The state is {state!r}. Use first, second, or None for the unloaded part.")
         line = self.centre if state is None else self.states[STATES.index(state)]
         corners = self.outline_along(line)
