@@ -1,6 +1,6 @@
 """`elastica bend`: the shape of a strip with moved ends."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -44,8 +44,8 @@ from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
 from elastica_cad.forming.rod_spec import RodSpec
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.bending import bend_path, part_of_change
-from elastica_cad.mechanics.elements import NOUNS, ElementForce, Tie
-from elastica_cad.mechanics.loads import Gravity, Supports
+from elastica_cad.mechanics.elements import NOUNS, ElementForce, PointForce, Tie
+from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, Gravity, PointMass, Supports
 from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
@@ -117,9 +117,11 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
       elastica bend out/arch.json --to 350 0                   the same from the report of `elastica strip`
       elastica bend --straight 300 --to 200 0 --hold-end pinned --hold-start pinned
 
+    \b
       elastica bend out/slat.json --point-mass 200 8000        a finished slat under 8 kg: sag, strain, stability
       elastica bend out/arch.json --shorten 50 --steps 10      the same with a cord 50 mm shorter
 
+    \b
       elastica bend --straight 120 --sheet spring-steel-0.5 --max-width 10 --to 60 0 --steps 20   a spring's force
 
     Writes NAME-bent.csv (points, angle, curvature and stiffness along the strip), NAME-bent.json (the curves, for
@@ -183,7 +185,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         listed = curve is not None and chosen["steps"] > 1 and not change
         moved = bend_strip(strip, _steps(strip.rod_to_bend, chosen, held, change, listed=listed), side=side)
         shapes, verdicts = moved.rods, moved.verdicts
-    _print_shapes(rod, shapes, verdicts, moved)
+    _print_shapes(rod, shapes, verdicts, moved, change)
     B = 1.0 if strip is None else strip.bending_stiffness
     reports = [_shape_report(*pair, B) for pair in zip(shapes, verdicts, strict=True)]
     answered = {"length": rod.length, "ratio": rod.ratio, "shapes": reports, "travel": None}
@@ -362,7 +364,11 @@ def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> d
 
 
 def _print_shapes(
-    rod: Rod, shapes: Sequence[Rod], verdicts: Sequence[Stability], moved: Travel | None
+    rod: Rod,
+    shapes: Sequence[Rod],
+    verdicts: Sequence[Stability],
+    moved: Travel | None,
+    change: dict[str, Any],
 ) -> None:
     states = [verdict.rating for verdict in verdicts]
     say_table(
@@ -379,8 +385,10 @@ def _print_shapes(
     say_row(Row("Shape", f"last shape {width:.1f} x {height:.1f} mm, least radius {radius} mm"))
     (x0, y0), (x1, y1) = np.round(shapes[-1].position[[0, -1]], 2) + 0.0
     say_row(Row("Ends", f"from ({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}) mm in the drawing"))
-    if moved is not None and shapes[-1].acting:
-        say_row(Row("Moved", f"the strip moves by at most {moved.displacement[-1]:.1f} mm from its design"))
+    if moved is not None and (shapes[-1].acting or change):
+        for row in _load_rows(change.get("loads", ())):
+            say_row(row)
+        say_row(_moved_row(moved))
         for row in between_rows(shapes[-1], moved.strip.bending_stiffness):
             say_row(row)
         worst = int(np.argmin(moved.safety))
@@ -402,10 +410,41 @@ def _print_shapes(
     tips = [k for k, verdict in enumerate(moved.sideways) if verdict.needs_guiding]
     if tips:
         k = min(tips, key=lambda k: moved.sideways[k].margin)
-        where = moved.place_message(moved.path_length[k])
+        where = f"step {k + 1} of {len(shapes)}" if change else moved.place_message(moved.path_length[k])
         say_row(warning_row(f"at {where}, {moved.sideways[k].meaning}", "Stability"))
     for warning in moved.warnings:
         say_row(warning_row(warning))
+
+
+def _load_rows(loads: Sequence[PointMass | PointForce]) -> Iterator[Row]:
+    """Yield a row on the loads of the last shape, if there are any."""
+    texts = []
+    for load in loads:
+        at = "({:.5g}, {:.5g}) mm".format(*load.at) if isinstance(load.at, tuple) else f"{load.at:.5g} mm"
+        if isinstance(load, PointMass):
+            newtons = load.mass * 1e-3 * STANDARD_GRAVITY_M_S2
+            texts.append(f"{load.mass:g} g at {at} ({newtons:.3g} N)")
+        else:
+            x, y = load.force
+            texts.append(f"({x:g}, {y:g}) N at {at}")
+    if texts:
+        yield Row("Load", "; ".join(texts))
+
+
+def _moved_row(moved: Travel) -> Row:
+    """Return the row on the largest displacement in the last shape, with its place and direction."""
+    moves = moved.rods[-1].position - moved.strip.rod.position
+    k = int(np.hypot(*moves.T).argmax())
+    far, angle = np.hypot(*moves[k]), np.degrees(np.arctan2(*moves[k][::-1]))
+    text = f"the strip moves by at most {far:.2g} mm from its design"
+    if far < SMALLEST_MOVE_MM:
+        return Row("Moved", text)
+    where = f"at {moved.strip.rod.s[k]:.0f} mm, at {angle:.0f} degrees from the x axis"
+    return Row("Moved", f"{text}, {where}")
+
+
+SMALLEST_MOVE_MM = 1e-3
+"""Least displacement whose place and direction are reported, mm."""
 
 
 def _places(shapes: Sequence[Rod]) -> dict[str, list[str]]:

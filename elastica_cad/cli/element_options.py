@@ -2,6 +2,7 @@
 records.
 """
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
@@ -19,7 +20,7 @@ RECORDS: dict[str, tuple[type, str]] = {
     "pin": (Pin, "Pin or ring that holds a place of the strip; the strip turns in it."),
     "tie": (Tie, "Taut cord between two places."),
     "point_force": (PointForce, "Force in newtons, along x and y."),
-    "point_mass": (PointMass, "Mass in g that hangs at a place."),
+    "point_mass": (PointMass, "Mass that hangs at a place, in g or with its unit: 8kg."),
 }
 """Record class and help text of each option."""
 
@@ -44,6 +45,24 @@ class Place(Length):
         return tuple(super(Place, self).convert(part, param, ctx) for part in value.split(","))
 
 
+class Mass(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
+    """Parameter type of a mass in g: "250", "250g", "8kg"."""
+
+    name = "mass"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """Return the mass, g."""
+        match = re.fullmatch(r"\s*([-+.\deE]+?)\s*(k?g)?\s*", str(value))
+        try:
+            return float(match[1] if match else "") * (1000.0 if match and match[2] == "kg" else 1.0)
+        except ValueError:
+            self.fail(
+                f"{value!r} is not a mass. Give grams, or a mass with its unit such as 8kg.",
+                param,
+                ctx,
+            )
+
+
 def _fields(name: str) -> list[Field]:
     return [field for field in declared(RECORDS[name][0]) if field.default is REQUIRED]
 
@@ -52,6 +71,8 @@ def _types(field: Field) -> Iterator[tuple[Any, str]]:
     """Yield the type of each value of a field, and its placeholder in help."""
     if field.option.unit == "mm":
         yield Place(), field.name.upper()
+    elif field.option.unit == "g":
+        yield Mass(), field.name.upper()
     elif field.kind.name == "list":
         yield from ((float, axis) for axis in "XY")
     else:

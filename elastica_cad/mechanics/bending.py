@@ -308,7 +308,8 @@ def _refuse_straight(elements: Sequence[ElementForce], state: RodState) -> None:
     )
     if shorter and is_straight(state):
         raise InputError(
-            "The strip is straight, so a shorter cord could bend it to either side. Bend it with its ends first."
+            "The strip is straight, so a shorter cord could bend it to either side. First bend the strip by moving "
+            "its ends closer, then shorten the cord of the bent strip."
         )
 
 

@@ -690,8 +690,8 @@ def examine_curvature(
               if slope <= GENTLE_SHARE * largest / curve.length]  # fmt: skip
     gentle += faint_places(excess, largest, zeros)
     reasons = [
-        *_pinned_end_reasons(excess, supports, points),
-        *_straight_part_reasons(excess, flats, largest),
+        *_pinned_end_reasons(excess, supports, zeros),
+        *_straight_part_reasons(excess, supports, flats, largest),
         *_jump_reasons(jumps),
         *_touch_reasons(sorted([*touches, *gentle])),
     ]
@@ -801,7 +801,7 @@ def _pinned_end_reasons(
     for name, support, t, s in zip(
         ("start", "end"), supports.ends, curve.domain, (0.0, curve.length), strict=True
     ):
-        if support.angle or any(z.kind == "end" and z.t == t for z in zeros):
+        if support.angle or any(z.kind in ("end", "flat") and z.t <= t <= z.t_end for z in zeros):
             continue
         kappa = float(curve.curvature_at(np.array(t)))
         natural = float(excess.rest_at(np.array(t)))
@@ -816,13 +816,27 @@ def _pinned_end_reasons(
 
 
 def _straight_part_reasons(
-    excess: ExcessCurvature, flats: Sequence[CurvatureZero], largest: float
+    excess: ExcessCurvature, supports: Supports, flats: Sequence[CurvatureZero], largest: float
 ) -> Iterable[str]:
     """Yield messages about straight pieces that need an impossible stiffness at their ends."""
     curve = excess.curve
     for flat in flats:
         joints = [joint for joint in ((flat.s, flat.t, True), (flat.s_end, flat.t_end, False))
                   if AT_END_SHARE * curve.length < joint[0] < (1 - AT_END_SHARE) * curve.length]  # fmt: skip
+        if any(
+            not support.angle and flat.t <= t <= flat.t_end
+            for support, t in zip(supports.ends, curve.domain, strict=True)
+        ):
+            yield note(
+                "The piece from {start} to {end} has exactly the natural curvature and an end that is free to "
+                "turn, so it carries no moment. Such an end is not computed, even with a tie or support at "
+                "{places}. Clamp this end, or let the curve end at {places}." if excess.is_bent_beforehand else
+                "The piece from {start} to {end} is straight and has an end that is free to turn, so it carries "
+                "no moment. Such an end is not computed, even with a tie or support at {places}. Clamp this end, "
+                "or let the curve end at {places}.",
+                start=Length(round(flat.s, 6)), end=Length(flat.s_end), places=lengths(s for s, _, _ in joints),
+            )  # fmt: skip
+            continue
         opening = note(
             "The piece from {start} to {end} has exactly the natural curvature, but the adjacent piece is "
             "bent, so the stiffness at the joint would have to be 0" if excess.is_bent_beforehand else

@@ -164,6 +164,8 @@ class HeldElement:
         Direction of the strip at the first point, or of a load, relative to that line, degrees.
     force : float
         Force of the element on the strip, N.
+    face : (2,) array, optional
+        Coordinates of the place where a one-sided rail touches the face of the strip, mm, as in `places`.
     """
 
     name: str
@@ -173,6 +175,7 @@ class HeldElement:
     places: FloatArray
     tilt: float
     force: float
+    face: FloatArray | None = None
 
     def __str__(self) -> str:
         """Return the description of the element that is engraved on the template."""
@@ -180,6 +183,8 @@ class HeldElement:
         if isinstance(self.action.element, Tie):
             length = float(np.hypot(*(self.places[1] - self.places[0])))
             return f"{self.name} {NOUNS[Tie]}: {at}, {length:.1f} mm long, {self.force:.2g} N"
+        if self.face is not None:
+            at += f", touches the strip at x {self.face[0]:z.1f}, y {self.face[1]:z.1f}"
         return f"{self.name} {self.noun}: {at}, {self.tilt:.1f} degrees from the line, {self.force:.2g} N"
 
     @property
@@ -215,12 +220,15 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
         elif isinstance(action.element, Rail) and action.force[0] @ normal[0] > 0:
             normal = -normal
         off = at.position - rod.position[0]
+        one_sided = isinstance(action.element, Rail) and action.element.one_sided
+        face = off[0] + strip.sheet.thickness / 2 * normal[0]
         held.append(
             HeldElement(
                 f"{letter}{counts[letter]}", action, at.position, normal,
                 np.column_stack([off @ chord, off @ left_of(chord)]),
                 _turned(np.degrees(direction) - np.degrees(np.arctan2(chord[1], chord[0]))),
                 strip.bending_stiffness * action.size,
+                np.array([face @ chord, face @ left_of(chord)]) if one_sided else None,
             )
         )  # fmt: skip
     return tuple(held)

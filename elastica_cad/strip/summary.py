@@ -9,6 +9,7 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
 from elastica_cad.mechanics.elements import ElementForce, Rail, Tie, noun_of
+from elastica_cad.mechanics.mounted_elements import ShapeOfRod, violation
 from elastica_cad.mechanics.mounting_errors import displacements_per_mm
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stability import Stability, stability
@@ -210,6 +211,9 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
 NO_FORCE_SHARE = 1e-6
 """Force of an element, as a fraction of the largest force in the rod, below which it is a rounding error."""
 
+SMALLEST_GAP_MM = 0.01
+"""Least distance of a slack rail from the strip that is reported, mm."""
+
 MOUNTING_ERROR_MM = 0.5
 """Assumed error of the position of a rail or pin, or of the length of a cord, mm.
 
@@ -245,7 +249,13 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
     """Return a text with the position and the force (N) of an element."""
     if action.is_one_sided and force == 0:
         places = Listed(map(Length, np.round(action.s, 1).tolist()))
-        return note("the {element} at {places} is slack", element=noun_of(action.element), places=places)
+        gap = -violation(action, ShapeOfRod.of(rod))
+        return note(
+            "the {element} at {places} is slack, {gap:.2g} away from the strip"
+            if isinstance(action.element, Rail) and gap >= SMALLEST_GAP_MM
+            else "the {element} at {places} is slack",
+            element=noun_of(action.element), places=places, gap=Length(gap),
+        )  # fmt: skip
     if isinstance(action.element, Tie):
         return note(
             "tie from {start:.0f} to {end:.0f}, {length:.1f} long, pulls {force:.2g} N",

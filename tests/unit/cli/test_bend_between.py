@@ -86,10 +86,37 @@ def test_the_rows_on_a_rail_that_is_moved(desk, strip):
     printed = run(f"bend out/wave.json --rail {x:.4f},{y + 2:.4f} --tie 40 310 --force", cwd=desk).stdout
     own = ec.bend(strip.rod_to_bend, between=(ec.Rail((x, y + 2)), ec.Tie(40, 310)))
     far = np.hypot(*(own.position - strip.rod.position).T).max()
-    moved = re.search(r"Moved +the strip moves by at most ([\d.]+) mm", printed)
+    moved = re.search(r"Moved +the strip moves by at most ([\d.]+) mm from its design, at (\d+) mm", printed)
     assert float(moved[1]) == pytest.approx(far, abs=0.06)
+    nearest = np.abs(strip.rod.s - float(moved[2])).argmin()
+    moves = np.hypot(*(own.position - strip.rod.position).T)
+    assert moves[nearest] == pytest.approx(far, rel=0.01)
     assert re.search(r"Between +rail at 20\d mm pushes", printed)
     assert re.search(r"Strain +at most [\d.]+ %, safety [\d.]+", printed)
+
+
+def test_the_distance_of_a_slack_rail(desk, strip):
+    point = strip.rod.curve.at([200.0]).position[0]
+    x, y = 3 * strip.bending_stiffness * strip.rod.between_forces[0]
+    printed = run(f"bend out/wave.json --point-force 200 {x:.4f} {y:.4f} --force", cwd=desk).stdout
+    own = ec.bend(strip.rod_to_bend, loads=ec.PointForce(200, (x, y)))
+    gap = np.hypot(*(own.position - point).T).min()
+    slack = re.search(r"the rail at [\d.]+ mm is slack, ([\d.]+) mm away from the strip", printed)
+    assert gap > 0.1
+    assert float(slack[1]) == pytest.approx(gap, rel=0.05)
+
+
+def test_the_rows_on_a_mass_in_kilograms_without_elements(desk):
+    printed = run("bend out/wave.json --release --point-mass 250 0.02kg --side left --force", cwd=desk).stdout
+    assert re.search(r"Load +20 g at 250 mm \(0.196 N\)", printed)
+    assert re.search(r"Moved +the strip moves by at most [\d.]+ mm from its design, at \d+ mm", printed)
+    refused = run("bend out/wave.json --point-mass 250 8lb", cwd=desk, code=2)
+    assert "'8lb' is not a mass. Give grams, or a mass with its unit such as 8kg." in refused.stderr
+
+
+def test_the_examples_in_the_help_keep_their_lines():
+    lines = run("bend --help").stdout.splitlines()
+    assert sum(line.startswith("    elastica bend ") for line in lines) == 6
 
 
 def test_a_strip_without_its_elements_snaps(desk):

@@ -377,3 +377,13 @@ def test_a_measured_arch_with_one_pinned_end(held):
         end = check.curve.domain[supports.start.angle]
         assert abs(check.curve.curvature_at(np.array(end))) < 1e-12
         assert check.moved < 1e-3
+
+
+@pytest.mark.parametrize("flip", [False, True])
+def test_a_straight_end_that_is_free_is_refused_for_its_own_reason(flip):
+    """No message quotes a curvature of 0 against the limit 0, or asks for the support that is there."""
+    curve = PlaneCurve([0, 0, 0, 20, 20, 60, 60, 60], [(0, 0), (10, 0), (20, 0), (40, 0), (50, 20)], 2)
+    supports = Supports("pinned" if flip else "free", "clamped")
+    (reason,) = check_equilibrium(curve, supports=supports).reasons
+    assert reason.startswith("The piece from 0 mm to 20 mm is straight and has an end that is free to turn")
+    assert reason.endswith("Clamp this end, or let the curve end at 20 mm.")

@@ -33,8 +33,8 @@ def test_the_template_has_a_bar_on_the_side_from_which_a_rail_pushes():
     assert any(np.allclose(cord, WAVE.at([40.0, 310.0]).position) for cord in cords)
     texts = [text.text for text in drawing.texts]
     assert (
-        f"R1 rail: x {point[0]:.1f}, y {point[1]:.1f}, {rail.tilt:.1f} degrees from the line, {rail.force:.2g} N"
-        in texts
+        f"R1 rail: x {point[0]:.1f}, y {point[1]:.1f}, touches the strip at x {contact[0]:.1f}, "
+        f"y {contact[1]:.1f}, {rail.tilt:.1f} degrees from the line, {rail.force:.2g} N" in texts
     )
     assert {"R1", "T1"} <= set(texts)
 
