@@ -386,12 +386,15 @@ def travel(moved: Travel) -> Figure:
     figure, (above, below) = new_page([SHAPES, COSTS])
     steps = len(moved.rods)
     colors = _blend(FIRST, LAST, steps)
+    if steps == 1:
+        above.plot(*moved.strip.rod.position.T, color=FAINT, linestyle="--", linewidth=0.9)
     for k, rod in enumerate(moved.rods):
         color = colors[k] if moved.stable[k] else UNSTABLE
         above.plot(*rod.position.T, color=color, linewidth=1.6 if k in (0, steps - 1) else 0.9)
     above.set_aspect("equal", adjustable="datalim")
     snapping = "" if moved.stable.all() else "; red: unstable, it snaps away"
-    _entitle(above, f"{steps} shapes, the last one darkest{snapping}")
+    shapes = "the shape, and the design (dashed)" if steps == 1 else f"{steps} shapes, the last one darkest"
+    _entitle(above, f"{shapes}{snapping}")
     above.set_xlabel("x, mm")
     above.set_ylabel("y, mm")
     if moved.is_turn:
@@ -405,12 +408,16 @@ def travel(moved: Travel) -> Figure:
         below.set_ylabel("force, N", color=FORCE)
     below.grid(alpha=0.25)
     beside = below.twinx()
-    beside.plot(moved.path_length, moved.energy, color=ENERGY, linestyle="--")
+    beside.plot(
+        moved.path_length, moved.energy, color=ENERGY, linestyle="--", marker="." if steps == 1 else ""
+    )
     beside.set_ylabel("bending energy, N mm", color=ENERGY)
     for axes in (below, beside):  # axes begin at 0, so that a nearly constant force looks constant
         low, high = axes.get_ylim()
         room = 0.05 * (high - low) if low * high > 0 else 0.0
         axes.set_ylim(min(low - room, 0.0), max(high + room, 0.0))
+    if steps == 1:
+        below.set_xlim(0.0, 1.1 * float(moved.path_length[0]) or 1.0)
     places = (
         ("force falls", moved.force_falls_at, FORCE), ("strain limit", moved.strained_at, INK),
         ("snaps", moved.snaps_at, UNSTABLE), ("crosses itself", moved.crosses_at, FAINT),

@@ -208,3 +208,12 @@ def test_colons_of_a_sheet_are_seen_wherever_they_lie(turned):
         x, y = figure.axes[0].transData.transform(place).astype(int)
         seen.append(dark[y - 9 : y + 10, x - 9 : x + 10].sum())
     assert min(seen) > 0.5 * max(seen)
+
+
+def test_a_travel_of_one_step_is_drawn_with_the_design():
+    clip = ec.Strip(ec.Rod.straight(100.0, samples=201), "spring-steel-0.2", max_width=10.0)
+    above, below, _ = ec.plot.travel(ec.bend_strip(clip, [(95.0, 0.0)])).axes
+    shape, design = (line.get_xydata() for line in reversed(above.lines))
+    assert np.ptp(design[:, 1]) == pytest.approx(0, abs=1e-9)
+    assert np.ptp(shape[:, 1]) > 10
+    assert below.get_xlim() == pytest.approx((0, 5.5))
