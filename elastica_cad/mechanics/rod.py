@@ -620,7 +620,7 @@ class Rod:
         )
         for s, force in [*sorted(steps, key=lambda step: step[0]), (self.length, np.zeros(2))]:
             sides.append(InflectionLine.of_moment(moment, b, place) if np.hypot(*b) > tiny else None)
-            at = self.curve.at(np.array([s])).position[0]
+            at = self.curve.at(np.array([s * self.curve.length / self.length])).position[0]
             moment, place, b = moment + float(b @ (at - place)), at, b - left_of(force)
         return tuple(sides)
 
@@ -739,17 +739,23 @@ class Rod:
 
         For a discrete rod the spline has the length, end positions and end angles of the rod. Its distance from
         the nodes is about h^2 kappa / 24, with edge length h and curvature kappa (see `integrate_edges`). If the
-        nodes are samples of a curve, the spline is a fit. The spline of an axially elastic rod has the angles of
-        the rod and its length without strain, so its end is off by the change of length.
+        nodes are samples of a curve, the spline is a fit. The spline of an axially elastic rod has its length
+        with the mean strain.
         """
         if self.shape is not None:
             return self.shape
-        nodes = self.position
         if self.compression is not None:
-            nodes = edge_positions(nodes[0], self.discrete.directions, self.s[1])
-        if has_even_edges(self.s, nodes):
-            return integrate_edges(self.s, nodes, self.angle)
+            return self._stretched_curve()
+        if has_even_edges(self.s, self.position):
+            return integrate_edges(self.s, self.position, self.angle)
         return PlaneCurve(*fit_spline(self.position, 5, 1e-6 * self.length), 5)
+
+    def _stretched_curve(self) -> PlaneCurve:
+        """Return the spline of an axially elastic rod, of which each part has the mean strain."""
+        start = self.position[0]
+        stretch = np.hypot(*np.diff(self.position, axis=0).T).sum() / self.length
+        even = integrate_edges(self.s, start + (self.position - start) / stretch, self.angle)
+        return replace(even, control_points=start + (even.control_points - start) * stretch)
 
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
         """Return the rod with another stiffness profile; it is not in equilibrium before it is bent again.

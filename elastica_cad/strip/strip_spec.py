@@ -10,7 +10,7 @@ from typing import Annotated, Any, TypeAlias, cast
 import numpy as np
 
 from elastica_cad._types import EMPTY, Takes
-from elastica_cad._values import EqualByValue, is_number, is_series, require_record, several
+from elastica_cad._values import EqualByValue, is_number, is_one_of, require_record, several
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import Change, InputError, refuse_unknown, rounded_up
 from elastica_cad.forming.fairing_request import Smoothing
@@ -558,9 +558,7 @@ class StripSpec(EqualByValue):
     def __post_init__(self) -> None:
         require_curve(self.curve)
         sheet = Sheet.of(self.sheet)
-        supports = require_supports(
-            self.supports, between=bool(is_series(self.between) and list(self.between))
-        )
+        supports = require_supports(self.supports, between=not is_one_of(self.between, (None, (), [])))
         object.__setattr__(self, "supports", supports)
         require_natural_curvature(self.natural_curvature)
         require_declared(StripSpec, vars(self))

@@ -172,7 +172,7 @@ def test_a_printed_stand_has_two_settings(tmp_path):
         (("clip.svg", "--sheet", "pom-3", "--fillet", "12"), "does not fit"),
         (("clip.toml", "clip.svg", "--sheet", "pom-3"), "Leave out the other arguments"),
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "pom-3", "--match", "none"),
-         "--match ends"),
+         "Set --match to ends"),
         (("clip.svg", "clip.svg", "--first", "up", "--second", "down", "--sheet", "mdf-3"), "times as large"),
         (("clip.svg", "--sheet", "pom-3", "--kerf", "sheet"), "The width of the cut is not known for pom-3"),
         (("wrong.toml",), "unknown key 'thickness'"),
