@@ -1,8 +1,7 @@
 """Rest shape of a rod after its ends, loads or supports have changed."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from itertools import pairwise
 from typing import Any, Literal
 
@@ -43,8 +42,11 @@ from elastica_cad.mechanics.mounted_elements import (
     wrong_force,
 )
 from elastica_cad.mechanics.newton_continuation import (
+    LARGEST_TURN_RAD,
+    SMALL_TURN_RAD,
     STOP_SHARE,
     Reached,
+    Stop,
     follow,
     is_balanced,
     is_straight,
@@ -329,6 +331,13 @@ def _bent_on_elements(
         for action in elements
     ]
     state, snaps_at, last, remaining = None, None, None, 1.0
+    # distances that slack elements still have to move to their final positions and lengths
+    ahead = np.zeros(len(elements))
+    load = system.load if guess is not None else _present_load(present)
+
+    def changed_set(state: RodState, fraction: float) -> list[bool] | None:
+        return _changed_taut_set(elements, taut, state, (1 - fraction) * ahead)
+
     for _ in range(ROUNDS * (1 + len(elements))):
         acting = [i for i, is_taut in enumerate(taut) if is_taut]
         system = replace(system, actions=tuple(elements[i] for i in acting))
@@ -339,15 +348,17 @@ def _bent_on_elements(
         else:
             state = state_of(present, system)
             _refuse_straight(elements, state)
-        reached = reach(state, None, 1, partial(_needs_change, elements, taut))
+        # after a change of the set, the branch may end at a fold nearby, which a long step would miss
+        turn = LARGEST_TURN_RAD if last is None else SMALL_TURN_RAD
+        reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, load=load)
         state = reached.state
-        changed = None if reached.arrived else _changed_taut_set(elements, taut, state)
+        changed = None if reached.arrived else changed_set(state, reached.fraction)
         # if the strip lifts off and returns at once, it is unstable without the element, so it snaps away
         leaps = changed == last and changed is not None and sum(taut) < sum(changed)
         if changed is None or (leaps and reached.fraction <= STOP_SHARE):
             state, at = _rest_or_snapped_state(reached, settle=settle)
             snaps_at = snaps_at if at is None else 1 - remaining * (1 - at)
-            changed = _changed_taut_set(elements, taut, state)
+            changed = changed_set(state, 1.0)
         if changed is None:
             return replace(
                 state.rod(wanted),
@@ -355,6 +366,12 @@ def _bent_on_elements(
                 warnings=_warnings(state, snaps_at),
             )
         remaining *= 1 - reached.fraction
+        ahead *= 1 - reached.fraction
+        load = load + reached.fraction * (system.load - load)
+        shape = shape_of(state)
+        for i, (before, after) in enumerate(zip(taut, changed, strict=True)):
+            if before and not after:
+                ahead[i] = violation(elements[i], shape)
         elements, taut, last = list(_with_present_forces(elements, taut, state)), changed, taut
     raise NotConvergedError(
         "No set of taut elements was found for this rest shape. Move the ends or change the loads in smaller steps."
@@ -376,12 +393,8 @@ def _with_present_forces(
     )
 
 
-def _needs_change(elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState) -> bool:
-    return _changed_taut_set(elements, taut, state) is not None
-
-
 def _changed_taut_set(
-    elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState
+    elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState, ahead: FloatArray
 ) -> list[bool] | None:
     """Return the taut flags after the most necessary change, or None if no change is needed."""
     shape, acting = shape_of(state), iter(state.actions)
@@ -391,7 +404,7 @@ def _changed_taut_set(
         if taut[i]:
             wrong[i] = wrong_force(next(acting), shape)
         else:
-            through[i] = violation(action, shape)
+            through[i] = violation(action, shape) - ahead[i]
     changed = list(taut)
     if wrong.max() > PULLS_SHARE * largest:
         changed[int(wrong.argmax())] = False
@@ -571,7 +584,7 @@ def system_of(
         raise InputError(f"a rod of {rod.s.size} nodes cannot be bent: use samples=4 or more")
     system = RodSystem(
         stiffness=np.asarray(rod.stiffness), edge_length=rod.length / (rod.s.size - 1),
-        load=rod.nodal_load + lumped(rod.point_forces, rod.s.size, rod.length),
+        load=_present_load(rod),
         natural_curvature=rod.natural_curvature, supports=rod.supports,
         start=present.position[0].copy() if start is None else pair(start, "start"),
         end=present.position[-1].copy() if end is None else pair(end, "end"),
@@ -601,14 +614,24 @@ def state_of(rod: Rod, system: RodSystem) -> RodState:
     """Return the present shape of a rod as a state of `system`, from which a continuation starts."""
     if system.elements is not None:
         # start from the reactions to the present loads, because the loads then change along the path
-        present = replace(system, load=rod.nodal_load + lumped(rod.point_forces, rod.s.size, rod.length))
+        present = replace(system, load=_present_load(rod))
         return _with_reactions(present.state(rod.discrete.angles)).under(system)
     extra = (rod.discrete.force - system.given_force).mean(axis=0)
     return system.state(rod.discrete.angles, extra[list(system.held)])
 
 
+def _present_load(rod: Rod) -> FloatArray:
+    return rod.nodal_load + lumped(rod.point_forces, rod.s.size, rod.length)
+
+
 def reach(
-    state: RodState, side: int | None, mode: int, stop: Callable[[RodState], bool] | None = None
+    state: RodState,
+    side: int | None,
+    mode: int,
+    stop: Stop | None = None,
+    *,
+    turn: float = LARGEST_TURN_RAD,
+    load: FloatArray | None = None,
 ) -> Reached:
     """Continue from `state` to an equilibrium; leave a straight state if it must bend or `side` is given.
 
@@ -632,7 +655,7 @@ def reach(
         reached = follow(bent.under(system))
         # ends that are only a little closer than the length compress the rod, but do not bend it
         return reached if reached.arrived else follow(state)
-    return leave_straight(state, side, mode) if straight else follow(state, stop)
+    return leave_straight(state, side, mode) if straight else follow(state, stop, turn=turn, load=load)
 
 
 def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:

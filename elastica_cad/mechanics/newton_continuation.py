@@ -27,6 +27,9 @@ MOST_DESCENT_STEPS = 300
 STOP_SHARE = 1e-3
 LEAST_STEP = 1e-7  # least step, as a fraction of the path; it determines how precisely a fold is located
 
+Stop = Callable[[RodState, float], bool]
+"""Whether a continuation ends at a state that is reached after a fraction of the path."""
+
 
 @dataclass(frozen=True, eq=False)
 class Reached:
@@ -118,24 +121,44 @@ def correct(
     return None
 
 
-def follow(state: RodState, stop: Callable[[RodState], bool] | None = None) -> Reached:
+def follow(
+    state: RodState,
+    stop: Stop | None = None,
+    *,
+    turn: float = LARGEST_TURN_RAD,
+    load: FloatArray | None = None,
+) -> Reached:
     """Continue from a state to an equilibrium: its imbalance, an artificial load, is reduced to zero in steps.
 
     Positions and angles of the ends change linearly from present to required values. Weight, forces, stiffness
     and supports change in proportion. Steps are adaptive. The continuation ends at a fold of the branch, and soon
     after the first state for which `stop` returns True.
+
+    Parameters
+    ----------
+    turn : float
+        Largest rotation of an edge in a step, rad.
+    load : (n+1, 2) array, optional
+        Load of the nodes at the start, 1/mm2. It changes linearly, so that the states on the way are rest shapes
+        under a fraction of the change.
     """
     if is_balanced(state):
         return Reached(_polish(state), 1.0, 0)
-    start = state.residual
+    final = state.system
+    first = final.load if load is None else load
+
+    def loaded(t: float) -> RodSystem:
+        return replace(final, load=first + t * (final.load - first))
+
+    start = state.under(loaded(0.0)).residual
 
     def kept(t: float) -> tuple[RodSystem, Residual]:
-        return state.system, Residual((1 - t) * start.imbalance, (1 - t) * start.miss)
+        return loaded(t), Residual((1 - t) * start.imbalance, (1 - t) * start.miss)
 
-    reached = trace(kept, state, stop=stop)
+    reached = trace(kept, state, stop=stop, turn=turn)
     if reached.arrived:
-        return Reached(_polish(reached.state), 1.0, reached.steps)
-    return reached
+        return Reached(_polish(reached.state.under(final)), 1.0, reached.steps)
+    return replace(reached, state=reached.state.under(final))
 
 
 def trace(
@@ -143,7 +166,8 @@ def trace(
     state: RodState,
     *,
     start: float = 0.0,
-    stop: Callable[[RodState], bool] | None = None,
+    stop: Stop | None = None,
+    turn: float = LARGEST_TURN_RAD,
 ) -> Reached:
     """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1 in adaptive steps.
 
@@ -156,7 +180,7 @@ def trace(
     while t < 1.0:
         t_next = min(t + step, 1.0)
         system, residual = problem(t_next)
-        corrected = correct(state.under(system), residual)
+        corrected = correct(state.under(system), residual, turn=turn)
         count += 1
         long = (
             corrected is not None and float(np.abs(corrected[0].angles - state.angles).max()) > SMALL_TURN_RAD
@@ -168,7 +192,7 @@ def trace(
             if step < LEAST_STEP:
                 return Reached(state, t, count)
             continue
-        stops = stop is not None and stop(corrected[0])
+        stops = stop is not None and stop(corrected[0], t_next)
         if stops and t_next - t > STOP_SHARE:
             step = (t_next - t) / 4
             continue
