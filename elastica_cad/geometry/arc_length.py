@@ -13,10 +13,10 @@ _DEGREE = 15
 """Degree of the Chebyshev series of the speed on each panel."""
 
 _FINE = 1e-14
-"""Last Chebyshev coefficients, relative to the speed, up to which they are rounding errors."""
+"""Size of the last Chebyshev coefficients, relative to the speed, up to which they are rounding errors."""
 
 _NOISE_SHARE = 1e-8
-"""Last Chebyshev coefficients, relative to the speed, up to which they may be rounding errors.
+"""Size of the last Chebyshev coefficients, relative to the speed, up to which they may be rounding errors.
 
 Such coefficients are rounding errors if halving the panel does not reduce them.
 """

@@ -425,7 +425,7 @@ def whole_number(value: object, name: str, least: int) -> int:
 
 
 LENGTHS_APART = 0.01
-"""Largest relative difference of length between a curve and a pre-bent strip that is scaled to the curve."""
+"""Relative difference of length up to which a pre-bent strip is scaled to the length of the curve."""
 
 BLANK_TOLERANCE = 1e-9
 """Error of the natural curvature, relative to its largest value."""

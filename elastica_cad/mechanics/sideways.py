@@ -210,8 +210,8 @@ below 5e-3.
 RIBBON_NUMBER = 16.0
 """Largest w^2 kappa / h, for width w, curvature kappa and thickness h, at which a section keeps its shape.
 
-Above it bending and twist are coupled (a ribbon), and only a large margin of the rod proves that the strip is
-stable. Finite elements show that ribbons are more stable than the rod.
+Above it bending and twist are coupled (a ribbon). The stability margin of the rod model then proves that the
+strip is stable only if it is large. Finite elements show that ribbons are more stable than the rod model.
 """
 
 MOST_RIBBON_NUMBER = 80.0

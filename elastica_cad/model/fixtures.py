@@ -417,7 +417,7 @@ class EndFixture(EqualByValue):
         ]
 
     def _tip_hole(self, body: FloatArray) -> list[FlatSolid]:
-        """Return the hole for the screw of a T-slot, through the wall behind the tip and everything below."""
+        """Return the hole for the screw of a T-slot, from the tip of the tab along the tab out of the block."""
         slot, tab = self.tab.t_slot, self.tab.frame
         if slot is None:
             return []

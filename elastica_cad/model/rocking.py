@@ -80,7 +80,7 @@ def _shape(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
     try:
         strayed = member.strip.held(*(seat_of(seats, member, end) for end in ENDS)).deviation
     except NotConvergedError:
-        return note("no stable shape of the strip was found with the tabs in it")
+        return note("no stable shape of the strip was found with its tabs in the slots")
     return note(
         "the strip then deviates by up to {far:.2g} ({percent:.2g} % of its length)",
         far=Length(strayed),

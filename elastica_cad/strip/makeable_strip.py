@@ -31,8 +31,10 @@ from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults
 
 # knot spacing of a correction as a fraction of the length; it is large, so that outlines stay smooth
 SPACING_SHARE = 1 / 24
-SMOOTHING = 5e-3  # weight of the second differences of the coefficients, relative to the deviation
-SIZE = 7e-3  # weight of the coefficients, relative to the deviation; it selects the smallest correction
+SMOOTHING = (
+    5e-3  # penalty on second differences of the coefficients of a correction, relative to the deviation
+)
+SIZE = 7e-3  # penalty on the coefficients, relative to the deviation; of equal corrections it selects the smallest
 
 
 def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:

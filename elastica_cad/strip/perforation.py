@@ -502,7 +502,10 @@ class _Fit:
         self.highest = self.by_ligaments.highest
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
-        """Return the bending stiffness, N mm2, at K = 1: that of the rod, or else the largest for `max_width`."""
+        """Return the bending stiffness, N mm2, of the relative stiffness K = 1.
+
+        It is the stiffness of the rod if the rod has one, otherwise the largest for `max_width`.
+        """
         if self.lowest > self.highest * (1 + SEEN_APART):
             raise InputError(self._infeasible())
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes

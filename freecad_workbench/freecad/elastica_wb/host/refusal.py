@@ -98,8 +98,9 @@ _silence = _Silence()
 
 
 def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]:
-    """Return a function that calls `work` and raises the error that it returns, without a Python function in
-    the traceback.
+    """Return a function that calls `work` and raises the error that `work` returns.
+
+    FreeCAD prints the traceback of the error. No Python function appears in it.
     """
     # with an argument obj, the returned function evaluates obj | worker | thrower
     return partial(reduce, or_, (_Worker(work), _Thrower()))

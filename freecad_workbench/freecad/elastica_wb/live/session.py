@@ -65,7 +65,10 @@ NO_POLES = np.zeros((0, 2))
 SEEN = 24  # number of points of a curve that the card tries not to hide
 PEEK_MS = 60  # interval, ms, between checks whether the nearest curve was found
 STEP_SHARE = 1e-3  # smallest move of a pole towards the border, as a fraction of the length of the curve
-MOVES, HALVINGS = 3, 12  # number of moves towards the border, and largest number of trials of a move
+MOVES, HALVINGS = (
+    3,
+    12,
+)  # a dragged pole is moved to the last possible place in so many moves, each with at most so many trials
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
