@@ -181,7 +181,7 @@ def toml_slip(text: str, error: Exception) -> str:
     line = lines[int(match[1]) - 1] if match and int(match[1]) <= len(lines) else ""
     if "\\" in line:
         return "write / in place of \\ in paths"
-    if comma := re.search(r"=\s*[+-]?(\d+),(\d+)", line):
+    if comma := re.search(r"=\s*([+-]?\d+),(\d+)", line):
         return f"write decimals with a point, {comma[1]}.{comma[2]}"
     if line.lstrip().startswith("[") and not line.isascii():
         return 'put names with letters beyond a-z in quotes, as in [sheets."grün"]'

@@ -1,6 +1,7 @@
 """Page of measurements to be taken of a bent strip, and reading of the measured values."""
 
 import json
+import tomllib
 from collections.abc import Mapping
 from itertools import pairwise
 from pathlib import Path as FilePath
@@ -10,7 +11,7 @@ import numpy as np
 
 from elastica_cad._toml import parse_toml
 from elastica_cad.design.toml_text import toml_key
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, toml_slip
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Line
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
@@ -120,8 +121,17 @@ def read_readings(path: FilePath) -> dict[str, dict[str, float]]:
     InputError
         The file is missing or not TOML, or a reading is not a number.
     """
+    text = ""
     try:
-        table = parse_toml(path.read_text(encoding="utf-8"))
+        text = path.read_text(encoding="utf-8")
+        table = parse_toml(text)
+    except tomllib.TOMLDecodeError as error:
+        raise InputError(
+            "{path} cannot be read: {error}; {toml_slip}",
+            path=path,
+            error=error,
+            toml_slip=toml_slip(text, error),
+        ) from error
     except (OSError, ValueError, RecursionError) as error:
         raise InputError("{path} cannot be read: {error}", path=path, error=error) from error
     strips = {name: values for name, values in table.items() if isinstance(values, dict)}

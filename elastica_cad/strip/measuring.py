@@ -135,10 +135,10 @@ class Measuring:
             loads[:, owners.index("thinner sheet")] = 0.02 * loaded.nodal_load
         moments = np.column_stack([column for column_list in columns.values() for column in column_list])
         moved = shape_responses(loaded, moments, loads, apart)
-        expected = _measured(design.position)
+        expected = _measured(design.position, design.position)
         causes: dict[str, list[dict[str, float]]] = {}
         for k, cause in enumerate(owners):
-            lengths = _measured(design.position + moved[:, k])
+            lengths = _measured(design.position + moved[:, k], design.position)
             causes.setdefault(cause, []).append({name: lengths[name] - expected[name] for name in expected})
         off = np.degrees(strip.tolerance.clamps + held.expected / design.length)
         uncertain = dict.fromkeys(LENGTHS, held.expected) | dict.fromkeys(ANGLES, float(off))
@@ -189,8 +189,10 @@ class Measuring:
             answer = np.linalg.lstsq(G, off, rcond=None)[0]
             rest = float(np.linalg.norm(off - G @ answer) / np.linalg.norm(off))
             size = float(np.linalg.norm(answer))
-            far = (cause in ONCE and not 0.5 < answer[0] < 1.5) or (
-                cause == "thickness" and size > THICKEST_PERCENT
+            far = (
+                (cause in ONCE and not 0.5 < answer[0] < 1.5)
+                or (cause == "thickness" and size > THICKEST_PERCENT)
+                or (cause == "ends apart" and self._mirrors(size, changes[0]))
             )
             if len(names) > len(changes) and not far and rest < left:
                 best, amount, left = cause, size, rest
@@ -200,6 +202,12 @@ class Measuring:
                 "Verdict",
             )
         return warning_row(MEANINGS[best].format(amount=amount), "Verdict")
+
+    def _mirrors(self, amount: float, change: Mapping[str, float]) -> bool:
+        """Return True if a height changes by more than the largest height. Ends that move cannot mirror a strip."""
+        heights = [name for name in self.expected if name.startswith("height")]
+        largest = max((abs(self.expected[name]) for name in heights), default=0.0)
+        return any(amount * abs(change[name]) > largest for name in heights)
 
 
 def row_label(name: str) -> str:
@@ -213,19 +221,26 @@ def row_label(name: str) -> str:
     return name.replace("_", " ").capitalize()
 
 
-def _measured(position: FloatArray) -> dict[str, float]:
+def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
     """Return the values to be measured on a shape with evenly spaced nodes (n, 2), mm.
 
-    The sign of the heights is chosen so that the largest is positive.
+    Heights are positive on the side of the chord on which the largest height of the design is, so that the shape
+    of an S keeps its signs if it changes a little.
     """
     chord = position[-1] - position[0]
     length = float(np.hypot(*chord))
-    along = chord / length
-    at = np.array(MARKS) * (len(position) - 1)
-    x, y = (np.interp(at, np.arange(len(position)), column) for column in (position - position[0]).T)
-    heights = along[0] * y - along[1] * x
-    side = float(np.sign(heights[np.abs(heights).argmax()]))
+    along, heights, designed = chord / length, _heights(position), _heights(design)
+    side = -1.0 if designed[np.abs(designed).argmax()] < 0 else 1.0
     first, last = position[1] - position[0], position[-1] - position[-2]
     angles = [np.degrees(np.arctan2(along[0] * d[1] - along[1] * d[0], along @ d)) for d in (first, last)]
     values = (length, *(side * heights), side * angles[0], -side * angles[1])
     return dict(zip((*LENGTHS, *ANGLES), map(float, values), strict=True))
+
+
+def _heights(position: FloatArray) -> FloatArray:
+    """Return the distances of the marks from the chord, mm, positive to the left of it."""
+    chord = position[-1] - position[0]
+    at = np.array(MARKS) * (len(position) - 1)
+    x, y = (np.interp(at, np.arange(len(position)), column) for column in (position - position[0]).T)
+    heights: FloatArray = (chord[0] * y - chord[1] * x) / np.hypot(*chord)
+    return heights

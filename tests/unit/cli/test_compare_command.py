@@ -74,6 +74,8 @@ def test_a_clamp_that_gives_way_is_told(report, tmp_path):
     [
         ("chord = 'wide'", "chord is not a number"),
         ("chord = ", "cannot be read"),
+        ("chord = 37,5", "write decimals with a point, 37.5"),
+        ("chord = 261.3\nheight_1 = -26,7", "(at line 2, column 15); write decimals with a point, -26.7"),
         ("", "an empty file is not among the expected"),
     ],
 )

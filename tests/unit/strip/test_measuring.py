@@ -21,12 +21,13 @@ def strip():
     return Strip(ec.optimal_rod(UNEVEN, samples=241), PLY, max_width=30.0)
 
 
-def read(bent):
-    return {name: round(value, 1) for name, value in _measured(bent.position).items()}
+def read(strip, bent):
+    readings = _measured(bent.position, strip.rod.position)
+    return {name: round(value, 1) for name, value in readings.items()}
 
 
 def meaning(strip, bent):
-    return Measuring.of(strip).compare(read(bent))[0].text
+    return Measuring.of(strip).compare(read(strip, bent))[0].text
 
 
 def test_a_clamp_that_gives_way_is_found(strip):
@@ -35,6 +36,52 @@ def test_a_clamp_that_gives_way_is_found(strip):
     said = meaning(strip, ec.bend(rod, angles=(start + np.radians(3.0), end)))
     assert said.startswith("The clamp at the start lets the strip turn by 3")
     assert "The clamp at the end" in meaning(strip, ec.bend(rod, angles=(start, end - np.radians(3.0))))
+
+
+def measured_on_left(position):
+    """Heights of the quarter points above the chord of a polygon, mm, and angles of its ends, degrees."""
+    chord = complex(*(position[-1] - position[0]))
+    turned = (position - position[0]) @ [1, 1j] / chord * abs(chord)
+    start, end = turned[1], turned[-1] - turned[-2]
+    heights = [turned[k * (len(turned) - 1) // 4].imag for k in (1, 2, 3)]
+    return np.array([*heights, np.degrees(np.angle(start)), -np.degrees(np.angle(end))])
+
+
+S_CURVES = {
+    "symmetric": [(0, 0), (60, 70), (80, -70), (140, 0)],
+    "mirrored": [(0, 0), (60, -70), (80, 70), (140, 0)],
+    "flat in the middle": [(0, 0), (64, 68), (83, -72), (150, 6)],
+    "unsymmetric": [(0, 0), (60, 60), (80, -80), (150, 0)],
+}
+
+
+@pytest.mark.parametrize("points", S_CURVES.values(), ids=S_CURVES.keys())
+def test_causes_of_an_s_keep_its_signs(points):
+    rod = ec.optimal_rod(ec.PlaneCurve.spline(points, degree=3), samples=241)
+    strip = Strip(rod, ec.Sheet.named("card-200gsm"), max_width=25.0)
+    measuring, names = Measuring.of(strip), ("height_1", "height_2", "height_3", "start_angle", "end_angle")
+    designed = measured_on_left(rod.position)
+    expected = np.array([measuring.expected[name] for name in names])
+    side = np.sign(expected @ designed)
+    assert expected == pytest.approx(side * designed, abs=1e-6)
+    for end, cause in enumerate(("clamp at the start", "clamp at the end")):
+        for degrees in (1.0, 3.0, -3.0):
+            angles = rod.angle[[0, -1]] + np.radians(degrees) * np.eye(2)[end]
+            own = side * measured_on_left(ec.bend(rod, angles=tuple(angles.tolist())).position)
+            changes = np.array([measuring.causes[cause][0][name] for name in names])
+            sign = np.sign(changes @ (own - expected))
+            assert own - expected == pytest.approx(sign * abs(degrees) * changes, abs=0.15 * abs(degrees))
+            text = measuring.compare(dict(zip(names, own.round(1), strict=True)))[0].text
+            assert text.startswith(f"The {cause} lets the strip turn by ")
+            assert float(text.split(" by ")[1].split()[0]) == pytest.approx(abs(degrees), rel=0.15)
+
+
+@pytest.mark.parametrize("points", S_CURVES.values(), ids=S_CURVES.keys())
+def test_an_s_that_is_measured_from_the_wrong_side_has_no_cause(points):
+    rod = ec.optimal_rod(ec.PlaneCurve.spline(points, degree=3), samples=241)
+    measuring = Measuring.of(Strip(rod, ec.Sheet.named("card-200gsm"), max_width=25.0))
+    mirrored = {name: -measuring.expected[name] for name in ("height_1", "height_2", "height_3")}
+    assert "No single cause" in measuring.compare(mirrored)[0].text
 
 
 def test_ends_that_slip_are_found(strip):
