@@ -1,6 +1,6 @@
 """Plates in the best plane for tabs: single plates, and pairs of plates that hold inclined tabs at their angle."""
 
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -8,10 +8,10 @@ import numpy as np
 
 from elastica_cad._types import BoolArray, FloatArray
 from elastica_cad._values import require_positive
-from elastica_cad.errors import InputError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.model.fixtures import Key, PlacedTab, tabs_to_hold
+from elastica_cad.model.fixtures import Key, PlacedTab, place_tabs, tabs_to_hold
 from elastica_cad.model.held_tabs import slot_walls, tab_seats
 from elastica_cad.model.plate_holes import refuse_other_ends
 from elastica_cad.model.plates import (
@@ -31,6 +31,7 @@ from elastica_cad.model.plates import (
     ring_plate,
     shoulder_faults,
     tab_slot,
+    with_shoulders,
 )
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.makeable_strip import refuse_broken
@@ -92,7 +93,8 @@ def plate_pair(
     require_positive(gap, "the gap between two plates")
     plate_options = options_by_name(PlateOptions, options, "a pair of plates")
     upper = base_plate(placed, sheet, frame=frame, **vars(plate_options))
-    return _add_second(placed, upper, replace(plate_options, name=f"{upper.name}-lower"), gap)
+    upper, lower = _add_second(placed, upper, replace(plate_options, name=f"{upper.name}-lower"), gap)
+    return with_shoulders(upper, plate_options), lower
 
 
 def ring_pair(
@@ -183,7 +185,7 @@ def _cures_of_short_tabs(
     elif width is not None:
         text = "make the tab {needed:.0f} long and {width:.0f} wide"
         cures.append(note(text, needed=Length(length), width=Length(width)))
-    if nearer >= 1 and pair_with_tabs(first, nearer, {tab.key: tab for tab in tabs}):
+    if nearer >= 1 and pair_with_tabs(placed, first, nearer):
         cures.append(note("reduce the gap to {nearer:g}", nearer=Length(nearer)))
     return sentences(cures, note(", or ")) or note("hold the strips by single plates")
 
@@ -200,38 +202,50 @@ def fitting_width(
     All tabs get this length and at most this width. With `keep`, their widths are tested first; the result is
     then infinite.
     """
-    tabs = [slot.tab for plate in plates for slot in plate.slots if slot.tab is not None]
-    narrowest, strips = min(tab.width for tab in tabs), {member.strip: None for member in placed}
+    narrowest = min(slot.tab.width for plate in plates for slot in plate.slots if slot.tab is not None)
     for fraction in WIDTHS:
         width = np.inf if keep and fraction == 1 else float(np.floor(fraction * narrowest))
-        sized = {tab.key: replace(tab, length=length, width=min(width, tab.width)) for tab in tabs}
-        if all(pair_with_tabs(plate, gap, sized) for plate in plates) and all(
-            _takes_tabs(strip, plates[0].options, length, width) for strip in strips
-        ):
+        try:
+            sized = with_tabs(placed, length, width)
+            _require_makeable({member.strip: None for member in sized}, plates[0].options)
+        except InputError:
+            continue
+        if all(pair_with_tabs(sized, plate, gap) for plate in plates):
             return width
     return None
 
 
-def _takes_tabs(strip: Strip, options: PlateOptions | None, length: float, width: float) -> bool:
-    """Return True if a strip can be made with tabs of this length and, if it is finite, this width."""
+def with_tabs(placed: Sequence[Placed], length: float, width: float) -> list[Placed]:
+    """Return the strips with tabs of this length and, if it is finite, this width."""
+    strips = {
+        strip: replace(
+            strip,
+            ends=tuple(
+                replace(tab, length=length, width=tab.width if width == np.inf else width)
+                for tab in strip.ends
+            ),
+        )
+        for strip in {member.strip: None for member in placed}
+    }
+    return [replace(member, strip=strips[member.strip]) for member in placed]
+
+
+def _require_makeable(strips: Iterable[Strip], options: PlateOptions | None) -> None:
     shop, ignore_limits = (None, False) if options is None else (options.shop, options.ignore_limits)
-    ends = (replace(tab, length=length, width=tab.width if width == np.inf else width) for tab in strip.ends)
-    try:
-        longer = replace(strip, ends=tuple(ends))
-        refuse_broken(longer, ignore_limits)
-        accept_faults(find_strip_faults(longer, shop), ignore_limits)
-    except InputError:
-        return False
-    return True
+    for strip in strips:
+        refuse_broken(strip, ignore_limits)
+        accept_faults(find_strip_faults(strip, shop), ignore_limits)
 
 
-def pair_with_tabs(first: Plate, gap: float, tabs: Mapping[Key, PlacedTab]) -> tuple[Plate, ...]:
-    """Return two plates in place of one, with other tabs by their position, or an empty tuple if they cannot be
-    made.
+def pair_with_tabs(placed: Sequence[Placed], first: Plate, gap: float) -> tuple[Plate, ...]:
+    """Return two plates in place of one for the tabs of `placed`, or an empty tuple if they cannot be made.
+
+    The tabs are at the positions of the tabs in `first`, but can have another length or width.
     """
     options = first.options
     if options is None:
         return ()
+    tabs = {tab.key: tab for tab in place_tabs(placed)}
     try:
         slots = [
             slot
@@ -240,9 +254,10 @@ def pair_with_tabs(first: Plate, gap: float, tabs: Mapping[Key, PlacedTab]) -> t
             for slot in first.slots
         ]
         inner = plate_with(slots, first.sheet, first.frame, options, type(first))
-        accept_faults(shoulder_faults([*tabs.values()], first.frame, options), options.ignore_limits)
-        return inner, _second(inner, options, gap)
-    except InputError:
+        held = [slot.tab for slot in slots if slot.tab is not None]
+        accept_faults(shoulder_faults(held, first.frame, options), options.ignore_limits)
+        return lean_pair(placed, (inner, _second(inner, options, gap)))
+    except (InputError, NotConvergedError):
         return ()
 
 
@@ -250,7 +265,12 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
     """Return the plates with moved slots, so that every loaded tab is in its designed position.
 
     The movement compensates play and the bending of tabs. The load is computed for the strip as cut, with its
-    slots and corrected widths.
+    slots and corrected widths. Each plate is made again around its moved slots.
+
+    Raises
+    ------
+    InputError
+        The moved slots meet, or a plate cannot be cut, and `ignore_limits` is False.
     """
     for _ in range(LEAN_ROUNDS):
         leans = _leans(placed, tab_seats(plates))
@@ -260,7 +280,14 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
         plates = first, second
         if np.abs(new - old).max(initial=0.0) <= LEANED_MM:
             break
-    return plates
+    first, second = (_around_moved(plate) for plate in plates)
+    return first, second
+
+
+def _around_moved(plate: Plate) -> Plate:
+    if plate.options is None:
+        return plate
+    return plate_with(plate.slots, plate.sheet, plate.frame, plate.options, type(plate), moved=True)
 
 
 def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:

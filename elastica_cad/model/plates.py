@@ -197,8 +197,8 @@ class BasePlate:
         opening = () if self.opening is None else (self.opening,)
         return (*(slot.path for slot in self.slots), *opening, *self.holes)
 
-    def checked(self, options: PlateOptions) -> Self:
-        """Return the plate with its warnings.
+    def checked(self, options: PlateOptions, *, moved: bool = False) -> Self:
+        """Return the plate with its warnings. The width of slots that were moved against a load is not checked.
 
         Raises
         ------
@@ -212,8 +212,9 @@ class BasePlate:
         called += [] if self.opening is None else [note("the opening")]
         drilled = [hole_name(hole) for hole in self.holes]
         _refuse_overlaps(self, called, drilled)
+        widths = [] if moved else [(slot.name, slot.size[1], slot.through) for slot in self.slots]
         faults = (
-            *find_slot_faults(self.name, [(slot.name, slot.size[1], slot.through) for slot in self.slots]),
+            *find_slot_faults(self.name, widths),
             *find_plate_faults(
                 self.name, self.sheet, self.outline, self._inner, options.shop, called, drilled
             ),
@@ -314,10 +315,20 @@ def base_plate(
             "strips longer tabs, or hold ends that come from below by rings"
         )
     slots = [tab_slot(tab, ground, sheet.thickness, plate_options) for tab in standing]
-    faults = shoulder_faults(standing, ground, plate_options)
-    warnings = accept_faults(faults, plate_options.ignore_limits)
-    plate = plate_with(slots, sheet, ground, plate_options, BasePlate)
-    return replace(plate, warnings=(*warnings, *plate.warnings)) if warnings else plate
+    return with_shoulders(plate_with(slots, sheet, ground, plate_options, BasePlate), plate_options)
+
+
+def with_shoulders(plate: BasePlate, options: PlateOptions) -> BasePlate:
+    """Return a base plate with warnings of strips that would run into it beside their tabs.
+
+    Raises
+    ------
+    InputError
+        A strip would run into the plate, and `ignore_limits` is False.
+    """
+    tabs = [slot.tab for slot in plate.slots if slot.tab is not None]
+    warnings = accept_faults(shoulder_faults(tabs, plate.frame, options), options.ignore_limits)
+    return replace(plate, warnings=(*warnings, *plate.warnings))
 
 
 def shoulder_faults(tabs: Sequence[PlacedTab], ground: Frame, options: PlateOptions) -> tuple[Fault, ...]:
@@ -337,6 +348,8 @@ def plate_with(
     frame: Frame,
     options: PlateOptions,
     kind: "type[Plate]",
+    *,
+    moved: bool = False,
 ) -> "Plate":
     """Return the plate around slots, or the ring about the z axis of `frame`.
 
@@ -351,9 +364,8 @@ def plate_with(
         rim, hole = _round(loops, center, options.border)
         outline, opening = (outline, None) if hole is None else (rim, hole)
     opening, holes = _with_holes(options, center, opening)
-    return kind(sheet, frame, outline, tuple(slots), options.name, opening=opening, holes=holes).checked(
-        options
-    )
+    plate = kind(sheet, frame, outline, tuple(slots), options.name, opening=opening, holes=holes)
+    return plate.checked(options, moved=moved)
 
 
 def _middle(loops: Sequence[FloatArray]) -> FloatArray:

@@ -1,7 +1,6 @@
 """Tabs that can tip in their holders, and tested suggestions for holding them at their angle."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 from functools import cache, partial
 
 import numpy as np
@@ -17,7 +16,7 @@ from elastica_cad.model.held_tabs import (
     seats_by_holder,
     tab_seats,
 )
-from elastica_cad.model.plate_pairs import fitting_width, pair_with_tabs
+from elastica_cad.model.plate_pairs import fitting_width, pair_with_tabs, with_tabs
 from elastica_cad.model.plates import GAP_MM, BasePlate, Ring, needed_length
 from elastica_cad.refusals import FieldName, Length, note, sentences
 from elastica_cad.strip.outline import ENDS, StripEnd
@@ -158,7 +157,7 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
         needed = (needed_length(slot.tab, plate, gap) for plate in plates for slot in plate.slots if slot.tab)
         length = max(longest, *needed)
         width = fitting_width(placed, plates, gap, length, keep=keep)
-        if width is not None and not _rocks(plates, gap, length, width):
+        if width is not None and not _rocks(with_tabs(placed, length, width), plates, gap):
             return _pair_text(gap, length, width)
     return ""
 
@@ -176,13 +175,7 @@ def _pair_text(gap: float, length: float, width: float) -> str:
     )  # fmt: skip
 
 
-def _rocks(plates: Sequence[BasePlate], gap: float, length: float, width: float) -> bool:
-    """Return True if a tab of this length and width rocks in two plates."""
-    sized = {
-        slot.tab.key: replace(slot.tab, length=length, width=min(width, slot.tab.width))
-        for plate in plates
-        for slot in plate.slots
-        if slot.tab is not None
-    }
-    pairs = [plate for first in plates for plate in pair_with_tabs(first, gap, sized)]
+def _rocks(placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float) -> bool:
+    """Return True if a tab rocks in two plates."""
+    pairs = [plate for first in plates for plate in pair_with_tabs(placed, first, gap)]
     return any(np.ptp(seat.turning) > 2 * ROCKING_RAD for seat in tab_seats(pairs).values())

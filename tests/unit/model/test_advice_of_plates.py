@@ -75,10 +75,10 @@ def test_a_tab_too_short_for_two_plates_follows_either_suggestion(gap):
 
 def test_no_longer_tab_is_suggested_where_the_second_ring_has_no_room_for_it():
     """The tabs lean inwards, so that slots of tabs as wide as the strips would meet in the second ring."""
-    placed = ribs(Tab(12), count=15)
+    placed = ribs(Tab(12), count=14)
     with pytest.raises(InputError, match="does not reach") as refused:
         end_plates(placed, "mdf-3", gap=40.0)
     tab = suggested_tab(re.search(r"make the tab (\d+) mm long(?: and (\d+) mm wide)?", str(refused.value)))
     with pytest.raises(InputError):
-        end_plates(ribs(Tab(tab.length), count=15), "mdf-3", gap=40.0)
-    assert len(end_plates(ribs(tab, count=15), "mdf-3", gap=40.0)) == 4
+        end_plates(ribs(Tab(tab.length), count=14), "mdf-3", gap=40.0)
+    assert len(end_plates(ribs(tab, count=14), "mdf-3", gap=40.0)) == 4
