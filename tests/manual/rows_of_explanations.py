@@ -77,6 +77,8 @@ def _left_out(row, _):
         assert told == [pytest.approx(max(float(far) / float(long) for _, long, far, _ in pockets), rel=0.05)]
     elif row[0].startswith("a step of the width"):
         proved_by(f"{VALIDATION}/test_steps_of_width.py::test_told_as_finite_elements_have_it")
+    elif row[0].startswith("compression along"):
+        proved_by("tests/unit/mechanics/test_axial_elasticity.py::test_a_clamped_slat_is_a_chain_of_springs")
     elif row[0].startswith("twist"):
         words = {row[3] for row in measured(("strip", "width (mm)", "sideways"), "")}
         assert words <= {"ample", "low", "unstable", "undecided"}
@@ -163,6 +165,17 @@ def _what_helps(row, _):
 BETWEEN = f"{EXPLAINED}/between_the_ends.md"
 
 
+@asks(BETWEEN, "strip", "distance", "force computed", "by finite elements", "difference")
+def _forces(row, _):
+    ((_, _, distance, computed, found, _),) = measured(("strip", "nodes"), row[0])
+    forces = [float(cell.removesuffix(" N")) for cell in row[2:4]]
+    assert float(row[1]) == pytest.approx(float(distance), rel=0.05)
+    assert forces == pytest.approx([float(computed), float(found)], abs=6e-4)
+    assert float(row[4].removesuffix(" %")) == pytest.approx(
+        100 * (float(found) / float(computed) - 1), abs=0.06
+    )
+
+
 @asks(BETWEEN, "element", "made as", "force on the strip")
 def _elements(row, _):
     tests = f"{VALIDATION}/test_forces_between_ends.py"
@@ -207,6 +220,8 @@ def _what_knows_of_elements(row, _):
     tests = "tests/unit/mechanics/test_elements.py"
     if row[1].startswith("yes"):
         proved_by(f"{tests}::test_lambda_steps_by_the_forces")
+    elif row[1].startswith("command line and Python"):
+        proved_by("tests/unit/cli/test_bow_command.py::test_an_even_rod_prints_what_a_shorter_cord_does")
     else:
         assert row[1].startswith(("refused", "not computed")), row
         proved_by(f"{tests}::test_other_studies_refuse_them")

@@ -28,6 +28,10 @@ RUN_ELSEWHERE = {
         "docs/architecture.md",
         "text",
     ): "tests/house/test_documentation.py::test_calls_of_the_three_ways_exist",
+    (
+        "docs/how_to/models.md",
+        "toml",
+    ): "tests/unit/model/test_plate_holes.py::test_a_design_file_declares_the_holes",
     ("docs/publishing.md", "rst"): "tests/manual/test_tables.py::test_entries_for_lists_lead_here",
     ("docs/publishing.md", "text"): "tests/manual/test_tables.py::test_entries_for_lists_lead_here",
 }
