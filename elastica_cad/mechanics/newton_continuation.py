@@ -145,10 +145,11 @@ def follow(
     if is_balanced(state):
         return Reached(_polish(state), 1.0, 0)
     final = state.system
-    first = final.load if load is None else load
+    change = None if load is None or np.array_equal(load, final.load) else final.load - load
 
     def loaded(t: float) -> RodSystem:
-        return replace(final, load=first + t * (final.load - first))
+        # with the same system, states keep what they have computed
+        return final if change is None else replace(final, load=final.load - (1 - t) * change)
 
     start = state.under(loaded(0.0)).residual
 
