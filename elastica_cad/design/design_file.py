@@ -182,12 +182,6 @@ def read_design(
         Folders from which files may be read, besides the folder of the design and the working folder.
     changes : mapping
         New values for keys of the file.
-
-    Raises
-    ------
-    InputError
-        The TOML is invalid, keys are unknown, files are missing or in other folders, or values are invalid.
-        The message names the position in the file.
     """
     path = require_file(path)
     below = several("folders to read from", below, str | PathLike, "path")
@@ -201,13 +195,7 @@ def design_of(
     read_curves: CurveReader,
     read_surface: "SurfaceReader | None" = None,
 ) -> Design:
-    """Make a design from parsed tables, as `read_design` does from a file at `path`.
-
-    Raises
-    ------
-    InputError
-        As `read_design`.
-    """
+    """Make a design from parsed tables, as `read_design` does from a file at `path`."""
     top, slips = Table(data, str(path), {}), Slips()
     with slips.gathering():
         top.only(*names_of(DesignKeys))
@@ -250,13 +238,7 @@ def design_of(
 
 
 def parse_design(path: Path) -> dict[str, Any]:
-    """Return the tables of a TOML file, parsed but not checked.
-
-    Raises
-    ------
-    InputError
-        The file is not TOML or cannot be read.
-    """
+    """Return the tables of a TOML file, parsed but not checked."""
     try:
         text = path.read_bytes().decode("utf-8-sig")  # "utf-8-sig" also accepts files with a byte order mark
         return parse_toml(text)

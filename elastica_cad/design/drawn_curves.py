@@ -31,12 +31,6 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
 
     Corners that are not in `places` keep their positions.
 
-    Raises
-    ------
-    InputError
-        A corner is unknown, the box has no height or width, or the corners do not define a map (see
-        `four_point_map`).
-
     Examples
     --------
     >>> arch = PlaneCurve.arc((0, 0), 50, 0, np.pi)
@@ -68,11 +62,6 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
 class Reshape:
     """Deformation of a curve by handles: named corners of its bounding box, or points `handles` and their
     targets `to`.
-
-    Raises
-    ------
-    InputError
-        Both kinds of handles are given, or only one of `handles` and `to`.
     """
 
     bottom_left: Annotated[Point | None, Option(_TO.format("lower left"), "mm")] = None
@@ -97,13 +86,7 @@ class Reshape:
         return {name: place for name in CORNERS if (place := getattr(self, name)) is not None}
 
     def of(self, curve: PlaneCurve) -> PlaneCurve:
-        """Return the curve after the handles are moved to their new positions.
-
-        Raises
-        ------
-        InputError
-            The handles do not define a map, or the map sends the curve through infinity.
-        """
+        """Return the curve after the handles are moved to their new positions."""
         if self.handles is not None and self.to is not None:
             return curve.transformed(four_point_map(self.handles, self.to))
         return curve.transformed(map_corners([curve], self.corners))
@@ -265,14 +248,7 @@ CURVES = {"file": CurveOfFile, "x": CurveOfFormulae, "ellipse": CurveOfEllipse, 
 
 
 def read_drawn_curve(reader: Reader, table: Table, key: str = "curve") -> PlaneCurve:
-    """Return the curve that the value of a key describes: the name of a file, or a table.
-
-    Raises
-    ------
-    InputError
-        Keys or values are unknown, files are missing, or curves are invalid. The message names the position
-        in the design.
-    """
+    """Return the curve that the value of a key describes: the name of a file, or a table."""
     value = table.raw(key)
     if value is None:
         raise InputError(

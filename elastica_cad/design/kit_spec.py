@@ -124,13 +124,7 @@ class Cutting:
         return separate_parts(drawing) if self.service else (drawing,)
 
     def options(self, sheet: Sheet) -> dict[str, Any]:
-        """Return the options of `save` for pieces that are cut from this sheet.
-
-        Raises
-        ------
-        InputError
-            The kerf of the sheet is requested, but it is unknown.
-        """
+        """Return the options of `save` for pieces that are cut from this sheet."""
         if self.kerf is None and sheet.kerf == 0:
             raise InputError(
                 "The width of the cut is not known for {name}. Write a number in mm instead of the word sheet.",
@@ -189,13 +183,7 @@ class HolderSpec:
     def made(
         self, model: "Model", shop: FabricationLimits = DEFAULT_LIMITS, *, ignore_limits: bool = False
     ) -> "tuple[tuple[BasePlate | Rib | EndFixture, ...], str]":
-        """Make the plates, ribs and blocks. Also return a sentence on the choice, which may be empty.
-
-        Raises
-        ------
-        InputError
-            No strip is selected, or the holder does not fit the strips.
-        """
+        """Make the plates, ribs and blocks. Also return a sentence on the choice, which may be empty."""
         from elastica_cad.model.fixtures import end_fixtures
         from elastica_cad.model.frames import add_feet, slotted_frame
         from elastica_cad.model.model import stand

@@ -57,11 +57,6 @@ def read_measuring(path: FilePath) -> dict[str, Measuring]:
     -------
     dict of str to Measuring
         By the names of the parts of a model; "" is the name in the report of a strip.
-
-    Raises
-    ------
-    InputError
-        The file is not a report with quantities to measure.
     """
     try:
         report = json.loads(path.read_text(encoding="utf-8"))
@@ -115,11 +110,6 @@ def read_readings(path: FilePath) -> dict[str, dict[str, float]]:
     """Return the measured values in a TOML file, by the name of the strip and the name of the quantity.
 
     Values above all tables have the strip's name "".
-
-    Raises
-    ------
-    InputError
-        The file is missing or not TOML, or a reading is not a number.
     """
     text = ""
     try:

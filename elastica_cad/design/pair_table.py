@@ -21,12 +21,6 @@ def read_pair(
 ) -> FlexureSpec:
     """Read the request for a two-state part from the table [pair] of a design file; `changes` replace values
     of keys.
-
-    Raises
-    ------
-    InputError
-        The table is missing, a key is unknown, a value has the wrong kind, or a curve is unreadable. The
-        message names the position in the file.
     """
     path = require_file(path)
     table = parse_design(path)
@@ -47,13 +41,7 @@ def cutting_of(data: Mapping[str, Any], where: str = "") -> Cutting:
 
 
 def pair_of(data: Mapping[str, Any], path: Path, read_curves: CurveReader) -> FlexureSpec:
-    """Make the request of a two-state part from parsed tables, as `read_pair` does from a file at `path`.
-
-    Raises
-    ------
-    InputError
-        As `read_pair`.
-    """
+    """Make the request of a two-state part from parsed tables, as `read_pair` does from a file at `path`."""
     top = Table(data, str(path), {}).only(*names_of(DesignKeys))
     if not top.has("pair"):
         raise InputError("{path} has no table [pair]. Name two curves, or run `elastica model`.", path=path)

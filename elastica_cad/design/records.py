@@ -191,14 +191,7 @@ class Reader:
     sheet: Sheet | None = None
 
     def record(self, record: Record, table: Table) -> Any:
-        """Make the record that a table describes. For families in `BY_KIND`, the key `kind` selects the record.
-
-        Raises
-        ------
-        InputError
-            Keys are unknown or missing, or values have the wrong kind or are refused by the record. The
-            message names the position.
-        """
+        """Make the record that a table describes. For families in `BY_KIND`, the key `kind` selects the record."""
         if record in BY_KIND:
             kinds = BY_KIND[record]
             record = kinds[table.text("kind", next(iter(kinds)), tuple(kinds))]
@@ -350,13 +343,7 @@ def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any])
 
 
 def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
-    """Parse the inside of an inline table, such as `at = 40, width = 1.2`.
-
-    Raises
-    ------
-    InputError
-        The line is not a table; the message contains `where`.
-    """
+    """Parse the inside of an inline table, such as `at = 40, width = 1.2`."""
     inside = line.strip()
     try:
         data = parse_toml(f"line = {inside}" if inside.startswith("{") else f"line = {{{inside}}}")
@@ -486,13 +473,7 @@ def _words(kind: Kind) -> tuple[str, ...]:
 
 
 def put(table: dict[str, Any], path: str, value: Any) -> None:
-    """Set the value at a dotted path in nested tables. Missing tables are created.
-
-    Raises
-    ------
-    InputError
-        A value on the path is not a table.
-    """
+    """Set the value at a dotted path in nested tables. Missing tables are created."""
     *parents, last = path.split(".")
     for key in parents:
         inner = table.setdefault(key, {})
@@ -508,13 +489,7 @@ def put(table: dict[str, Any], path: str, value: Any) -> None:
 
 
 def require_path_of(path: str, record: Record) -> Field:
-    """Return the field at a dotted path.
-
-    Raises
-    ------
-    InputError
-        There is no such field; the message names the most similar path.
-    """
+    """Return the field at a dotted path."""
     known = paths_of(record)
     if path not in known:
         near = near_path(path, known)

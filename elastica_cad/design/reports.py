@@ -137,11 +137,6 @@ def report_strip(
         Smoothing that was applied to the drawn curve.
     stations : int
         Number of stations for stiffness and width, uniform in arc length.
-
-    Raises
-    ------
-    InputError
-        A record has the wrong class, or the number of stations is below 2 or above `MOST_STATIONS`.
     """
     require_record(strip, Strip, "what is reported", "a Strip, as make_strip makes one")
     for value, record, what in ((near, NearestRod, "near"), (stability, Stability, "stability")):

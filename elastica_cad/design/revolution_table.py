@@ -72,13 +72,7 @@ class RevolutionTable:
 
     @cached_property
     def meridian(self) -> Meridian:
-        """The meridian, which the table defines in exactly one of several forms.
-
-        Raises
-        ------
-        InputError
-            It has no or several definitions, or is impossible.
-        """
+        """The meridian, which the table defines in exactly one of several forms."""
         ways = [form for form in ("points", "curve", "a") if getattr(self, form) not in (None, ())]
         if len(ways) != 1:
             raise InputError(
@@ -118,13 +112,7 @@ class RevolutionTable:
         return self.axis.control_points[[0, -1]]
 
     def model(self, name: str) -> Model:
-        """Make all strips, and the rings.
-
-        Raises
-        ------
-        InputError
-            As `revolve`.
-        """
+        """Make all strips, and the rings."""
         return revolve(
             self.meridian,
             self.strips,
@@ -166,14 +154,7 @@ INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")
 
 
 def read_revolution(table: Table, reader: Reader) -> RevolutionTable:
-    """Read the surface of revolution that the table `revolution` requests.
-
-    Raises
-    ------
-    InputError
-        Keys are unknown, or the meridian has no or several definitions or is impossible. The message names
-        the position in the file.
-    """
+    """Read the surface of revolution that the table `revolution` requests."""
     revolution: RevolutionTable = reader.record(RevolutionTable, table)
     try:
         with table.naming():

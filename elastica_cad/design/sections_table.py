@@ -79,8 +79,6 @@ def read_sections(
 
     Raises
     ------
-    InputError
-        The surface is missing, the planes are invalid, or no strip can follow any section.
     MissingDependencyError
         trimesh (for meshes) or a CAD kernel (for bodies) is not installed.
     """

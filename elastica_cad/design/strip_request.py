@@ -76,13 +76,7 @@ class FinishedStrip:
 
     @classmethod
     def read(cls, record: Any, curve: PlaneCurve) -> "FinishedStrip":
-        """Read the record of `request_record` in a report whose rest shape is `curve`.
-
-        Raises
-        ------
-        InputError
-            The record is not the request of a strip.
-        """
+        """Read the record of `request_record` in a report whose rest shape is `curve`."""
         try:
             values = _decoded(dict(record))
             stiffness, scale = values.pop("stiffness"), values.pop("bending_stiffness")

@@ -136,12 +136,6 @@ def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve 
     """Read the strip that a table in [[strips]] requests.
 
     If `section` is given, it provides the curve and the plane.
-
-    Raises
-    ------
-    InputError
-        Keys or values are unknown, files are missing, or curves are invalid. The message names the position
-        in the file.
     """
     frame = _plane(reader, table) if section is None else section.frame
     values = read_fields(table, reader) | {"label": label}
@@ -157,13 +151,7 @@ def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve 
 
 
 def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
-    """Return the fields of `StripSpec` that a table gives, except its curve and plane.
-
-    Raises
-    ------
-    InputError
-        The sheet is missing, or values have another kind; the message names the place.
-    """
+    """Return the fields of `StripSpec` that a table gives, except its curve and plane."""
     known = {entry.name: entry for entry in fields_of(StripSpec) if entry.name != "curve"}
     if not table.has("sheet"):
         raise InputError(
@@ -183,11 +171,6 @@ def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame |
     The plane is read from the table unless `frame` is given.
 
     If there is no plane in space, gravity acts along -y of the drawing.
-
-    Raises
-    ------
-    InputError
-        The sheet is missing, values are unknown, or `StripSpec` refuses them.
     """
     values = read_fields(table, reader)
     direction = values.get("gravity")

@@ -63,11 +63,6 @@ class Formula:
     where : str
         Name of the formula in messages, such as its position in a design file.
 
-    Raises
-    ------
-    InputError
-        The text contains something that is not arithmetic; the message states it and its position.
-
     Examples
     --------
     >>> Formula("hypot(3, 4) * x")(x=2.0)
@@ -120,11 +115,6 @@ class Formula:
         """Return the value of the formula for values of its names, in a mapping or as keywords.
 
         Arrays are computed elementwise.
-
-        Raises
-        ------
-        InputError
-            A name has no value, or the result is not finite.
         """
         known: dict[str, Value] = {**CONSTANTS, **(values or {}), **more}
         tree, names = self._parsed
@@ -263,13 +253,7 @@ _COUNTS = {None: "", 2: "two ", 4: "four "}
 
 
 def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> float:
-    """Return the value of a number or a formula.
-
-    Raises
-    ------
-    InputError
-        The value is neither a number nor a formula, or the formula fails.
-    """
+    """Return the value of a number or a formula."""
     if isinstance(value, str):
         value = Formula(value, where)(scope)
     if isinstance(value, bool) or not isinstance(value, int | float):
@@ -412,13 +396,7 @@ class Table:
         return self.raw(key) is not None
 
     def number(self, key: str, default: float | None = None) -> float:
-        """Return the value of a key as a number; a formula is computed.
-
-        Raises
-        ------
-        InputError
-            The value is missing and has no default, or is not a number.
-        """
+        """Return the value of a key as a number; a formula is computed."""
         value = self.raw(key, default)
         if value is None:
             raise InputError("{key} is missing. Add a number or a formula in quotes.", key=self.place(key))

@@ -475,11 +475,6 @@ def curve_from_run(
         Template for the provenance of the curve: it describes how the drawing program displays points.
     holes : sequence of runs
         Circles drawn on the straight ends of the curve, in its plane.
-
-    Raises
-    ------
-    InputError
-        The numbers do not define a curve.
     """
     sources = [edge.source for edge in run if edge.source is not None]
     check_size(np.concatenate([edge.points for edge in run]), in_file=bool(sources))
@@ -547,11 +542,6 @@ def curve_from_points(
     states the noise of the points, at least `noise` mm. If no smooth curve follows noisy points, the curve is
     a polyline. `sides` means that the straight sides between the points belong to the drawing. If the curve
     is then more than `allowed_distance` from the sides, it is cut at every turn of more than 5 degrees.
-
-    Raises
-    ------
-    InputError
-        There are fewer than two different points, or numbers that are not finite.
     """
     if not np.all(np.isfinite(points)):
         raise InputError("a point has a coordinate that is not a finite number: export the file again")

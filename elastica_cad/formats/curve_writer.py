@@ -70,8 +70,6 @@ def write_curves(
 
     Raises
     ------
-    InputError
-        The list of curves is empty, the suffix is unknown, or the file can't be written.
     MissingDependencyError
         DXF without ezdxf.
 

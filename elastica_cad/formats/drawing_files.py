@@ -114,11 +114,6 @@ def encode_svg(
     layers : mapping, optional
         Names and colours, see `style_layers`.
 
-    Raises
-    ------
-    InputError
-        The drawing is empty, or an option is unknown.
-
     Examples
     --------
     >>> from elastica_cad.strip.drawing import CUT_OUTER, LayeredPath
@@ -212,9 +207,6 @@ def write_drawing(
 
     Raises
     ------
-    InputError
-        The suffix or an option is unknown, the drawing is empty, the kerf is too wide for a loop, or the file
-        can't be written.
     MissingDependencyError
         DXF without ezdxf.
     """

@@ -138,11 +138,6 @@ def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict
         Name of a colour scheme in `SCHEMES`; or a mapping from a layer of the drawing to a name, or to a name and a
         colour "#rrggbb".
 
-    Raises
-    ------
-    InputError
-        A layer is unknown, two layers have the same name, or a name or colour is invalid.
-
     Examples
     --------
     >>> style_layers({"ENGRAVE": ("Raster", "#808080")})["ENGRAVE"].name

@@ -272,11 +272,6 @@ class DrawnFile:
         Unit of the file, and its source.
     remarks : tuple of str
         Messages on curves that were not joined, look different in the drawing, or are probably not strips.
-
-    Raises
-    ------
-    InputError
-        There are too many curves.
     """
 
     path: Path
@@ -323,11 +318,6 @@ class DrawnFile:
 
         `how` is the part of the error message that explains how to select a curve. In it, {count} is replaced
         by the number of selected curves.
-
-        Raises
-        ------
-        InputError
-            No curve or several curves are selected.
         """
         curves = self.chosen(which, layer)
         how = how.format(count=len(self.curves))
@@ -463,11 +453,6 @@ def collect_curves(
         Function that maps edges in space to their plane.
     corners : bool
         If True, join ends that meet at a corner too.
-
-    Raises
-    ------
-    InputError
-        The file has no curve, or the tolerances are not positive.
     """
     check_tolerance(fit_tolerance, "tolerance for fitting")
     runs = list(runs)

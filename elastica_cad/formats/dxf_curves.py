@@ -142,8 +142,6 @@ def read_dxf_drawing(
 
     Raises
     ------
-    InputError
-        The file is not a DXF file, its unit is unknown, it has no usable curve, or a curve is not plane.
     MissingDependencyError
         ezdxf is not installed.
     """

@@ -76,8 +76,6 @@ def encode_dxf(
 
     Raises
     ------
-    InputError
-        The drawing is empty, or an option is unknown.
     MissingDependencyError
         ezdxf is not installed.
     """

@@ -51,12 +51,6 @@ class Edge:
         Rational weights, positive.
     source : Source, optional
         The shape in the file to which the edge belongs.
-
-    Raises
-    ------
-    InputError
-        Numbers are not finite, weights are not positive, or the knot vector does not match the control
-        points.
     """
 
     knots: FloatArray

@@ -40,13 +40,7 @@ def curves_json(curves: Sequence[PlaneCurve]) -> str:
 
 
 def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
-    """Read the curves of a JSON file: a file written by `curves_json`, or the report of a strip.
-
-    Raises
-    ------
-    InputError
-        The file is not JSON or has another schema, or an entry is missing or invalid; the message names the entry.
-    """
+    """Read the curves of a JSON file: a file written by `curves_json`, or the report of a strip."""
     try:
         data = json.loads(file.read_bytes())
     except RecursionError as error:

@@ -39,9 +39,6 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
 
     Raises
     ------
-    InputError
-        The file is missing or its format is unknown, it has no triangles, or its size is unlikely and `unit`
-        is not given.
     MissingDependencyError
         trimesh is not installed.
 
@@ -150,14 +147,7 @@ def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
 def read_sized_surface(
     read_surface: SurfaceReader, path: Path, *, unit: str | None = None, scale: float | None = None
 ) -> Surface:
-    """Read a surface from a file, in mm. If `scale` is given, `unit` is not needed.
-
-    Raises
-    ------
-    InputError
-        The surface is too small or too large for a model made of strips. Errors of `read_surface` are passed
-        on.
-    """
+    """Read a surface from a file, in mm. If `scale` is given, `unit` is not needed."""
     unit = "mm" if unit is None and scale is not None else unit
     surface = read_surface(path, unit=unit, scale=1.0 if scale is None else scale)
     if not LEAST_SIZE_MM <= surface.size <= MOST_SIZE_MM:

@@ -25,11 +25,6 @@ def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
     """Map a run of edges from space to the coordinates of its plane.
 
     The axes are chosen by `drawing_plane`.
-
-    Raises
-    ------
-    InputError
-        The edges are not plane within `tolerance` mm and the noise of a drawing.
     """
     return in_plane(run, drawing_plane(run, tolerance))
 
@@ -47,11 +42,6 @@ def drawing_plane(run: Sequence[Edge], tolerance: float = 0.0) -> Frame:
 
     In a plane within a degree of horizontal, x and y are the axes of the drawing. In all other planes, x is along
     the horizontal line of the plane, towards positive x (or y). The y axis is along the steepest line, upwards.
-
-    Raises
-    ------
-    InputError
-        The edges are not plane within `tolerance` mm and the noise of a drawing.
     """
     points = np.concatenate([edge.at(edge.stations()) for edge in run])
     noise = min(NOISE_MM, NOISE_SHARE * float(np.ptp(points, axis=0).max()))
@@ -125,12 +115,6 @@ def placed_curve(
         Rotation of the edges since they were drawn. The side of the frame is determined before this rotation.
     join : float
         Largest gap between ends of edges that is closed, mm. Edges are moved as a whole, so tangents do not turn.
-
-    Raises
-    ------
-    InputError
-        The list of edges is empty. Or the edges are not plane or not in `plane`, have no length, do not meet,
-        or meet at a corner.
     """
     if not edges:
         raise InputError("there is no edge: select at least one edge or wire for the strip to follow")

@@ -118,14 +118,7 @@ class PointTable:
 
     @classmethod
     def read(cls, file: Path, *, unit: str | None) -> "PointTable":
-        """Read a table; `unit` overrides the unit that the table names.
-
-        Raises
-        ------
-        InputError
-            The file is not text. The heading has two units or an unknown unit. Or separators of thousands may
-            be decimal signs.
-        """
+        """Read a table; `unit` overrides the unit that the table names."""
         rows, remarks, separator = _parted(read_text(file))
         layout = _Layout.of(rows)
         units = [] if unit else _units(layout.units, [*remarks, *layout.titles])
@@ -138,13 +131,7 @@ class PointTable:
 
 
 def read_text(path: Path) -> str:
-    """Return the file as text: UTF-8, UTF-16 with a byte order mark, or Windows-1252 (Excel).
-
-    Raises
-    ------
-    InputError
-        The file contains bytes that are not text.
-    """
+    """Return the file as text: UTF-8, UTF-16 with a byte order mark, or Windows-1252 (Excel)."""
     data = path.read_bytes()
     encoding = "utf-16" if data[:2] in (b"\xff\xfe", b"\xfe\xff") else "utf-8-sig"
     try:
@@ -383,11 +370,6 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
     A single separator before three digits may separate thousands or decimals; the other cells decide. If they
     are ambiguous too, a quoted comma in comma-separated cells separates thousands. Other signs are decimal
     points, unless the curve would then be smaller than any strip.
-
-    Raises
-    ------
-    InputError
-        Numbers are ambiguous.
     """
     numbers = [(n, cell.lstrip("+-")) for n, cell in cells if _NUMBER.fullmatch(cell)]
     kinds: dict[str, dict[str, list[tuple[int, str]]]] = {",": {}, ".": {}}
@@ -469,13 +451,7 @@ def _is_number(cell: str) -> bool:
 
 
 def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -> list[float]:
-    """Return the coordinates of a row, mm.
-
-    Raises
-    ------
-    InputError
-        The number of cells is wrong, or a cell is not a finite number.
-    """
+    """Return the coordinates of a row, mm."""
     if not least <= len(cells) <= most:
         raise InputError(
             "row {row} has {count} columns but needs {needed}",
@@ -516,12 +492,6 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     inches"; `unit` overrides it. A heading with a column "distance" or "station" starts a table of offsets.
     Every other column is then a curve over that column, named by its heading. Cells may be fractions (3 1/2),
     feet and inches (3' 4 5/8"), or feet, inches and eighths (3-4-5). Without a unit, they are in inches.
-
-    Raises
-    ------
-    InputError
-        A row does not contain two or three finite numbers, there are too few points, or the heading has two
-        units.
     """
     check_tolerance(fit_tolerance, "tolerance for fitting")
     table = PointTable.read(file, unit=unit)
@@ -561,13 +531,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
 
 
 def read_path_points(file: Path) -> FloatArray:
-    """Read the points (n, 3), mm, of a path in space from a table with x, y and z, as `read_csv_drawing` does.
-
-    Raises
-    ------
-    InputError
-        A row does not have three finite numbers; the message names the row.
-    """
+    """Read the points (n, 3), mm, of a path in space from a table with x, y and z, as `read_csv_drawing` does."""
     with name_source(file):
         table = PointTable.read(file, unit=None)
         scale = look_up_unit(table.unit or "mm")
@@ -589,11 +553,6 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     """Read a file of control points: a line "degree count", then `count` lines "x y".
 
     The knots are the integers from -degree to count: a uniform spline, not clamped at its ends.
-
-    Raises
-    ------
-    InputError
-        The first line does not contain degree and count, or `count` valid points do not follow it.
     """
     scale = look_up_unit(unit or "mm")
     rows = [(n, line.split()) for n, line in enumerate(read_text(file).splitlines(), 1) if line.strip()]

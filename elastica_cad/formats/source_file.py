@@ -35,13 +35,7 @@ LARGEST_OF_KIND = {".toml": 2 * 2**20} | dict.fromkeys(
 
 
 def require_file(path: str | Path) -> Path:
-    """Return the path of a file, and refuse it if the file is missing, empty, too large or not readable.
-
-    Raises
-    ------
-    InputError
-        The file is missing, a folder, not readable, empty, or too large.
-    """
+    """Return the path of a file, and refuse it if the file is missing, empty, too large or not readable."""
     path, noted = require_path(path), _read.get()
     if noted is not None:
         noted.setdefault(path.absolute(), mark_file(path))
@@ -180,13 +174,7 @@ _EVIDENCE = 2
 
 
 def check_places(points: FloatArray) -> FloatArray:
-    """Return coordinates in mm, and refuse them if any is not finite or is too large.
-
-    Raises
-    ------
-    InputError
-        A coordinate is not finite or too large.
-    """
+    """Return coordinates in mm, and refuse them if any is not finite or is too large."""
     bad = ~(np.abs(points) <= FARTHEST)
     if bad.any():
         value = points[bad].flat[0]
@@ -254,11 +242,6 @@ def check_tolerance(value: float, name: str = "tolerance") -> float:
         From 1e-9 to 1000 mm.
     name : str
         Name in the message.
-
-    Raises
-    ------
-    InputError
-        The value is not a number in that range.
     """
     if not (isinstance(value, int | float | np.number) and 1e-9 <= value <= 1e3):
         raise InputError(

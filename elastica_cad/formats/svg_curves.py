@@ -46,11 +46,6 @@ def read_svg_drawing(
     viewBox. Without a width in a physical unit, a user unit is a CSS pixel, 25.4/96 mm. It is a point,
     25.4/72 mm, in files of Adobe Illustrator, and 25.4/90 mm in files of Inkscape before 0.92. The origin is
     the origin of the user units. Text, images, definitions and hidden shapes are left out and counted.
-
-    Raises
-    ------
-    InputError
-        The file is not an SVG file, its unit is unknown, path data are truncated, or it has no usable curve.
     """
     tree = svg_tree(file)
     known, pixel = (ReadUnit.requested(unit), _PX) if unit else _program(tree)

@@ -60,11 +60,6 @@ class _Pen:
 def path_data(text: str) -> PathData:
     """Parse a path's `d` attribute into runs of edges.
 
-    Raises
-    ------
-    InputError
-        The data are truncated or invalid; the message includes the position.
-
     Examples
     --------
     >>> path_data("M0 0 Q 10 20 30 0 S 50 10 60 0").runs[0][1].points.tolist()

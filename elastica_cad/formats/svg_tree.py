@@ -579,13 +579,7 @@ class SvgTree:
 
 
 def svg_tree(path: Path) -> SvgTree:
-    """Parse an SVG file, count its shapes, and number them.
-
-    Raises
-    ------
-    InputError
-        The file is not SVG, is nested too deep, or has too many shapes after clones are expanded.
-    """
+    """Parse an SVG file, count its shapes, and number them."""
     with _open_svg(path) as file:
         head = _read_head(file)
         try:
@@ -606,13 +600,7 @@ def svg_tree(path: Path) -> SvgTree:
 
 
 def _open_svg(path: Path) -> BinaryIO:
-    """Open the file, and decompress it if it is compressed (.svgz).
-
-    Raises
-    ------
-    InputError
-        The file cannot be decompressed, or is too large.
-    """
+    """Open the file, and decompress it if it is compressed (.svgz)."""
     file = path.open("rb")
     if file.read(2) != _PACKED:
         file.seek(0)

@@ -41,11 +41,6 @@ def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
     """Return the path of a file to be written, after following symbolic links.
 
     Refuse it if the file can't be written.
-
-    Raises
-    ------
-    InputError
-        The path is a folder, its parent folder is missing, or the file exists and `force` is False.
     """
     require_flag(force, "force")
     target = Path(os.path.realpath(require_path(path)))
@@ -94,11 +89,6 @@ def write_atomically(
     -------
     Path
         The file written.
-
-    Raises
-    ------
-    InputError
-        For the reasons of `check_target`, or because permission or disk space is missing.
 
     Examples
     --------
@@ -165,12 +155,6 @@ def write_together(
     Path
         The temporary folder, on the same disk. If the process is killed, the folder remains, and a later call
         removes it after a day.
-
-    Raises
-    ------
-    InputError
-        Raised before the block runs: `folder` is a file or can't be created, or a file exists and `force` is
-        False.
 
     Examples
     --------
@@ -252,11 +236,6 @@ def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force:
     ----------
     folder, names, force
         As for `write_together`.
-
-    Raises
-    ------
-    InputError
-        As `write_together`.
 
     Examples
     --------

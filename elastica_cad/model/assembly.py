@@ -110,13 +110,7 @@ def shape_parts(
 
 
 def single_holders(holders: Iterable[Holder]) -> Iterator[SingleHolder]:
-    """Yield single holders; a slotted frame yields its rails and ribs.
-
-    Raises
-    ------
-    InputError
-        An item is not a holder.
-    """
+    """Yield single holders; a slotted frame yields its rails and ribs."""
     for holder in holders:
         if isinstance(holder, SlottedFrame):
             yield from holder.rails

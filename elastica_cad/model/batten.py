@@ -48,11 +48,6 @@ def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, F
     column has the distance from the tip of the first tab. The default stations include the tips of both tabs.
     Safety is the strain limit of the material divided by the strain, and infinite where the strip is not
     bent.
-
-    Raises
-    ------
-    InputError
-        The strip has constant thickness.
     """
     law, size = strip.layout.section, strip.layout.size
     if law is None or size is None:
@@ -153,11 +148,6 @@ class BattenSpec:
         Side to which a batten with a level chord bulges. Camber and its position then include the effect of
         the weight. By default the weight is ignored, as for an upright batten in a sail.
 
-    Raises
-    ------
-    InputError
-        A value is out of range.
-
     Examples
     --------
     >>> from elastica_cad.mechanics.sheets import Sheet
@@ -202,9 +192,6 @@ class BattenSpec:
 
         Raises
         ------
-        InputError
-            The thin end of the taper would be smaller than the stock allows. The message states the nearest
-            possible position.
         NotConvergedError
             No taper gives that camber.
         """
@@ -342,8 +329,6 @@ class Batten:
 
         Raises
         ------
-        InputError
-            The stock is not a strip, or the number of plies is not an integer.
         NotConvergedError
             No stack has an equilibrium between the pressed ends.
         """

@@ -121,8 +121,6 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
     ------
     NotRealizable
         No bow with a varying section has the shape of the curve.
-    InputError
-        The curve is straight or closed, or for the reasons of `StripSpec`.
 
     Examples
     --------

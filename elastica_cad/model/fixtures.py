@@ -186,12 +186,6 @@ class EndFixture(EqualByValue):
     lean : (float, float)
         Shift of the pocket to the left of the curve, mm, and its rotation to the left, rad; see `of`.
 
-    Raises
-    ------
-    InputError
-        The strip has no tab at this end, or a size is impossible. Or the floor is above the tab, or not
-        perpendicular to the plane of the curve.
-
     Examples
     --------
     >>> from elastica_cad.mechanics.rod import Rod

@@ -89,13 +89,7 @@ class Rib:
     warnings: tuple[str, ...] = ()
 
     def checked(self, options: PlateOptions) -> "Rib":
-        """Return the rib with its warnings.
-
-        Raises
-        ------
-        InputError
-            The rib has narrow necks or is larger than the sheet, and `ignore_limits` is false.
-        """
+        """Return the rib with its warnings."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
         faults = find_plate_faults(self.name, self.sheet, self.outline, (), options.shop)
         return replace(self, warnings=accept_faults(faults, options.ignore_limits))
@@ -184,12 +178,6 @@ def slotted_frame(
         Limits of the workshop, such as the width of bridges between slots, and the largest sheet.
     ignore_limits : bool
         Make rails and ribs beyond these limits, and list the faults in their warnings.
-
-    Raises
-    ------
-    InputError
-        No plane rail can hold the tabs, slots meet, or slots are far wider than their tabs. Or no rib can
-        join the rails, or a part cannot be cut. The message names the parts.
 
     Examples
     --------
@@ -420,11 +408,6 @@ def add_feet(plates: Sequence[BasePlate], size: float) -> tuple[BasePlate | Rib,
     ----------
     size : float
         Length, mm, of the two glued sides of a foot: along the tab, and along the plate beside the slot.
-
-    Raises
-    ------
-    InputError
-        A tab is too short behind its plate for gluing. The message states the length that it needs.
     """
     plates = several("plates", plates, BasePlate, "BasePlate")
     if not (is_number(size) and size >= LEAST_GLUED_MM):

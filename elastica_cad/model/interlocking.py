@@ -207,12 +207,6 @@ def interlock(
         Pairs of strips to slot, by index; by default all strips that cross.
     above : (3,) array_like, optional
         Direction in space. The default is the direction of the earlier strip's rulings.
-
-    Raises
-    ------
-    InputError
-        Strips touch along a line or cross at the end of a strip, slots meet, or the clearance is larger than a
-        strip.
     """
     require_declared(interlock, locals())
     placed = require_placed(placed)

@@ -23,11 +23,6 @@ class LeafStack:
     ----------
     strip : Strip
         Strip with a `LeavesLaw`.
-
-    Raises
-    ------
-    InputError
-        The strip does not consist of plies.
     """
 
     strip: Strip

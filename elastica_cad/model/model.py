@@ -87,11 +87,6 @@ def stand(
     Stand
         The holders, and a sentence that states their kind.
 
-    Raises
-    ------
-    InputError
-        No strip has a tab.
-
     Examples
     --------
     >>> from elastica_cad.strip.strip_spec import make_strip
@@ -228,11 +223,6 @@ class Model:
         Joints cut by `interlock`.
     plates : tuple of Ring
         Rings and caps of a surface of revolution, at their positions.
-
-    Raises
-    ------
-    InputError
-        The model has no strips.
     """
 
     placed: Takes[tuple[Placed, ...], Placed | Sequence[Placed]] = required()  # noqa: RUF009

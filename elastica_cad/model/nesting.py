@@ -148,11 +148,6 @@ def nest_pieces(
     tuple of NestedSheet
         Drawings of all sheets, grouped by material.
 
-    Raises
-    ------
-    InputError
-        A piece is larger than the sheet, or the sheet size or margin is impossible.
-
     Notes
     -----
     Boxes are placed by best fit in the order of decreasing width (shelf packing; Lodi, Martello and Monaci,

@@ -82,12 +82,6 @@ def plate_pair(
     -------
     (BasePlate, BasePlate)
         The upper and the lower plate, with the names NAME and NAME-lower.
-
-    Raises
-    ------
-    InputError
-        A tab is too short for the lower plate; the message states the length that it needs. Errors of
-        `base_plate` are passed on.
     """
     sheet = Sheet.of(sheet)
     require_positive(gap, "the gap between two plates")
@@ -122,12 +116,6 @@ def ring_pair(
         Distance between the rings, mm.
     **options
         Other options of `ring_plate`; the name of the second ring is NAME-outer.
-
-    Raises
-    ------
-    InputError
-        A tab is too short for the second ring; the message states the length that it needs. Errors of
-        `ring_plate` are passed on.
     """
     require_positive(gap, "the gap between two plates")
     ring_options = options_by_name(RingOptions, options, "a pair of rings", ("shape", "ends"))
@@ -143,12 +131,6 @@ def _add_second(
     """Return the plate and a second plate of the same type, `gap` mm behind it.
 
     Slots are moved to compensate the loads.
-
-    Raises
-    ------
-    InputError
-        A tab is too short. The message states the length that it needs, or the gap that it permits, if two
-        plates can be made with this length or gap.
     """
     tabs = [slot.tab for slot in first.slots if slot.tab is not None]
     short = [tab for tab in tabs if tab.length < needed_length(tab, first, gap)]
@@ -266,11 +248,6 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
 
     The movement compensates play and the bending of tabs. The load is computed for the strip as cut, with its
     slots and corrected widths. Each plate is made again around its moved slots.
-
-    Raises
-    ------
-    InputError
-        The moved slots meet, or a plate cannot be cut, and `ignore_limits` is False.
     """
     for _ in range(LEAN_ROUNDS):
         leans = _leans(placed, tab_seats(plates))
@@ -370,12 +347,6 @@ def end_plates(
         NAME-start and NAME-end, or NAME for a single plate. A plate of the shape "ring" is round, with a
         round opening, if its slots are around such an opening; otherwise it is the hull of the slots.
 
-    Raises
-    ------
-    InputError
-        Tabs point in too many directions, end before the plate or are too flat, or slots meet. The message
-        names the parts. Or a plate cannot be cut, and `ignore_limits` is False.
-
     Examples
     --------
     >>> from elastica_cad.strip.strip_spec import make_strip
@@ -452,13 +423,7 @@ def _opposite(ends: FloatArray) -> BoolArray:
 
 
 def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions) -> tuple[BasePlate, ...]:
-    """Return two plates, the lower plate first, for tabs that point in two opposite directions.
-
-    Raises
-    ------
-    InputError
-        As in `end_plates`.
-    """
+    """Return two plates, the lower plate first, for tabs that point in two opposite directions."""
     tabs = tabs_to_hold(placed)
     outs = np.array([tab.frame.x_axis for tab in tabs])
     _, _, axes = np.linalg.svd(outs)

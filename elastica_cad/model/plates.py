@@ -198,14 +198,7 @@ class BasePlate:
         return (*(slot.path for slot in self.slots), *opening, *self.holes)
 
     def checked(self, options: PlateOptions, *, moved: bool = False) -> Self:
-        """Return the plate with its warnings. The width of slots that were moved against a load is not checked.
-
-        Raises
-        ------
-        InputError
-            Slots or holes meet. Or slots are far wider than their tabs, bridges are thin, or the plate is
-            larger than the sheet, and `ignore_limits` is False.
-        """
+        """Return the plate with its warnings. The width of slots that were moved against a load is not checked."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
         _refuse_meetings(self.slots, self.name)
         called = [note("the slot of {name}", name=slot.name) for slot in self.slots]
@@ -290,13 +283,6 @@ def base_plate(
         Upper face of the plate, z up; by default the plane z = 0.
     **options
         Fields of `PlateOptions`: play, clearance, slot_width, border, shape, ends, name, shop, ignore_limits.
-
-    Raises
-    ------
-    InputError
-        No tab reaches through the plate, a tab is too flat, or an inclined strip wider than its tab runs into
-        the plate. Or slots meet, slots are far wider than their tabs, or bridges are too thin. The message
-        names the parts.
     """
     plate_options = options_by_name(PlateOptions, options, "a base plate")
     name, ends, sheet = plate_options.name, plate_options.ends, Sheet.of(sheet)
@@ -319,13 +305,7 @@ def base_plate(
 
 
 def with_shoulders(plate: BasePlate, options: PlateOptions) -> BasePlate:
-    """Return a base plate with warnings of strips that would run into it beside their tabs.
-
-    Raises
-    ------
-    InputError
-        A strip would run into the plate, and `ignore_limits` is False.
-    """
+    """Return a base plate with warnings of strips that would run into it beside their tabs."""
     tabs = [slot.tab for slot in plate.slots if slot.tab is not None]
     warnings = accept_faults(shoulder_faults(tabs, plate.frame, options), options.ignore_limits)
     return replace(plate, warnings=(*warnings, *plate.warnings))
@@ -639,12 +619,6 @@ def ring_plate(
     **options
         Fields of `RingOptions` without shape and ends: border, play, clearance, slot_width, name, shop,
         ignore_limits.
-
-    Raises
-    ------
-    InputError
-        Tabs have no length, overlap, or are at an angle between 5 and 15 degrees. Or slots meet or are far
-        wider than their tabs, or bridges are too thin to cut.
     """
     sheet, ring_options = Sheet.of(sheet), options_by_name(RingOptions, options, "a ring", ("shape", "ends"))
     name, tabs = ring_options.name, several("tabs", tabs, PlacedTab, "PlacedTab")

@@ -78,11 +78,6 @@ def touching_widths(
     tuple of Profile
         Full widths, mm, as functions of arc length.
 
-    Raises
-    ------
-    InputError
-        There are fewer than two strips, or a width is not positive.
-
     Examples
     --------
     >>> arc = PlaneCurve.line((30, 0), (50, 40))
@@ -253,12 +248,6 @@ def revolve(
         Limits of the workshop.
     ignore_limits : bool
         Make strips and rings beyond these limits, and list the faults in their warnings.
-
-    Raises
-    ------
-    InputError
-        There are fewer than three strips, the sheet is unknown, or strips or a ring cannot be made. At a
-        pole, the message states the smallest possible ring.
 
     Examples
     --------

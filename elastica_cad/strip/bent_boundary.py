@@ -340,8 +340,6 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
 
     Raises
     ------
-    InputError
-        Somewhere the radius of curvature is smaller than `reach`.
     NotConvergedError
         The curve could not be approximated to 1e-6 mm.
     """

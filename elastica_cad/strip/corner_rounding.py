@@ -39,11 +39,6 @@ It is also the chord error of the polyline that represents the side in this test
 def round_corners(path: Path, radius: float) -> Path:
     """Return the closed path with an arc of `radius` mm, tangent to both sides, in place of every corner.
 
-    Raises
-    ------
-    InputError
-        The sides at a corner are too short for the radius.
-
     Examples
     --------
     >>> plate = round_corners(Path.rectangle(10, 6), 1.0)

@@ -68,12 +68,6 @@ def coupon_drawing(
     label : str, optional
         Text engraved in the clamped part; by default the name of the sheet. An empty string engraves no text.
 
-    Raises
-    ------
-    InputError
-        A size is not positive, the overhang is less than two ticks or more than 10 m, or the strip is too narrow
-        for its engraving.
-
     Examples
     --------
     >>> drawing = coupon_drawing(Sheet.named("card-200gsm"))
@@ -125,11 +119,6 @@ def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
     ----------
     length, width : float
         Size of the bar, mm.
-
-    Raises
-    ------
-    InputError
-        A size is not positive, or the bar is too small for its figures.
 
     Examples
     --------

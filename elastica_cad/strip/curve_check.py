@@ -117,11 +117,6 @@ def check_equilibrium(
         distance are moved onto the line (`moved`, `curve`). Within the same tolerance, the curvature at an end
         that is free to turn is set to zero.
 
-    Raises
-    ------
-    InputError
-        The curve has corners, possibly where it closes.
-
     References
     ----------
     Paper, Theorem 1 and section 4.3.

@@ -111,13 +111,7 @@ class Drawing:
 
     @cached_property
     def bounds(self) -> FloatArray:
-        """Bounding box [[x_min, y_min], [x_max, y_max]], mm.
-
-        Raises
-        ------
-        InputError
-            The drawing is empty.
-        """
+        """Bounding box [[x_min, y_min], [x_max, y_max]], mm."""
         if not self.strokes:
             raise InputError(f"the drawing {self.name!r} is empty: it has neither paths nor texts")
         return box_around(np.array([item.path.bounds for item in self.strokes]))
@@ -211,11 +205,6 @@ def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -
         Width of the cut, mm.
     tolerance : float
         Largest error of an offset spline, mm; lines and arcs are exact.
-
-    Raises
-    ------
-    InputError
-        The kerf exceeds 15 mm, a loop is too small for the kerf, or offset loops cross or touch.
 
     Examples
     --------
@@ -336,11 +325,6 @@ def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawi
     tabs : HoldingTabs, optional
         Sizes of the bridges; `HoldingTabs()` by default.
 
-    Raises
-    ------
-    InputError
-        A loop is too short for its bridges.
-
     Examples
     --------
     >>> plate = Drawing("plate", [LayeredPath(CUT_OUTER, Path.rectangle(40, 10))])
@@ -373,11 +357,6 @@ def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
     Parameters
     ----------
     drawing : Drawing
-
-    Raises
-    ------
-    InputError
-        A cut is not closed.
 
     Examples
     --------

@@ -113,13 +113,7 @@ def element_cuts(rod: Rod) -> tuple[ElementCut, ...]:
 
 
 def cut_holes(rod: Rod, ends: Ends) -> tuple[Path, ...]:
-    """Return the outlines of the holes for the pins and ties of a rod, in a strip with the tabs `ends`.
-
-    Raises
-    ------
-    InputError
-        A cut extends beyond the end of the strip, or meets another cut.
-    """
+    """Return the outlines of the holes for the pins and ties of a rod, in a strip with the tabs `ends`."""
     cuts = element_cuts(rod)
     for cut in cuts:
         low, high = cut.span
@@ -154,11 +148,6 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
         Layout without widenings.
     laid_out : callable
         Function that returns the layout for a factor on the stiffness, given as a `Profile` along the strip.
-
-    Raises
-    ------
-    InputError
-        A cut is as wide as the strip.
     """
     cuts = element_cuts(rod)
     for cut in cuts:

@@ -272,11 +272,6 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
         Closed loops; the holes are inside the outline.
     stations : sequence of float
         Positions of the lines, mm, in increasing order.
-
-    Raises
-    ------
-    InputError
-        The loops cross or touch each other on a station.
     """
     cutter = _Cutter(list(map(float, stations)))
     cutter.add(outline, backward=outline.area < 0)

@@ -323,11 +323,6 @@ class MakingTolerance:
     modulus : float
         Relative reduction of Young's modulus; it has an effect only on strips under weight or loads.
 
-    Raises
-    ------
-    InputError
-        A number is negative or not finite.
-
     Examples
     --------
     >>> MakingTolerance(kerf=0.1).thickness_wave

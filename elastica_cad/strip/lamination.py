@@ -87,11 +87,6 @@ class Laminated:
         ----------
         max_width, min_width : float, optional
             Bounds of the backing's width, mm.
-
-        Raises
-        ------
-        InputError
-            No bending stiffness gives a backing between the least width and the width of the base.
         """
         require_laid_out(rod, sheet, max_width, min_width)
         base = width_profile(self.width, rod.length, "the width of the base")

@@ -146,13 +146,7 @@ class Layer:
 def cut_layers(
     layout: Layout, ends: Ends, slots: Sequence[Slot], cord_holes: Sequence[Path] = (), *, name: str
 ) -> tuple[Layer, ...]:
-    """Return the layers with tabs, slots and holes for cords, the base first.
-
-    Raises
-    ------
-    InputError
-        A slot meets an end, a hole or another slot. The message contains `name`, the name of the strip.
-    """
+    """Return the layers with tabs, slots and holes for cords, the base first."""
     width = layout.width
     if layout.stack is not None:
         return _cut_leaves(layout.stack, width.length, ends)

@@ -37,11 +37,6 @@ class Text:
         Direction of the baseline, rad.
     layer : str
         Name of the layer, "ENGRAVE" by default.
-
-    Raises
-    ------
-    InputError
-        The height is not positive, or the alphabet lacks a character.
     """
 
     position: tuple[float, float]

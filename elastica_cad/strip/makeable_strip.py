@@ -391,12 +391,6 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
     backing_stock : float, optional
         Length of the longest piece of a laminate's backing, mm; by default `stock`.
 
-    Raises
-    ------
-    InputError
-        The thickness of the strip varies, the length of the plates is not possible, or there is no room for the
-        joints.
-
     Examples
     --------
     >>> from elastica_cad.mechanics.sheets import Sheet
@@ -515,8 +509,6 @@ def make_within(
 
     Raises
     ------
-    InputError
-        The strip cannot be cut or handled, and `ignore_limits` is False.
     StrainError
         The strip would break, and `ignore_limits` is False.
     """

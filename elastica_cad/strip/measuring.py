@@ -99,8 +99,6 @@ class Measuring:
 
         Raises
         ------
-        InputError
-            The strip is closed.
         NotConvergedError
             The rest shape was not found.
         """
@@ -151,13 +149,7 @@ class Measuring:
         )
 
     def compare(self, measured: Mapping[str, float]) -> tuple[Row, ...]:
-        """Return a row with a verdict and the likely cause of differences, and a row for each measured value.
-
-        Raises
-        ------
-        InputError
-            A name is unknown, or there is no measured value.
-        """
+        """Return a row with a verdict and the likely cause of differences, and a row for each measured value."""
         require_record(measured, Mapping, "what was measured", "a mapping from names to numbers")
         names = [name for name in self.expected if name in measured]
         unknown = [name for name in measured if name not in self.expected]

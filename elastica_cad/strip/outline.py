@@ -63,11 +63,6 @@ class TSlot:
         Size of the pocket across and along the screw, mm; 5.6 by 2.6 for M3.
     wall : float
         Distance between the outer edge and the nut, mm.
-
-    Raises
-    ------
-    InputError
-        A size is not positive, the nut is narrower than the screw, or the slot ends before the nut.
     """
 
     depth: Annotated[float, Option("Depth from the outer edge inward.", "mm", above=0)]
@@ -124,11 +119,6 @@ class Tab:
         Slot for a screw with its nut.
     taper : float
         Reduction of the width towards the outer edge on each side, mm, as for a glue flap.
-
-    Raises
-    ------
-    InputError
-        A size is negative, a corner is larger than the tab, or a hole extends beyond the tab.
 
     Examples
     --------
@@ -301,13 +291,7 @@ def lines_through(points: Sequence[tuple[float, float] | FloatArray]) -> tuple[L
 
 
 def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
-    """Return the tabs of both ends. A single tab is used for both ends.
-
-    Raises
-    ------
-    InputError
-        The value is not a tab or a pair of tabs.
-    """
+    """Return the tabs of both ends. A single tab is used for both ends."""
     both = several("ends", tabs, Tab, "Tab") * (2 if isinstance(tabs, Tab) else 1)
     if len(both) != 2:
         raise InputError(

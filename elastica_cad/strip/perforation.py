@@ -399,11 +399,6 @@ class Perforated:
         ----------
         max_width, min_width : float, optional
             Limits of the total width of the ligaments, mm.
-
-        Raises
-        ------
-        InputError
-            No bending stiffness gives ligaments and holes of sufficient width.
         """
         require_laid_out(rod, sheet, max_width, min_width)
         outer = width_profile(self.width, rod.length, "the width of the outline")

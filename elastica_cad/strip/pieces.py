@@ -244,11 +244,6 @@ class Piece:
     worked : float, optional
         Mass of a piece after planing or turning, g; by default the mass of the flat part.
 
-    Raises
-    ------
-    InputError
-        The drawing has no closed outer cut, or the count is below 1.
-
     Examples
     --------
     >>> from elastica_cad.strip.drawing import LayeredPath

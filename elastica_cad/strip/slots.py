@@ -78,11 +78,6 @@ class Slot:
     widths : (k,) array, optional
         Width at every point of `path`, mm.
 
-    Raises
-    ------
-    InputError
-        A size is not positive, or a path has no widths.
-
     Examples
     --------
     >>> Slot(40.0, width=1.2, depth=5.0, side="lower").mirrored().side
@@ -276,11 +271,6 @@ def cut_slots(
         Full width of the strip.
     name : str
         Name of the part in messages.
-
-    Raises
-    ------
-    InputError
-        A slot does not open at the edge, cuts through the strip, or meets a hole or another slot.
     """
     if not slots:
         return outline

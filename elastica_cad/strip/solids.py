@@ -102,11 +102,6 @@ class FlatSolid:
     joints : mapping of str to Frame
         Frames at which other parts are joined, by name.
 
-    Raises
-    ------
-    InputError
-        A loop is open, or the thickness is not positive.
-
     Examples
     --------
     >>> plate = FlatSolid(Path.rectangle(30, 20), (), 2.0)
@@ -201,13 +196,7 @@ def _misread_area(sides: Sequence[Spline]) -> float:
 
 
 def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | RoundSolid":
-    """Return a planed strip or a round rod, flat on the xy plane of `frame`, or bent with its curve in that plane.
-
-    Raises
-    ------
-    InputError
-        A radius of curvature is less than half the thickness.
-    """
+    """Return a planed strip or a round rod, flat on the xy plane of `frame`, or bent in that plane."""
     section, size, width = strip.layout.section, strip.layout.size, strip.layout.width
     assert size is not None
     view = side_view(strip, bent=bent)
@@ -296,8 +285,6 @@ class BentSolid:
 
         Raises
         ------
-        InputError
-            A radius of curvature is less than half the thickness, or loops of the flat pattern cross.
         NotConvergedError
             The curve could not be approximated to 1e-6 mm.
         """
@@ -484,11 +471,6 @@ class PrismSolid:
         Prisms, each in its own frame.
     joints : mapping of str to Frame
         Frames at which other parts are joined, by name.
-
-    Raises
-    ------
-    InputError
-        `added` is empty.
     """
 
     added: tuple[FlatSolid, ...]

@@ -416,11 +416,6 @@ class Strip:
     tolerance : MakingTolerance
         Assumed deviations of sheet, cut and clamps: see `held`.
 
-    Raises
-    ------
-    InputError
-        No width is given, a width is not positive, or the limits cannot be met.
-
     Notes
     -----
     In the flat pattern, x is the arc length from the start of the bent part, and y = 0 is the centre line. The
@@ -866,11 +861,6 @@ class Placed:
         Perpendicular directions in the plane of the curve. The width of the strip is along their cross product.
     color : (red, green, blue), optional
         Screen colour of the base sheet, each component in 0..1; by default the colour of the sheet.
-
-    Raises
-    ------
-    InputError
-        The axes are not perpendicular.
     """
 
     strip: Strip
@@ -906,11 +896,6 @@ class Placed:
         """Return the placed strip after the map x -> turn @ x + shift.
 
         A reflection (determinant -1) turns the flat part over.
-
-        Raises
-        ------
-        InputError
-            `turn` is not a 3x3 rotation or reflection.
         """
         m = numbers(turn, "the turn of a strip")
         if m.shape != (3, 3) or not np.allclose(m @ m.T, np.eye(3), rtol=0, atol=1e-9):

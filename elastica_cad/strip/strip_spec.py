@@ -59,13 +59,7 @@ Loads: TypeAlias = "tuple[PointMass | PointForce, ...] | Weight"
 
 
 def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> tuple[Gravity | None, float]:
-    """Return gravity in the plane of the curve of a strip, and the fraction of a weight that acts in this plane.
-
-    Raises
-    ------
-    InputError
-        The value is not a direction, or it is a direction in space without a `frame`.
-    """
+    """Return gravity in the plane of the curve of a strip, and the fraction of a weight that acts in this plane."""
     if gravity is None or isinstance(gravity, bool):
         return (sheet.gravity() if gravity else None), 1.0
     if isinstance(gravity, Gravity):
@@ -222,11 +216,6 @@ def _limits_beside(
 
     The width of a solid strip can be limited by `limits.width` and by `max_width` and `min_width`. The result is
     the intersection of both ranges.
-
-    Raises
-    ------
-    InputError
-        The widths are outside the limits, or the limits are for a sheet of another thickness.
     """
     if (
         limits.sheet is not None
@@ -262,13 +251,7 @@ def _limits_beside(
 
 
 def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: FabricationLimits) -> float:
-    """Return the largest ratio of the widths of a solid strip that the workshop can cut from a sheet.
-
-    Raises
-    ------
-    InputError
-        `min_width` is above `max_width`, or the strip is too narrow for its sheet everywhere.
-    """
+    """Return the largest ratio of the widths of a solid strip that the workshop can cut from a sheet."""
     least = shop.width_for(sheet)
     if min_width > max_width:
         raise InputError(
@@ -387,11 +370,6 @@ class StripSpec(EqualByValue):
         If True, a strip outside the limits of the workshop is made with a warning.
     tolerance : MakingTolerance
         Assumed deviations of sheet, cut and clamps, for the expected deviation of the strip.
-
-    Raises
-    ------
-    InputError
-        Values have a wrong type, are outside their range, or exclude each other.
 
     Examples
     --------
@@ -811,9 +789,6 @@ class StripSpec(EqualByValue):
             No strip takes the curve, and neither `limits` nor `keep` allows the curve to change.
         NotConvergedError
             No rod near the curve meets the limits; the message suggests changes.
-        InputError
-            The strip cannot be cut or handled. For other reasons see `optimal_rod`, `optimal_laminate`,
-            `nearest_rod` and `Strip`.
         StrainError
             The strip would break.
         """

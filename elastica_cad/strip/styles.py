@@ -362,14 +362,7 @@ PLAIN = Plain()
 
 
 def width_profile(width: Width, length: float, name: str) -> Profile:
-    """Return a width as a profile over [0, length].
-
-    Raises
-    ------
-    InputError
-        The width is not positive everywhere, the profile has another length, or the function does not return
-        numbers.
-    """
+    """Return a width as a profile over [0, length]."""
     if isinstance(width, Profile):
         if not np.isclose(width.length, length, rtol=1e-6):
             raise InputError(

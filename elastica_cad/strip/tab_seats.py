@@ -71,13 +71,7 @@ class TabSeat:
 
     @classmethod
     def pocket(cls, length: float, thickness: float, play: float, *, name: str = "pocket") -> "TabSeat":
-        """Return a straight pocket around the tab, with the play `play`, mm, on either face.
-
-        Raises
-        ------
-        InputError
-            The play is negative.
-        """
+        """Return a straight pocket around the tab, with the play `play`, mm, on either face."""
         require_positive(length, f"{name}: the length")
         require_positive(thickness, f"{name}: the thickness")
         if not (is_number(play) and play >= 0):

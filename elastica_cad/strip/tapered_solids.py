@@ -39,11 +39,6 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
     If it is flat, x is the arc length from the start of the bent part, and y = 0 is mid-thickness. If it is bent,
     it follows the curve of the strip.
 
-    Raises
-    ------
-    InputError
-        The thickness does not vary, or a radius of curvature is less than half the thickness.
-
     Examples
     --------
     >>> from elastica_cad.strip.strip_spec import make_strip

@@ -55,11 +55,6 @@ class FabricationLimits:
         Length of the plates that join the pieces of a strip longer than the stock, mm. By default such strips are
         refused.
 
-    Raises
-    ------
-    InputError
-        A limit is not positive.
-
     Examples
     --------
     >>> FabricationLimits().width_for(Sheet.named("birch-plywood-0.8"))
@@ -387,13 +382,7 @@ def _faults_message(faults: Iterable[Fault]) -> str:
 
 
 def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ...]:
-    """Return warnings about the faults of a part if `ignore_limits` is set.
-
-    Raises
-    ------
-    InputError
-        There are faults, and `ignore_limits` is False.
-    """
+    """Return warnings about the faults of a part if `ignore_limits` is set."""
     if faults and not ignore_limits:
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
         raise InputError(
