@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from elastica_cad.cli.options import LENGTH
 from elastica_cad.cli.voice import answer, say_row, wrote
 from elastica_cad.design.measuring_sheet import blank_readings, measuring_page, read_measuring, read_readings
 from elastica_cad.errors import InputError
@@ -30,8 +31,10 @@ def _unknown(strip: str, path: Path, known: Sequence[str]) -> InputError:
 @click.command()
 @click.argument("report", type=click.Path(path_type=Path, exists=True, dir_okay=False))
 @click.argument("measured", type=click.Path(path_type=Path, exists=True, dir_okay=False), required=False)
+@click.option("--reading-error", type=LENGTH, metavar="MM",
+              help="Typical error of measured lengths  [default: reading_error in MEASURED, or 1].")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite files.")
-def compare(report: Path, measured: Path | None, force: bool) -> None:
+def compare(report: Path, measured: Path | None, reading_error: float | None, force: bool) -> None:
     """Compare the measurements in MEASURED with the REPORT of a strip or a model (NAME.json by `elastica strip` or
     `elastica model`).
 
@@ -41,17 +44,20 @@ def compare(report: Path, measured: Path | None, force: bool) -> None:
 
     \b
       elastica compare out/arch.json
-      elastica compare out/arch.json out/arch-measured.toml
+      elastica compare out/arch.json out/arch-measured.toml --reading-error 2
     """
     strips = read_measuring(report)
     expected = {strip: dict(measuring.expected) for strip, measuring in strips.items()}
     if measured is not None:
         rows = []
-        for strip, readings in read_readings(measured).items():
+        strips_read, errors = read_readings(measured)
+        if reading_error is not None:
+            errors["reading_error"] = reading_error
+        for strip, readings in strips_read.items():
             if strip not in strips:
                 raise _unknown(strip, measured, [*strips])
             rows += [Row("Strip", strip)] if strip else []
-            rows += strips[strip].compare(readings)
+            rows += strips[strip].compare(readings, **errors)
         for row in rows:
             say_row(row, is_answer=True)
         answer(

@@ -27,6 +27,9 @@ LETTER_MM, LINE_MM, TEXT_MM = 3.0, 6.0, 40.0
 LARGEST = 1e6
 """Largest length (mm) or angle (degrees) in a report or a reading."""
 
+ERRORS = ("reading_error", "angle_error")
+"""Names of the errors in a file of readings: standard errors of lengths, mm, and angles, degrees."""
+
 WORDS = {
     "chord": "from end to end of the free part",
     "height_1": "from the chord to mark 1",
@@ -106,10 +109,15 @@ def _number(value: Any) -> float:
     return float(value)
 
 
-def read_readings(path: FilePath) -> dict[str, dict[str, float]]:
-    """Return the measured values in a TOML file, by the name of the strip and the name of the quantity.
+def read_readings(path: FilePath) -> tuple[dict[str, dict[str, float]], dict[str, float]]:
+    """Return the measured values in a TOML file, by strip and quantity, and the errors of the readings.
 
-    Values above all tables have the strip's name "".
+        Values above all tables have the strip's name "". Errors are above all tables.
+
+    Raises
+    ------
+    InputError
+        The file is missing or not TOML, or a reading is not a number.
     """
     text = ""
     try:
@@ -124,10 +132,13 @@ def read_readings(path: FilePath) -> dict[str, dict[str, float]]:
         ) from error
     except (OSError, ValueError, RecursionError) as error:
         raise InputError("{path} cannot be read: {error}", path=path, error=error) from error
+    errors = {name: table.pop(name) for name in ERRORS if name in table}
     strips = {name: values for name, values in table.items() if isinstance(values, dict)}
     alone = {name: value for name, value in table.items() if name not in strips}
     readings = {"": alone, **strips} if alone or not strips else strips
-    return {strip: _readings_of(values, path) for strip, values in readings.items()}
+    return {strip: _readings_of(values, path) for strip, values in readings.items()}, _readings_of(
+        errors, path
+    )
 
 
 def _readings_of(values: Mapping[str, Any], path: FilePath) -> dict[str, float]:
@@ -147,6 +158,8 @@ def blank_readings(measured: Mapping[str, Measuring]) -> str:
     lines = [
         "# Replace the expected values by your readings, and delete the # at the start of these lines.",
         "# Lengths in mm, angles in degrees.",
+        "# reading_error = 1.0  # typical error of your ruler, mm",
+        "# angle_error = 1.0  # typical error of your protractor, degrees",
     ]
     for strip, measuring in measured.items():
         lines += ["", f"[{toml_key(strip)}]"] if strip else []

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import require_record
+from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import shape_responses
@@ -31,8 +31,14 @@ UNEVEN_SHARE = 0.02
 """Relative difference of the stiffness at equal distances from both ends, above which a reversed strip has a
 different shape."""
 
-EXPLAINED = 0.6
-"""Least fraction of the measured differences that a cause must explain to be reported."""
+CHANCE = 0.03
+"""Probability of an error of the readings that is mistaken for a cause."""
+
+NONLINEAR = 0.2
+"""Fraction of the measured differences that a cause may leave unexplained, because its changes are linear."""
+
+LIKELY = 4.0
+"""Difference of the sum of squares from that of the likeliest cause, below which a cause is reported too."""
 
 MEANINGS: Mapping[str, str] = {
     "clamp at the start": "The clamp at the start lets the strip turn by {amount:.2g} degrees. Tighten it.",
@@ -83,7 +89,8 @@ class Measuring:
     >>> measuring = Measuring((), {"chord": 100.0}, {"chord": 0.5}, {"ends apart": ({"chord": 1.0},)})
     >>> for row in measuring.compare({"chord": 100.4}):
     ...     print(printed_row(row))
-    Verdict     All differences are within the expected uncertainty of sheet, cut, clamps and model.
+    Verdict     All differences are within the reading error and the uncertainty of sheet, cut, clamps and model.
+    Readings    Assumed right to 1 mm and 1 degree.
     Chord       100.4 mm measured, 100 +/- 0.5 mm expected
     """
 
@@ -148,9 +155,24 @@ class Measuring:
             tuple(map(tuple, design.position[:: max(1, n // SKETCHED)].tolist())),
         )
 
-    def compare(self, measured: Mapping[str, float]) -> tuple[Row, ...]:
-        """Return a row with a verdict and the likely cause of differences, and a row for each measured value."""
+    def compare(
+        self, measured: Mapping[str, float], *, reading_error: float = 1.0, angle_error: float = 1.0
+    ) -> tuple[Row, ...]:
+        """Return rows with a verdict, further likely causes, the reading errors, and each measured value.
+
+        A cause is reported if the readings are improbable without it, and if it explains them within the reading
+        errors and the expected uncertainty. The likeliest cause by least squares is the first.
+
+        Parameters
+        ----------
+        measured : mapping of str to float
+            Measured values by the names of `expected`.
+        reading_error, angle_error : float
+            Standard errors of the readings of lengths, mm, and angles, degrees.
+        """
         require_record(measured, Mapping, "what was measured", "a mapping from names to numbers")
+        require_positive(reading_error, "reading_error")
+        require_positive(angle_error, "angle_error", "degrees")
         names = [name for name in self.expected if name in measured]
         unknown = [name for name in measured if name not in self.expected]
         if unknown or not names:
@@ -158,7 +180,15 @@ class Measuring:
                 f"{', '.join(unknown) or 'an empty file'} is not among the expected measurements. Use some of "
                 f"the names {', '.join(self.expected)}."
             )
-        return (self._verdict(names, measured), *(self._row(name, measured[name]) for name in names))
+        errors = dict.fromkeys(LENGTHS, reading_error) | dict.fromkeys(ANGLES, angle_error)
+        degrees = "degree" if angle_error == 1 else "degrees"
+        return (
+            *self._verdict(
+                measured, {name: float(np.hypot(self.uncertain[name], errors[name])) for name in names}
+            ),
+            Row("Readings", f"Assumed right to {reading_error:g} mm and {angle_error:g} {degrees}."),
+            *(self._row(name, measured[name]) for name in names),
+        )
 
     def _row(self, name: str, measured: float) -> Row:
         expected, uncertain, unit = self.expected[name], self.uncertain[name], UNITS[name]
@@ -167,33 +197,44 @@ class Measuring:
         outside = f": difference {difference:+.2g} {unit}" if abs(difference) > uncertain else ""
         return Row(row_label(name), text + outside)
 
-    def _verdict(self, names: Sequence[str], measured: Mapping[str, float]) -> Row:
-        weights = np.array([1 / self.uncertain[name] for name in names])
-        off = weights * np.array([measured[name] - self.expected[name] for name in names])
-        if np.abs(off).max() <= 1.0:
-            return Row(
-                "Verdict",
-                "All differences are within the expected uncertainty of sheet, cut, clamps and model.",
-            )
-        best, amount, left = "", 0.0, 1.0
+    def _verdict(self, measured: Mapping[str, float], errors: Mapping[str, float]) -> list[Row]:
+        from scipy.special import chdtri
+
+        off = np.array([(measured[name] - self.expected[name]) / errors[name] for name in errors])
+        squares = float(off @ off)
+        likely = []
         for cause, changes in self.causes.items():
-            G = weights[:, None] * np.array([[change[name] for change in changes] for name in names])
+            G = np.array([[change[name] / errors[name] for change in changes] for name in errors])
             answer = np.linalg.lstsq(G, off, rcond=None)[0]
-            rest = float(np.linalg.norm(off - G @ answer) / np.linalg.norm(off))
+            rest = float(np.sum((off - G @ answer) ** 2))
             size = float(np.linalg.norm(answer))
             far = (
-                (cause in ONCE and not 0.5 < answer[0] < 1.5)
+                len(errors) <= len(changes)
+                or (cause in ONCE and not 0.5 < answer[0] < 1.5)
                 or (cause == "thickness" and size > THICKEST_PERCENT)
                 or (cause == "ends apart" and self._mirrors(size, changes[0]))
+                or squares - rest < chdtri(len(changes), CHANCE)
+                or rest > chdtri(len(errors) - len(changes), CHANCE) + NONLINEAR**2 * squares
             )
-            if len(names) > len(changes) and not far and rest < left:
-                best, amount, left = cause, size, rest
-        if left > 1 - EXPLAINED:
-            return warning_row(
-                "No single cause explains the differences. Measure again, and check the sheet and its side.",
+            if not far:
+                likely.append((rest, MEANINGS[cause].format(amount=size)))
+        likely.sort()
+        if likely:
+            texts = [text for rest, text in likely if rest < likely[0][0] + LIKELY]
+            return [warning_row(text, "Or" if k else "Verdict") for k, text in enumerate(texts)]
+        if squares > chdtri(len(errors), CHANCE):
+            return [
+                warning_row(
+                    "No single cause explains the differences. Measure again, and check the sheet and its side.",
+                    "Verdict",
+                )
+            ]
+        return [
+            Row(
                 "Verdict",
+                "All differences are within the reading error and the uncertainty of sheet, cut, clamps and model.",
             )
-        return warning_row(MEANINGS[best].format(amount=amount), "Verdict")
+        ]
 
     def _mirrors(self, amount: float, change: Mapping[str, float]) -> bool:
         """Return True if a height changes by more than the largest height. Ends that move cannot mirror a strip."""

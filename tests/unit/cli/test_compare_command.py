@@ -52,7 +52,7 @@ def test_a_page_and_readings_to_fill_in(report):
     verdict, *values = told.output.splitlines()
     assert verdict.startswith("Verdict     All differences are within")
     assert [value[:11].strip() for value in values] == [
-        "Chord", "Height 1", "Height 2", "Height 3", "Start angle", "End angle"
+        "Readings", "Chord", "Height 1", "Height 2", "Height 3", "Start angle", "End angle"
     ]  # fmt: skip
 
 
@@ -67,6 +67,26 @@ def test_a_clamp_that_gives_way_is_told(report, tmp_path):
     answer = json.loads(run("compare", report, readings, "--json").output)
     assert answer["rows"][0] == {"label": "Verdict", "text": verdict, "severity": "warning"}
     assert answer["notes"] == []
+
+
+def test_errors_of_the_readings_are_typed_or_stand_in_the_file(report, tmp_path):
+    """A difference of 2 mm counts for callipers; the option takes precedence over the file."""
+    expected = json.loads(report.read_text())["measuring"]["expected"]
+    readings = tmp_path / "measured.toml"
+    text = f"height_2 = {expected['height_2'] - 2.0}\nheight_1 = {expected['height_1'] + 2.0}\n"
+    readings.write_text(text)
+    assert "Assumed right to 1 mm and 1 degree." in run("compare", report, readings).output
+    readings.write_text("reading_error = 0.1\nangle_error = 0.5\n" + text)
+    output = run("compare", report, readings).output
+    assert output.startswith("! Verdict")
+    assert "Readings    Assumed right to 0.1 mm and 0.5 degrees." in output
+    output = run("compare", report, readings, "--reading-error", "2mm").output
+    assert output.startswith("Verdict     All differences are within")
+    assert "Readings    Assumed right to 2 mm and 0.5 degrees." in output
+    readings.write_text("reading_error = 'small'\n" + text)
+    assert "reading_error is not a number" in run("compare", report, readings, code=2).output
+    readings.write_text(text)
+    assert "reading_error is 0" in run("compare", report, readings, "--reading-error", 0, code=2).output
 
 
 @pytest.mark.parametrize(
@@ -193,7 +213,7 @@ def test_strips_of_a_model_are_compared_by_name(lesson):
         "Strip       rainbow 2",
     ]
     assert lines[1].startswith("Verdict     All differences are within")
-    assert lines[4].startswith("! Verdict   The distance between the ends is 4 mm off.")
+    assert lines[5].startswith("! Verdict   The distance between the ends is 4 mm off.")
     assert set(json.loads(run("compare", lesson, measured, "--json").output)["expected"]) == {*parts}
 
 
