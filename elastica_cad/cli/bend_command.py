@@ -394,7 +394,7 @@ def _print_shapes(
         worst = int(np.argmin(moved.safety))
         limit = f"safety {_plain(moved.safety[worst])}"
         say_row(Row("Strain", f"at most {_plain(100 * moved.strain[worst])} %, {limit}"))
-    say_row(_worst(states, moved))
+    say_row(_worst(states, shapes, moved, change))
     for warning in dict.fromkeys(text for shape in shapes for text in shape.warnings):
         say_row(warning_row(warning))
     if moved is None:
@@ -409,9 +409,9 @@ def _print_shapes(
     )
     tips = [k for k, verdict in enumerate(moved.sideways) if verdict.needs_guiding]
     if tips:
-        k = min(tips, key=lambda k: moved.sideways[k].margin)
-        where = f"step {k + 1} of {len(shapes)}" if change else moved.place_message(moved.path_length[k])
-        say_row(warning_row(f"at {where}, {moved.sideways[k].meaning}", "Stability"))
+        k = min(tips, key=lambda k: moved.sideways[k].overloaded)
+        where = f"at {_place(k, shapes, moved, change)}, " if shapes[1:] else ""
+        say_row(warning_row(f"{where}{moved.sideways[k].meaning}", "Stability"))
     for warning in moved.warnings:
         say_row(warning_row(warning))
 
@@ -483,13 +483,20 @@ def _least_radius(shape: Rod) -> str:
     return f"{1 / kappa:.4g}" if kappa * shape.length > 1e-6 else "straight"
 
 
-def _worst(states: Sequence[str], moved: Travel | None) -> Row:
+def _worst(states: Sequence[str], shapes: Sequence[Rod], moved: Travel | None, change: dict[str, Any]) -> Row:
     """Return the row on stability, which states the first shape that is not stable, if any."""
     step = next((k for k, state in enumerate(states) if state != "stable"), None)
     if step is None:
         return Row("Stability", "stable in its plane" + (" at every step" if states[1:] else ""))
-    where = f"step {step + 1}" if moved is None else moved.place_message(moved.path_length[step])
-    return warning_row(f"{states[step]} from {where} on" if states[1:] else states[step], "Stability")
+    where = f" from {_place(step, shapes, moved, change)} on" if states[1:] else ""
+    return warning_row(f"{states[step]}{where}", "Stability")
+
+
+def _place(step: int, shapes: Sequence[Rod], moved: Travel | None, change: dict[str, Any]) -> str:
+    """Return a text for a step: its number if loads or elements change, because an end may slide then."""
+    if moved is None or change:
+        return f"step {step + 1} of {len(shapes)}"
+    return moved.place_message(moved.path_length[step])
 
 
 def _write_files(

@@ -205,6 +205,7 @@ def _sideways_report(verdict: SidewaysStability) -> dict[str, Any]:
     return {
         "word": verdict.word,
         "margin": round_numbers(verdict.margin),
+        "overloaded": round_numbers(verdict.overloaded),
         "meaning": verdict.meaning,
     }
 

@@ -23,7 +23,6 @@ from elastica_cad.mechanics.elements import Pin, Rail, edge_weights
 from elastica_cad.mechanics.laminated_section import LaminatedSection
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sheets import even_shear_ratio
-from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import note
 
 EDGE_LOSS = 0.63
@@ -207,6 +206,12 @@ The error of the margin is proportional to the inverse square of this number. He
 below 5e-3.
 """
 
+SAFE_LOAD = 1.5
+"""Least factor by which the forces and moments of a safe strip can grow, in the same shape, before it tips over.
+
+It covers the uncertainty of the stiffness out of the plane, such as the shear modulus of plywood.
+"""
+
 RIBBON_NUMBER = 16.0
 """Largest w^2 kappa / h, for width w, curvature kappa and thickness h, at which a section keeps its shape.
 
@@ -236,7 +241,10 @@ class SidewaysStability:
     ----------
     margin : float
         Lowest eigenvalue of the second variation for rotations out of the plane, times length^2, if the least
-        bending stiffness is 1. Positive means stable, as in `Stability.margin`.
+        bending stiffness is 1. Positive means stable. It is limited by the twist of the unloaded strip, so
+        margins of different sheets are not comparable.
+    overloaded : float
+        Margin under `SAFE_LOAD` times the forces and moments, in the same shape.
     ribbon_number : float
         Largest w^2 kappa / h along the strip, for width w, curvature kappa and thickness h; see `RIBBON_NUMBER`.
     slenderness : float
@@ -246,6 +254,7 @@ class SidewaysStability:
     """
 
     margin: float
+    overloaded: float
     ribbon_number: float
     slenderness: float
     most: float | None = None
@@ -259,7 +268,7 @@ class SidewaysStability:
     def _is_rod(self) -> bool:
         if self.slenderness < RIBBON_SLENDERNESS or self.ribbon_number > MOST_RIBBON_NUMBER:
             return False
-        return self.ribbon_number <= RIBBON_NUMBER or self.margin >= SAFE_MARGIN
+        return self.ribbon_number <= RIBBON_NUMBER or self.overloaded > 0
 
     @property
     def _between(self) -> bool:
@@ -273,7 +282,7 @@ class SidewaysStability:
             return "undecided"
         if self.margin <= 0:
             return "unstable"
-        return "low" if self.margin < SAFE_MARGIN else "ample"
+        return "ample" if self.overloaded > 0 else "low"
 
     @property
     def rating(self) -> str:
@@ -397,6 +406,9 @@ def sideways_stability_of(
     bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
     return SidewaysStability(
         margin=sideways_margin(rod, section.edgewise, section.torsion),
+        # all terms of the loads grow by the factor, as if the stiffness became smaller
+        overloaded=SAFE_LOAD
+        * sideways_margin(rod, section.edgewise / SAFE_LOAD, section.torsion / SAFE_LOAD),
         # sections that are as thick as wide keep their shape
         ribbon_number=float(np.where(w > section.thickness, w**2 * bend / section.thickness, 0.0).max()),
         slenderness=float(rod.length / w.max()),

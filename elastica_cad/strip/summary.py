@@ -12,6 +12,7 @@ from elastica_cad.mechanics.elements import ElementForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, violation
 from elastica_cad.mechanics.mounting_errors import displacements_per_mm
 from elastica_cad.mechanics.rod import Rod
+from elastica_cad.mechanics.sideways import SAFE_LOAD
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, sentences
 from elastica_cad.report_rows import Row, in_order, warning_row
@@ -138,8 +139,11 @@ def stability_row(strip: Strip, verdict: Stability) -> Row:
     if sideways.decided:
         details.append(
             note(
-                "The margin against tipping sideways is {margin:.3g}; at least 5 is safe.",
+                "The margin against tipping sideways is {margin:.3g}, and {overloaded:.3g} under {factor:g} "
+                "times the forces; above 0 is safe.",
                 margin=sideways.margin,
+                overloaded=sideways.overloaded,
+                factor=SAFE_LOAD,
             )
         )
     if verdict.rating == "unstable":

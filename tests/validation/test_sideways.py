@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.linalg import eigh
 from scipy.optimize import brentq
 from scipy.sparse import lil_matrix
 from scipy.sparse.linalg import spsolve
@@ -18,16 +19,18 @@ from elastica_cad import (
     Laminated,
     Perforated,
     PlaneCurve,
+    PointForce,
     Rod,
     Sheet,
     Strip,
     Supports,
     bend,
+    bend_strip,
     make_strip,
     optimal_rod,
 )
 from elastica_cad.mechanics import LaminatedSection, sideways_stability
-from elastica_cad.mechanics.sideways import SidewaysSection, sideways_margin
+from elastica_cad.mechanics.sideways import SidewaysSection, sideways_margin, sideways_stability_of
 from elastica_cad.strip.strip import strip_sideways
 
 pytestmark = pytest.mark.core
@@ -75,6 +78,49 @@ def critical_load(case):
 @pytest.mark.parametrize("case", LATERAL)
 def test_lateral_buckling_in_closed_form(case):
     assert critical_load(case) == pytest.approx(LATERAL[case][0], rel=1e-3)
+
+
+def narrow_beam(load):
+    """A beam of length 1 between clamps, held straight under a load in the middle."""
+    return loaded(
+        lambda s: load * (np.minimum(s, 1 - s) / 2 - 1 / 8), lambda s: (0.0, load / 2 * np.sign(0.5 - s))
+    )
+
+
+def critical_load_of_a_narrow_beam(edges=400):
+    """Least P of GJ b'' + M (M b - m) / EI2 = 0, divided by the root of EI2 GJ.
+
+    The moment M is P (s / 2 - 1 / 8). The clamps hold the twist b and the sideways angle. The constant m is the moment of a clamp.
+    """
+    h = 0.5 / edges
+    s = h * np.arange(1, edges + 1)
+    twist = (2 * np.eye(edges) - np.eye(edges, k=1) - np.eye(edges, k=-1)) / h
+    weight = np.full(edges, h)
+    twist[-1, -1], weight[-1] = 1 / h, h / 2
+    moment = s / 2 - 1 / 8
+    work = np.diag(weight * moment**2) - np.outer(weight * moment, weight * moment) / 0.5
+    return eigh(work, twist, eigvals_only=True)[-1] ** -0.5
+
+
+@pytest.mark.parametrize("torsion", [1.5, 0.25], ids=["isotropic", "plywood"])
+@pytest.mark.parametrize(
+    ("part", "word"), [(0.02, "ample"), (0.6, "ample"), (0.75, "low"), (1.05, "unstable")]
+)
+def test_the_rating_of_a_loaded_beam_follows_the_critical_load(torsion, part, word):
+    """The rating does not depend on the unloaded margin, which is the twist: 15 and 2.5."""
+    same = np.ones(201)
+    section = SidewaysSection(0.01 * same, 0.001 * same, A * same, torsion * same)
+    load = part * critical_load_of_a_narrow_beam() * np.sqrt(A * torsion)
+    assert sideways_stability_of(narrow_beam(load), section).word == word
+
+
+def test_a_slat_of_plywood_with_8_kg_is_far_from_tipping():
+    """The margin is small without a load too, because plywood is easy to twist."""
+    sheet = replace(Sheet.named("birch-plywood-6"), thickness=8.0)
+    slides = Supports(start=End(x=True, y=True, angle=True), end=End(x=False, y=True, angle=True))
+    slat = Strip(Rod.straight(700.0, supports=slides), sheet, max_width=70.0)
+    sag = bend_strip(slat, [{"loads": (PointForce(350, (0, -78.5)),)}]).sideways[-1]
+    assert (sag.margin < 5, sag.word) == (True, "ample")
 
 
 def test_a_column_and_a_shaft():
