@@ -185,9 +185,9 @@ def _check_together(spec: RodSpec) -> None:
         )
     if spec.weight is not None and spec.gravity is None:
         raise InputError(
-            "A point mass needs gravity in the plane of the curve. Set {gravity} to a direction in that plane."
+            "A point mass needs gravity in the plane of the curve. Set {gravity}."
             if spec.weight.masses
-            else "A weight needs gravity in the plane of the curve. Set {gravity} to a direction in that plane.",
+            else "A weight needs gravity in the plane of the curve. Set {gravity}.",
             gravity=FieldName("gravity"),
             where={"field": "gravity"},
         )

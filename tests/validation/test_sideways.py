@@ -90,7 +90,8 @@ def narrow_beam(load):
 def critical_load_of_a_narrow_beam(edges=400):
     """Least P of GJ b'' + M (M b - m) / EI2 = 0, divided by the root of EI2 GJ.
 
-    The moment M is P (s / 2 - 1 / 8). The clamps hold the twist b and the sideways angle. The constant m is the moment of a clamp.
+    The moment M is P (s / 2 - 1 / 8). The clamps hold the twist b and the sideways angle.
+    The constant m is the moment of a clamp.
     """
     h = 0.5 / edges
     s = h * np.arange(1, edges + 1)

@@ -374,7 +374,7 @@ def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
         ("--nearest --set samples=99", "Leave out --nearest, or --set samples"),
         (
             "--set loads=[{at=20,mass=5}]",
-            "A point mass needs gravity in the plane of the curve. Set --gravity to a direction in that plane.\n",
+            "A point mass needs gravity in the plane of the curve. Set --gravity.\n",
         ),
         (
             "--nearest --set limits.width=[10,15] --max-width 20",
