@@ -25,10 +25,10 @@ from elastica_cad.strip.held_shape import (
     MakingTolerance,
     Seats,
     closes,
+    deviation_from,
     open_deviation,
     shape_responses,
     sheet_effects,
-    strayed,
 )
 from elastica_cad.strip.layers import LapJoint, LapPlates, Layer
 from elastica_cad.strip.outline import Ends, fix_tab_widths
@@ -42,14 +42,12 @@ CUTS = 8
 
 
 def rod_as_built(
-    rod: Rod, layout: Layout, layers: Sequence[Layer], kinks: Sequence[tuple[float, float]] = ()
+    rod: Rod, layout: Layout, layers: Sequence[Layer], added_lengths: Sequence[tuple[float, float]] = ()
 ) -> Rod:
-    """Return the rod with the stiffness and weight of the strip as it is cut.
+    """Return the rod with the stiffness and weight of the cut strip.
 
-    This includes slots, solid ends and rounded tips of holes.
-
-    The stiffness of a node is the inverse of the mean compliance between the middles of the edges beside it.
-    The weight of the strip is proportional to the material. Masses hung on the strip are unchanged.
+    Slots, solid ends and rounded tips of holes are included. The stiffness of a node is the inverse of the
+    mean compliance between the middles of the edges beside it. Masses hung on the strip are unchanged.
 
     Parameters
     ----------
@@ -59,7 +57,7 @@ def rod_as_built(
         Flat pattern of the rod in its style (solid, perforated, laminated and so on).
     layers : sequence of Layer
         Layers as they are cut.
-    kinks : sequence of (float, float)
+    added_lengths : sequence of (float, float)
         Position, mm, and added length, mm, of cuts that the layers do not contain. The added length is the
         length of strip that bends by the angle that the cut adds.
 
@@ -80,9 +78,9 @@ def rod_as_built(
     has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
     wanted = rod.profile(s)
     softer = layout.bending_stiffness * wanted / has
-    EI = layout.bending_stiffness * _stiffness_of_cells(rod, wanted) / _cell_means(softer, n)
-    if kinks:
-        EI = EI * _softer(kinks, rod)
+    EI = layout.bending_stiffness * _node_stiffness(rod, wanted) / _cell_means(softer, n)
+    if added_lengths:
+        EI = EI * _cut_factors(added_lengths, rod)
     least = float(EI.min())
     softer_by = layout.bending_stiffness / least
     loads = tuple(replace(load, force=softer_by * load.force) for load in rod.point_forces)
@@ -101,11 +99,7 @@ def rod_as_built(
     return replace(built, weight=weight.scaled(beta=least / layout.bending_stiffness))
 
 
-def _stiffness_of_cells(rod: Rod, stiffness: FloatArray) -> FloatArray:
-    """Return the relative stiffness K (n,) at the nodes.
-
-    Near a jump of K, it is the inverse of the mean compliance.
-    """
+def _node_stiffness(rod: Rod, stiffness: FloatArray) -> FloatArray:
     K = rod.stiffness.copy()
     half = rod.length / (rod.s.size - 1) / 2
     if rod.profile.steps:
@@ -116,16 +110,12 @@ def _stiffness_of_cells(rod: Rod, stiffness: FloatArray) -> FloatArray:
 
 
 def _cell_stations(rod: Rod) -> FloatArray:
-    """Return stations along the rod, mm, with `CUTS` evenly spaced stations between two nodes."""
     ends = np.linspace(0.0, rod.length, CUTS * (rod.s.size - 1) + 1)
     return np.asarray((ends[1:] + ends[:-1]) / 2)
 
 
 def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
-    """Return the mean (n,) around each node of values at the stations of `_cell_stations`.
-
-    The mean is taken over half an edge before and after the node.
-    """
+    """Return the mean over half an edge before and after each node, of values at `_cell_stations`."""
     halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
     inner = (halves[1:-1:2] + halves[2::2]) / 2
     return np.concatenate([halves[:1], inner, halves[-1:]])
@@ -163,23 +153,16 @@ LEAST_SHARE = 0.01
 zero for slots across the whole strip."""
 
 PLATES = "plates"
-"""Cause of deviation: plates glued over the joints between the pieces of a strip."""
 
 LEAST_SHEARING = 0.8
 """Ratio G / E relative to an isotropic sheet; a sheet with a smaller ratio counts as a sheet with grain."""
 
-KINKS = frozenset({"slots", "narrow tabs", "steps of width"})
-"""Causes of deviation that depend on the shear modulus of the sheet."""
+SHEAR_CAUSES = frozenset({"slots", "narrow tabs", "steps of width"})
 
 
-def _softer(kinks: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
-    """Return factors (n,) on the stiffness at the nodes, for cuts given by position and added length, both in mm.
-
-    A cut adds the same angle as a piece of strip of the added length. Beside a cut, tab or step, parts of the
-    section are unstressed. The mean curvature of such sections still follows from the moment; only at the
-    cut, tab or step does the mean slope jump.
-    """
-    at, lengths = np.array(kinks).T
+def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
+    """Return the factors (n,) on the stiffness at the nodes for pairs of position and added length, mm."""
+    at, lengths = np.array(added_lengths).T
     node = np.clip(at / rod.length, 0.0, 1.0) * (rod.s.size - 1)
     before = np.minimum(node.astype(int), rod.s.size - 2)
     after = node - before
@@ -188,7 +171,7 @@ def _softer(kinks: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
     return np.asarray(1 / (1 + added / rod.discrete.node_lengths))
 
 
-def stiffness_shares(
+def stiffness_factors(
     rod: Rod, layout: Layout, slots: Sequence[Slot], tab_widths: tuple[float | None, float | None]
 ) -> dict[str, FloatArray]:
     """Return factors (n,) on the designed stiffness at the nodes, by cause. They hold in the designed shape.
@@ -215,23 +198,23 @@ def stiffness_shares(
     """
     width, nu = layout.width, min(layout.sheet.poisson_ratio, 0.5)
     grain = float(np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio))
-    curl = _curl_of(rod, layout)
+    curl = _curl(rod, layout)
     free = np.zeros(2)  # fraction of the stiffening by prevented curling that is lost at the ends
     if curl is not None and layout.backing is None and layout.pattern is None:
         free = 1 / curl.designed[[0, -1]] - 1 + nu**2
-    kinks = {
-        "slots": _beside_slots(slots, width, CUT * crack_energy(nu) * grain**CUT_GRAIN),
-        "narrow tabs": _beside_tabs(layout, tab_widths, grain, RESTRAINT * free),
-        "steps of width": _beside_steps(layout, STEP * crack_energy(nu, grain)),
+    added_lengths = {
+        "slots": _lengths_added_by_slots(slots, width, CUT * crack_energy(nu) * grain**CUT_GRAIN),
+        "narrow tabs": _lengths_added_by_tabs(layout, tab_widths, grain, RESTRAINT * free),
+        "steps of width": _lengths_added_by_steps(layout, STEP * crack_energy(nu, grain)),
     }
-    shares = {cause: _softer(places, rod) for cause, places in kinks.items() if places}
+    factors = {cause: _cut_factors(places, rod) for cause, places in added_lengths.items() if places}
     s, n = _cell_stations(rod), rod.s.size
     leaning = _leaning(layout, s)
     if leaning is not None:  # average the compliance, because the angles are proportional to it
-        shares["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
+        factors["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
     if curl is not None and layout.section is None:
-        shares[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
-    return shares
+        factors[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
+    return factors
 
 
 @dataclass(frozen=True, eq=False)
@@ -257,10 +240,9 @@ class Curl:
 
 
 def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
-    """Return the dependence of the nodes' stiffness on their curvature.
+    """Return the dependence of the nodes' stiffness on their curvature, or None.
 
-    Return None if the curvature has no effect or the section has a law of its own. Plates over joints are
-    ignored.
+    Plates over joints are ignored.
     """
     s, rest = rod.s, rod.natural_curvature
     if layout.backing is not None:
@@ -269,11 +251,10 @@ def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
     nu = layout.sheet.poisson_ratio
     if nu == 0 or (layout.section is not None and not layout.section.follows_bend):
         return None
-    return SheetCurl(_breadth(layout, s), layout.sheet.thickness, nu, rest)
+    return SheetCurl(_curling_width(layout, s), layout.sheet.thickness, nu, rest)
 
 
-def _curl_of(rod: Rod, layout: Layout) -> Curl | None:
-    """Return the effect of curling across the strip on its stiffness, or None if there is none."""
+def _curl(rod: Rod, layout: Layout) -> Curl | None:
     factor = _curl_factor(rod, layout)
     return None if factor is None else Curl(factor(rod.curvature), factor)
 
@@ -283,7 +264,7 @@ def curling_by_design(rod: Rod, design: Rod, layout: Layout) -> Rod:
 
     If the design does not include this effect, return the rod itself.
     """
-    curl = _curl_of(design, layout) if design.follows_bend else None
+    curl = _curl(design, layout) if design.follows_bend else None
     return rod if curl is None else curl.on(rod)
 
 
@@ -306,13 +287,10 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
     return replace(rod, law=CurlingLaw(factor, designed, rod.natural_curvature, rod.law))
 
 
-def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
-    """Return the rod with its stiffness multiplied by factors (n,) at the nodes, without a change of its weight.
-
-    It is not in equilibrium until its rest shape is computed.
-    """
+def _with_factors(built: Rod, factors: Sequence[FloatArray]) -> Rod:
+    """Return the rod with another stiffness and the same weight, before its rest shape is computed."""
     B, K = built.bending_stiffness or 1.0, built.stiffness
-    changed = K * np.prod([np.ones(K.size), *shares], axis=0)
+    changed = K * np.prod([np.ones(K.size), *factors], axis=0)
     changed_rod = built.with_stiffness(Profile.interpolate(built.s, changed))
     if built.bending_stiffness is not None:
         changed_rod = replace(changed_rod, bending_stiffness=B * float(changed.min()))
@@ -324,11 +302,10 @@ def _with_shares(built: Rod, shares: Sequence[FloatArray]) -> Rod:
     return replace(changed_rod, weight=replace(weight, alpha=newtons, beta=0.0))
 
 
-def _beside_slots(slots: Sequence[Slot], width: Profile, corner: float) -> list[tuple[float, float]]:
-    """Return the position and the added length of each slot, mm.
-
-    The added length is the length of strip that bends by the angle that the slot adds.
-    """
+def _lengths_added_by_slots(
+    slots: Sequence[Slot], width: Profile, corner: float
+) -> list[tuple[float, float]]:
+    """Return the position of each slot, and the length of strip that bends by the angle the slot adds, mm."""
     places = []
     for slot in slots:
         points, widths = slot.center_line(width)
@@ -339,7 +316,7 @@ def _beside_slots(slots: Sequence[Slot], width: Profile, corner: float) -> list[
     return places
 
 
-def _crowded(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
+def _crowded_slots(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
     """Return the positions, mm, of the first two slots closer together than the depth of the deeper slot."""
     points = (slot.center_line(width)[0] for slot in slots)
     lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
@@ -360,14 +337,12 @@ def idle_length(width: float, narrow: float, thickness: float) -> float:
     return float(-2 / np.pi**2 * width * np.log(np.sin(np.pi / 2 * net / width)))
 
 
-def _beside_tabs(
+def _lengths_added_by_tabs(
     layout: Layout, tab_widths: tuple[float | None, float | None], grain: float, restraint: FloatArray
 ) -> list[tuple[float, float]]:
-    """Return position and added length, mm, for each end that is wider than its tab.
+    """Return the position and the added length, mm, of unstressed corners at each end wider than its tab.
 
-    The position is the centroid of the length that the unstressed corners add.
-
-    A tab also prevents curling across the strip near it. This reduces the added length by `restraint` (2,) at
+    A tab prevents curling across the strip near it. This reduces the added length by `restraint` (2,) at
     start and end, as multiples of the width.
     """
     places, h = [], layout.sheet.thickness
@@ -387,11 +362,8 @@ def _beside_tabs(
     return places
 
 
-def _beside_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
-    """Return position and added length, mm, for each step of the width of a solid strip.
-
-    The position is the middle of the unstressed corners on the wider side.
-    """
+def _lengths_added_by_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
+    """Return the position and the added length, mm, of the unstressed corners at each step of the width."""
     if layout.pattern is not None or layout.backing is not None or layout.size is not None:
         return []
     places = []
@@ -408,8 +380,7 @@ def _leaning(layout: Layout, s: FloatArray) -> FloatArray | None:
     return 1 / np.hypot(1.0, pattern.slopes(s)) if isinstance(pattern, DiamondPattern) else None
 
 
-def _breadth(layout: Layout, s: FloatArray) -> FloatArray:
-    """Return the width (n,), mm, of the parts that curl independently: the ligaments, or the whole strip."""
+def _curling_width(layout: Layout, s: FloatArray) -> FloatArray:
     pieces = layout.pattern.ligaments if isinstance(layout.pattern, DiamondPattern) else 1
     return np.asarray(layout.material(s) / pieces)
 
@@ -434,9 +405,9 @@ class StripAsMade:
         E I of the tabs at start and end, N mm2.
     cut : Rod
         Rod with the stiffness and weight of the cut strip, without slots.
-    shares : mapping of str to (n,) array
+    factors : mapping of str to (n,) array
         Factors on the stiffness of `cut` at the nodes in the designed shape, by cause: see
-        `stiffness_shares`. The cause "plates" means plates over the joints of pieces.
+        `stiffness_factors`. The cause "plates" means plates over the joints of pieces.
     approximated : bool
         True if the drawing only approximates the stiffness, as holes and backings do.
     lap : LapJoint, optional
@@ -453,7 +424,7 @@ class StripAsMade:
     bending_stiffness: float
     tab_stiffness: tuple[float, float]
     cut: Rod
-    shares: Mapping[str, FloatArray]
+    factors: Mapping[str, FloatArray]
     approximated: bool
     lap: LapJoint | None = None
     curl: Curl | None = None
@@ -478,22 +449,22 @@ class StripAsMade:
         first, last = layout.stiffness(widths, None if layout.backing is None else widths).tolist()
         if layout.section is not None and layout.size is not None:
             first, last = layout.section.bending_stiffness(layout.size([0.0, rod.length])).tolist()
-        shares = stiffness_shares(design, layout, slots, (ends[0].width, ends[1].width))
+        factors = stiffness_factors(design, layout, slots, (ends[0].width, ends[1].width))
         if plates is not None:
-            shares[PLATES] = plates.stiffening(design.s, layout, whole())
+            factors[PLATES] = plates.stiffening(design.s, layout, whole())
         return cls(
             design,
             layout,
             layout.bending_stiffness,
             (first, last),
             rod_as_built(design, layout, whole()),
-            shares,
+            factors,
             layout.pattern is not None or layout.backing is not None,
             LapJoint.of(design, layout.material(design.s), ends[1].length, float(widths[1]))
             if ends[1].length and closes(rod)
             else None,
-            _curl_of(design, layout),
-            _crowded(slots, layout.width),
+            _curl(design, layout),
+            _crowded_slots(slots, layout.width),
         )
 
     @cached_property
@@ -502,10 +473,10 @@ class StripAsMade:
 
         It is not in equilibrium until its rest shape is computed.
         """
-        rod = _with_shares(self.cut, list(self.shares.values()))
+        rod = _with_factors(self.cut, list(self.factors.values()))
         # the lap joint is stiffer, and its rest curvature depends on the shape in which it was glued
         if self.lap is not None:
-            rod = replace(_with_shares(rod, [self.lap.share]), natural_curvature=self.lap.rest)
+            rod = replace(_with_factors(rod, [self.lap.share]), natural_curvature=self.lap.rest)
         return rod if self.curl is None else self.curl.on(rod)
 
     @property
@@ -519,7 +490,7 @@ class StripAsMade:
         return self.tab_stiffness[0] / B, self.tab_stiffness[1] / B
 
     def rest(self, seats: Seats = (None, None)) -> Rod:
-        """Return the rest shape in the holders, with a stiffness law if the stiffness depends on the curvature.
+        """Return the rest shape in the holders.
 
         Raises
         ------
@@ -548,7 +519,7 @@ class StripAsMade:
         parts = uncorrected.parts(seats, poses)
         corrected, holders = (
             uncorrected is not self,
-            {_cause(k, seat) for k, seat in enumerate(seats) if seat is not None},
+            {_cause_of_holder(k, seat) for k, seat in enumerate(seats) if seat is not None},
         )
         made_up_for = tuple(
             cause
@@ -560,7 +531,7 @@ class StripAsMade:
             parts.pop(ANTICLASTIC, None)
         return HeldShape(
             as_bent(rod),
-            strayed(self.design, rod.position + self._leaf_ends),
+            deviation_from(self.design, rod.position + self._leaf_ends),
             parts,
             *poses,
             corrected=corrected,
@@ -581,11 +552,11 @@ class StripAsMade:
     @property
     def _cut_breadth(self) -> FloatArray | None:
         """Width (n,), mm, of the parts side by side, or None if the strip is planed or turned."""
-        return _breadth(self.layout, self.design.s) if self.layout.size is None else None
+        return _curling_width(self.layout, self.design.s) if self.layout.size is None else None
 
     def _notes(self, seats: Seats) -> tuple[str, ...]:
         sheet, notes = self.layout.sheet, []
-        if sheet.grain != "none" and sheet.shear_modulus is None and self.shares.keys() & KINKS:
+        if sheet.grain != "none" and sheet.shear_modulus is None and self.factors.keys() & SHEAR_CAUSES:
             notes.append(
                 note(
                     "The shear modulus of {sheet} is unknown, so the model assumes a sheet without grain. "
@@ -642,7 +613,7 @@ class StripAsMade:
         design, loaded = self.design, self.loaded
         K, elastic, n = design.stiffness, design.moment / design.stiffness, design.s.size
         curl = {ANTICLASTIC: self.curl.designed} if self.as_plate and self.curl is not None else {}
-        bends = {cause: elastic * (1 / share - 1) for cause, share in {**self.shares, **curl}.items()}
+        bends = {cause: elastic * (1 / factor - 1) for cause, factor in {**self.factors, **curl}.items()}
         if self.approximated:
             share = self.cut.stiffness * (self.cut.bending_stiffness or 1.0) / (K * self.bending_stiffness)
             bends["fit of the drawing"] = elastic * (1 / share - 1)
@@ -652,12 +623,14 @@ class StripAsMade:
         cells = design.discrete.node_lengths
         for k, (seat, pose) in enumerate(zip(seats, poses, strict=True)):
             if seat is not None:
-                cause, angle = _cause(k, seat), float(design.angle[-k])
+                cause, angle = _cause_of_holder(k, seat), float(design.angle[-k])
                 bends[cause], shifts[cause] = np.zeros(n), np.zeros((2, 2))
                 bends[cause][-k] = (-pose.turn if k else pose.turn) / cells[-k]
                 shifts[cause][k] = pose.shift * np.array([-np.sin(angle), np.cos(angle)])
         jumps = (
-            {LEAF_ENDS: strayed(design, design.position + self._leaf_ends)} if self._leaf_ends.any() else {}
+            {LEAF_ENDS: deviation_from(design, design.position + self._leaf_ends)}
+            if self._leaf_ends.any()
+            else {}
         )
         if not bends:
             return jumps
@@ -665,10 +638,9 @@ class StripAsMade:
         ends = np.array([*shifts.values()])
         moved = ends[None, :, 0] + shape_responses(loaded, moments, apart=ends[:, 1] - ends[:, 0])
         return jumps | {
-            cause: strayed(design, design.position + moved[:, k]) for k, cause in enumerate(bends)
+            cause: deviation_from(design, design.position + moved[:, k]) for k, cause in enumerate(bends)
         }
 
 
-def _cause(end: int, seat: TabSeat) -> str:
-    """Return the name of a holder as a cause of deviation; `end` is 0 for the start and 1 for the end."""
+def _cause_of_holder(end: int, seat: TabSeat) -> str:
     return f"{('start', 'end')[end]}: {seat.name}"

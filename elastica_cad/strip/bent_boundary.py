@@ -188,9 +188,9 @@ MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more 
 PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
 LEAST_SPANS = 3  # least number of spans in an edge; kernels fail to fillet edges of one or two spans
 MOST_PARTS = 4  # largest number of parts into which one refinement divides a span
-SPARE = 1.1  # safety factor on the number of parts that follows from the error
-LEVEL_MM = 1e-9  # largest change of y, mm, along a side wall for which the wall counts as plane
-FIRST_TURN = 0.2  # largest change of direction in an initial span, rad
+SAFETY_FACTOR = 1.1  # safety factor on the number of parts that follows from the error
+FLAT_WALL_MM = 1e-9  # largest change of y, mm, along a side wall for which the wall counts as plane
+LARGEST_INITIAL_TURN = 0.2  # largest change of direction in an initial span, rad
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
@@ -257,7 +257,7 @@ class BentMap:
 
             if even is None:
                 spans, degree = np.linspace(first, last, 9), DEGREE
-                knots, rows = _fitted(values, spans, {}, np.full(3 * len(heights), SURFACE_TOLERANCE))
+                knots, rows = _fit_spline(values, spans, {}, np.full(3 * len(heights), SURFACE_TOLERANCE))
             else:
                 knots, degree = self._common_knots(segment, even, (first, last))
                 sites = interpolation_sites(knots, degree)
@@ -326,7 +326,6 @@ class BentMap:
 
 
 def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[FloatArray, IntArray]:
-    """Return the interior knots and their continuity after every span is divided into three equal spans."""
     thirds = edges[:-1, None] + np.diff(edges)[:, None] * [0, 1 / 3, 2 / 3]
     smoothness = np.full(thirds.shape, degree - 1)
     smoothness[1:, 0] = continuity
@@ -354,8 +353,8 @@ def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
     maps = []
     for a, b in pairwise(cuts):
         inner = {s: min(c, DEGREE) for s, c in breaks if a < s < b}
-        spans = _first_spans(rod, np.array([a, *inner, b]))
-        knots, rows = _fitted(values, spans, {s: c - 1 for s, c in inner.items()}, tolerance)
+        spans = _initial_spans(rod, np.array([a, *inner, b]))
+        knots, rows = _fit_spline(values, spans, {s: c - 1 for s, c in inner.items()}, tolerance)
         maps.append(BentMap(knots, rows, frame))
     _refuse_tight(maps, reach)
     return tuple(maps)
@@ -407,23 +406,21 @@ def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
     return 2 if abs(np.diff(slope)[0]) * reach > 1e-9 * max(np.abs(kappa).max(), 1 / curve.length) else 3
 
 
-def _first_spans(rod: Rod, edges: FloatArray) -> FloatArray:
-    """Divide the intervals between `edges` into spans whose direction changes by about `FIRST_TURN` at most."""
+def _initial_spans(rod: Rod, edges: FloatArray) -> FloatArray:
     at = np.interp(edges, rod.s, turns_along(rod.angle))
     rows = [
-        np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / FIRST_TURN))))[:-1]
+        np.linspace(a, b, 1 + max(2, int(np.ceil((v - u) / LARGEST_INITIAL_TURN))))[:-1]
         for a, b, u, v in zip(edges[:-1], edges[1:], at[:-1], at[1:], strict=True)
     ]
     return np.concatenate([*rows, edges[-1:]])
 
 
-def _fitted(
+def _fit_spline(
     function: Callable[[FloatArray], FloatArray],
     edges: FloatArray,
     smooth: Mapping[float, int],
     tolerance: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return knots and coefficients of a spline of degree 5 that approximates `function` within `tolerance`."""
     while True:
         knots = clamped_knots(edges, smooth, DEGREE)
         sites = interpolation_sites(knots, DEGREE)
@@ -443,12 +440,13 @@ def _fitted(
                 at=Length(at),
             )
         # the error is proportional to the length of the span to the power of degree + 1
-        parts = np.where(bad, np.clip(np.ceil(SPARE * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1)
-        edges = _divided(edges, parts.astype(int))
+        parts = np.where(
+            bad, np.clip(np.ceil(SAFETY_FACTOR * excess ** (1 / (DEGREE + 1))), 2, MOST_PARTS), 1
+        )
+        edges = _divide_spans(edges, parts.astype(int))
 
 
-def _divided(edges: FloatArray, parts: IntArray) -> FloatArray:
-    """Return the span limits `edges` (n + 1,) after span k is divided into `parts[k]` equal spans."""
+def _divide_spans(edges: FloatArray, parts: IntArray) -> FloatArray:
     width = np.repeat(np.diff(edges) / parts, parts)
     return np.append(np.repeat(edges[:-1], parts) + numbers_in_groups(parts) * width, edges[-1])
 
@@ -499,7 +497,7 @@ class BoundaryMaker:
         return Boundary(np.array(self.vertices), tuple(self.edges), tuple(self.faces))
 
     def _add_edges(self, region: Region) -> None:
-        """Add vertices and edges at every height, in the order of the heights."""
+        """Add the vertices and edges at every height, in the order of the heights."""
         shape = self.maps[region.interval]
         pieces = [piece for loop in region.loops for piece in loop]
         fresh = [piece.start for piece in pieces if piece.start not in self.at_corner]
@@ -510,20 +508,22 @@ class BoundaryMaker:
         new = {piece.number: piece for piece in pieces if piece.number not in self.at_piece}
         for piece, curves in zip(new.values(), _curves(shape, [*new.values()], self.heights), strict=True):
             self.at_piece[piece.number] = len(self.edges)
-            start, end = (self.at_corner[i] for i in _ends(piece))
+            start, end = (self.at_corner[i] for i in _corners_at_ends(piece))
             self.edges += [
                 Edge(curve, piece.first, piece.last, start + level, end + level)
                 for level, curve in enumerate(curves)
             ]
 
     def _add_faces(self, region: Region) -> None:
-        """Add the face of a region at every height. Seen from above, the face is to the left of its loops."""
+        """Add the faces at every height. Seen from above, a face is to the left of its loops."""
         shape = self.maps[region.interval]
         surfaces: list[Surface]
         if isinstance(shape, Frame):
             surfaces = [PlaneSurface(frame) for frame in _levels(shape, self.heights)]
         else:
-            low, high = zip(*(_across(piece.segment) for loop in region.loops for piece in loop), strict=True)
+            low, high = zip(
+                *(_y_limits(piece.segment) for loop in region.loops for piece in loop), strict=True
+            )
             surfaces = [shape.surface(min(low), max(high), up) for up in self.heights]
         traces = [[_trace_on(shape, piece.segment) for piece in loop] for loop in region.loops]
         for level, surface in enumerate(surfaces):
@@ -541,7 +541,7 @@ class BoundaryMaker:
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
         height = self.heights[1] - self.heights[0]
-        start, end = (self._post(i, shape) for i in _ends(piece))
+        start, end = (self._edge_through_thickness(i, shape) for i in _corners_at_ends(piece))
         traces: list[StraightTrace | Segment | None] = [None] * 4
         if not isinstance(surface, PlaneSurface):
             below, above = _along(surface, (0.0, height))
@@ -553,16 +553,16 @@ class BoundaryMaker:
     def _wall(self, piece: SegmentPart, shape: Map, low: Edge, high: Edge) -> Surface:
         segment, up = piece.segment, self.heights[0]
         straight = isinstance(segment, Line)
-        if isinstance(shape, BentMap) and not _is_across(segment):
-            least, most = _across(segment)
+        if isinstance(shape, BentMap) and not _is_perpendicular(segment):
+            least, most = _y_limits(segment)
             # the walls are planes, because CAD kernels can fuse coplanar walls of strips side by side
-            if most - least < LEVEL_MM:
+            if most - least < FLAT_WALL_MM:
                 side = -1.0 if segment.end[0] > segment.start[0] else 1.0
                 frame = shape.frame.shifted(z=(least + most) / 2)
                 return PlaneSurface(Frame(frame.origin, frame.x_axis, side * frame.y_axis))
             if not (isinstance(low.curve, SpaceCurve) and isinstance(high.curve, SpaceCurve)):
                 raise TypeError("the edges of a bent face must be splines")
-            return self._ruled(low.curve, high.curve)
+            return self._ruled_surface(low.curve, high.curve)
         if straight:
             a, b = self.vertices[low.start], self.vertices[low.end]
             return PlaneSurface(_plane_through(a, b - a, self.vertices[high.start] - a))
@@ -579,16 +579,14 @@ class BoundaryMaker:
         low_side, high_side = (
             SpaceCurve(curve.knots, rows, curve.degree) for rows in (points, points + rise)
         )
-        return self._ruled(low_side, high_side)
+        return self._ruled_surface(low_side, high_side)
 
-    def _ruled(self, low: SpaceCurve, high: SpaceCurve) -> SpaceSurface:
-        """Return the ruled surface between two splines with the same knots."""
+    def _ruled_surface(self, low: SpaceCurve, high: SpaceCurve) -> SpaceSurface:
         h = self.heights[1] - self.heights[0]
         points = np.stack([low.control_points, high.control_points], axis=1)
         return SpaceSurface((low.knots, np.array([0.0, 0.0, h, h])), points, (low.degree, 1))
 
-    def _post(self, corner: int, shape: Map) -> int:
-        """Return the index of the straight edge through the thickness at a corner; add it if it is missing."""
+    def _edge_through_thickness(self, corner: int, shape: Map) -> int:
         if corner not in self.posts:
             low = self.at_corner[corner]
             rise = self.vertices[low + 1] - self.vertices[low]
@@ -615,10 +613,6 @@ def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace 
 
 
 def _trace_on(shape: Map, segment: Segment) -> StraightTrace | Segment | None:
-    """Return the trace of a segment on its face.
-
-    This is the segment itself on a bent face, and None on a plane.
-    """
     if isinstance(shape, Frame):
         return None
     if not isinstance(segment, Line):
@@ -632,12 +626,11 @@ def _levels(frame: Frame, heights: Sequence[float]) -> list[Frame]:
 
 
 def _plane_through(origin: FloatArray, along: FloatArray, up: FloatArray) -> Frame:
-    """Return the plane through `origin` with the directions `along` and `up`, which are perpendicular."""
     return Frame(origin, along / hypot(*along.tolist()), up / hypot(*up.tolist()))
 
 
-def _across(segment: Segment) -> tuple[float, float]:
-    """Return the least and largest y of a segment. For splines they are those of the control points."""
+def _y_limits(segment: Segment) -> tuple[float, float]:
+    """Return the least and largest y of a segment; for splines, of the control points."""
     if isinstance(segment, Line):
         (_, y), (_, to_y) = segment.start.tolist(), segment.end.tolist()
         return min(y, to_y), max(y, to_y)
@@ -645,13 +638,12 @@ def _across(segment: Segment) -> tuple[float, float]:
     return float(rows[:, 1].min()), float(rows[:, 1].max())
 
 
-def _ends(piece: SegmentPart) -> tuple[int, int]:
+def _corners_at_ends(piece: SegmentPart) -> tuple[int, int]:
     """Return the corners at the ends of a piece, in the direction of increasing parameter."""
     return (piece.start, piece.end) if piece.forward else (piece.end, piece.start)
 
 
 def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArray:
-    """Return points in space (k, levels, 3) for points (k, 2) of the flat strip at `heights` (levels,), mm."""
     if isinstance(shape, BentMap):
         return shape.points(flat, heights)
     return shape.point(flat)[:, None] + np.outer(heights, shape.z_axis)
@@ -660,21 +652,19 @@ def _points(shape: Map, flat: FloatArray, heights: Sequence[float]) -> FloatArra
 def _curves(
     shape: Map, pieces: Sequence[SegmentPart], heights: Sequence[float]
 ) -> Iterator[Sequence[SpaceCurve | PlacedSegment]]:
-    """Yield the curves in space of each piece of the outline, one curve for every height."""
     if not isinstance(shape, BentMap):
         frames = _levels(shape, heights)
         yield from ([PlacedSegment(piece.segment, frame) for frame in frames] for piece in pieces)
         return
-    along = [(p.segment, p.first, p.last) for p in pieces if not _is_across(p.segment)]
+    along = [(p.segment, p.first, p.last) for p in pieces if not _is_perpendicular(p.segment)]
     curves = iter(shape.curves(along, heights))
     for segment in (piece.segment for piece in pieces):
-        if _is_across(segment):
+        if _is_perpendicular(segment):
             frames = _levels(shape.frame_at(float(segment.start[0])), heights)
             yield [PlacedSegment(segment, frame) for frame in frames]
         else:
             yield next(curves)
 
 
-def _is_across(segment: Segment) -> bool:
-    """Return True for a line perpendicular to the strip, which stays straight when the strip is bent."""
+def _is_perpendicular(segment: Segment) -> bool:
     return isinstance(segment, Line) and abs(float(segment.start[0] - segment.end[0])) < ROUNDED_MM

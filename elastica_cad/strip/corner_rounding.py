@@ -16,10 +16,9 @@ SMOOTH_RAD = 0.02
 """Least change of direction, rad, at a corner that is rounded. Curves fitted to points meet at smaller
 angles, which are not rounded."""
 
-MOST_STEPS = 40
-"""Largest number of Newton steps for the ends of an arc."""
+MOST_NEWTON_STEPS = 40
 
-MOST_TURNED_BACK = 6
+MOST_SHORTENED_STEPS = 6
 """Number of shortened steps allowed before a side counts as too short. A step beyond the end of the side is
 shortened."""
 
@@ -69,7 +68,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
     segments = [segment for path in paths for segment in path.segments]
     if not segments:
         return []
-    sizes, table = _sizes(segments), SegmentTable(segments)
+    sizes, table = _lengths_at_most(segments), SegmentTable(segments)
     ends = np.cumsum([len(path.segments) for path in paths])
     rings = [
         list(range(end - len(path.segments), end)) for path, end in zip(paths, ends.tolist(), strict=True)
@@ -108,13 +107,12 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
 
 @dataclass(frozen=True)
 class _Ring:
-    """Indices of the remaining sides of a loop, and of the sides omitted after each remaining side."""
+    """Indices of the remaining sides of a loop, and of the omitted sides after each remaining side."""
 
     sides: list[int]
     gaps: list[tuple[int, ...]]
 
     def without(self, short: set[int]) -> "_Ring | None":
-        """Return the loop without the sides in `short`, or None if fewer than two sides remain."""
         long_sides = [j for j, k in enumerate(self.sides) if k not in short]
         if len(long_sides) < 2:
             return None
@@ -182,13 +180,13 @@ def _corners(
     open_ = np.arange(before.size)
     ends = np.zeros((4, before.size, 2))
     fits, turned_back = np.zeros(before.size, dtype=bool), np.zeros(before.size, dtype=int)
-    for _ in range(MOST_STEPS):
+    for _ in range(MOST_NEWTON_STEPS):
         near, far = (
             (table.at(sides[open_], x[open_, k]), table.at(sides[open_], x[open_, k], 1))
             for k, sides in enumerate((before, after))
         )
         ends[:, open_] = *near, *far
-        gap = _beside(*near, side[open_]) - _beside(*far, side[open_])
+        gap = _offset_points(*near, side[open_]) - _offset_points(*far, side[open_])
         apart = np.abs(gap).max(axis=1) >= CLOSE_MM
         fits[open_[~apart]] = True
         # the Jacobian assumes straight sides, because their curvature is small
@@ -201,7 +199,7 @@ def _corners(
         outside = (wanted < 0) | (wanted > 1)
         turned_back[open_] += outside.any(axis=1)
         halfway = (x[open_] + np.clip(wanted, 0.0, 1.0)) / 2
-        given_up = turned_back[open_] > MOST_TURNED_BACK
+        given_up = turned_back[open_] > MOST_SHORTENED_STEPS
         x[open_] = np.where(outside & ~given_up[:, None], halfway, wanted)
         open_ = open_[~given_up]
         if not open_.size:
@@ -216,13 +214,12 @@ def _corners(
     return _Corners(before, after, x[:, 0], x[:, 1], arcs)
 
 
-def _beside(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:
-    """Return points (n, 2) shifted by distances (n, 1) to the left of their tangent vectors."""
+def _offset_points(points: FloatArray, velocities: FloatArray, distance: FloatArray) -> FloatArray:
     left = np.column_stack([-velocities[:, 1], velocities[:, 0]])
     return np.asarray(points + distance * left / norm(velocities)[:, None], dtype=float)
 
 
-def _sizes(segments: Sequence[Segment]) -> FloatArray:
+def _lengths_at_most(segments: Sequence[Segment]) -> FloatArray:
     """Return the lengths (n,) of segments, mm. For splines they are upper bounds."""
     sizes = np.array([0.0 if isinstance(segment, Spline) else segment.length for segment in segments])
     splines = [(i, segment.curve) for i, segment in enumerate(segments) if isinstance(segment, Spline)]
@@ -231,6 +228,6 @@ def _sizes(segments: Sequence[Segment]) -> FloatArray:
         begins = np.cumsum(counts) - counts
         sides = norm(np.diff(np.concatenate([curve.control_points for _, curve in splines]), axis=0))
         sides = np.append(sides, 0.0)
-        sides[begins[1:] - 1] = 0.0  # between curves
+        sides[begins[1:] - 1] = 0.0  # no side joins the control polygons of two curves
         sizes[[i for i, _ in splines]] = np.add.reduceat(sides, begins)
     return sizes

@@ -19,7 +19,6 @@ TICK_MM, LONG_TICK_MM = 10.0, 50.0
 """Distances between ticks, and between long ticks, of the scale, mm."""
 
 MOST_OVERHANG_MM = 10_000.0
-"""Longest scale, mm."""
 
 EDGE_MM = 0.5
 """Distance of engraving from the edge, mm, so that a tick is not a notch."""
@@ -104,7 +103,7 @@ def coupon_drawing(
             width=Length(width),
             free=Length(free),
         )
-    scale, figures = _scale(free, width)
+    scale, figures = _scale_ticks_and_labels(free, width)
     name = sheet.name if label is None else require_printable(label, "the label")
     label_text = centred_text(name, (-clamp / 2, 0.0), min(4.0, 0.3 * width), 0.85 * clamp)
     texts = (*figures, label_text) if name else figures
@@ -139,13 +138,12 @@ def reference_bar(length: float = 100.0, *, width: float = 10.0) -> Drawing:
     return Drawing("reference-bar", (LayeredPath(CUT_OUTER, Path.rectangle(length, width)),), (text,))
 
 
-def _scale(free: float, width: float) -> tuple[tuple[LayeredPath, ...], tuple[Text, ...]]:
-    """Return the ticks from the lower edge, and the labels with the free length at the long ticks."""
+def _scale_ticks_and_labels(free: float, width: float) -> tuple[tuple[LayeredPath, ...], tuple[Text, ...]]:
     edge = -width / 2 + EDGE_MM
     short, long = 0.12 * width, 0.24 * width
     height = min(3.0, 0.2 * width)
     paths, texts = [], []
-    for left in _marks(free):
+    for left in _free_lengths(free):
         x = free - left
         major = left == free or left % LONG_TICK_MM == 0
         if x == 0.0:
@@ -162,7 +160,6 @@ def _scale(free: float, width: float) -> tuple[tuple[LayeredPath, ...], tuple[Te
     return tuple(paths), tuple(texts)
 
 
-def _marks(free: float) -> list[float]:
-    """Return the free lengths, mm, of the ticks: the longest length, then all smaller multiples of 10 mm."""
+def _free_lengths(free: float) -> list[float]:
     below = TICK_MM * np.arange(np.ceil(free / TICK_MM) - 1, 0.0, -1.0)
     return [free, *below.tolist()]

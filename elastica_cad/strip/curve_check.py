@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from elastica_cad.strip.suggestions import Suggestion
 
 TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
-"""Sheets that are tried if no sheet is given, the thickest first."""
+"""Sheets that are tried if no sheet is given, in order of decreasing thickness."""
 
 WIDTHS_MM = (8.0, 120.0)
 """Limits of the width, mm, that is assumed if no width is given."""

@@ -102,7 +102,7 @@ class Drawing:
         """All paths in the order of machining (`LAYERS`), with texts as strokes and without duplicates."""
         written = [LayeredPath(text.layer, stroke) for text in self.texts for stroke in text_strokes(text)]
         everything = [*written, *self.paths]
-        return _without_twins([item for layer in LAYERS for item in everything if item.layer == layer])
+        return _without_duplicates([item for layer in LAYERS for item in everything if item.layer == layer])
 
     @property
     def layers(self) -> tuple[str, ...]:
@@ -160,12 +160,11 @@ def _check_layer(layer: str) -> None:
         raise InputError(f"there is no layer {layer!r}: use one of {', '.join(LAYERS)}")
 
 
-def _without_twins(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
-    """Return the paths without duplicates on the same layer, and without duplicate cuts."""
+def _without_duplicates(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    # bounding boxes that differ by at most SAME_MM in each coordinate
+    # bounding boxes of possible duplicates differ by at most SAME_MM in each coordinate
     alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):
@@ -387,8 +386,6 @@ def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
 
 
 class _Loop:
-    """A closed path, parametrized by arc length."""
-
     def __init__(self, path: Path) -> None:
         self.segments = path.segments
         self.ends = np.cumsum([segment.length for segment in path.segments])
@@ -425,7 +422,7 @@ class _Loop:
         return [Path(self._between(a, b)) for a, b in zip(starts, stops, strict=True)]
 
     def _off_corners(self, middle: float, width: float, reach: float) -> float:
-        """Return the nearest position for a bridge whose middle is at least its width away from corners."""
+        """Return the nearest position for a bridge whose middle is at least `width` away from corners."""
         for shift in np.linspace(0.0, reach, 41):
             for at in (middle + shift, middle - shift):
                 away = np.abs((self.corners - at + self.length / 2) % self.length - self.length / 2)
@@ -446,7 +443,6 @@ class _Loop:
 
 
 def _part(segment: Segment, a: float, b: float) -> Segment:
-    """Return the part of a segment between two arc lengths."""
     length = segment.length
     if a <= SAME_PLACE_MM and b >= length - SAME_PLACE_MM:
         return segment

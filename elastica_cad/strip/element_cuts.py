@@ -22,24 +22,23 @@ from elastica_cad.strip.outline import Ends
 from elastica_cad.strip.slots import Side, Slot
 from elastica_cad.strip.styles import Bends, Layout
 
-ROUNDS = 4
+WIDENING_ITERATIONS = 4
 """Number of fixed-point iterations for the increase of the width, which depends on the increased width."""
 
 NOTCH_FILL = 0.5 + np.pi / 8
 """Area of a notch with a semicircular end, divided by the square of its width. The depth equals the width."""
 
-SHARES = (np.arange(400) + 0.5) / 400
+FRACTIONS = (np.arange(400) + 0.5) / 400
 """Integration points along a widening or a hole, as fractions of its length."""
 
-HIGHEST = 9.0
+LARGEST_WIDENING = 9.0
 """Upper limit of the search for the relative widening. Even a hole as wide as the strip needs less."""
 
 FIT_TOLERANCE = 1e-6
 """Largest relative error of the stiffness of the widened strip."""
 
 
-def _grain(sheet: Sheet) -> float:
-    """Return the factor by which grain increases the effect of unstressed corners: see `CUT_GRAIN`."""
+def _grain_factor(sheet: Sheet) -> float:
     from elastica_cad.strip.as_made import CUT_GRAIN
 
     nu = min(sheet.poisson_ratio, 0.5)
@@ -94,8 +93,8 @@ class ElementCut:
         """
         from elastica_cad.strip.as_made import CUT
 
-        nu, grain = min(sheet.poisson_ratio, 0.5), _grain(sheet)
-        chords = self.hole * np.sqrt(1 - (2 * SHARES - 1) ** 2)
+        nu, grain = min(sheet.poisson_ratio, 0.5), _grain_factor(sheet)
+        chords = self.hole * np.sqrt(1 - (2 * FRACTIONS - 1) ** 2)
         net = self.hole * float(np.mean(chords / (width - chords)))
         corners = 2 * (1 + nu) / (3 + nu) * grain * np.pi / 4 * self.hole**2 / (width + self.hole)
         cracks = 2 * CUT * crack_energy(nu) * grain * self.notch**2 / width
@@ -133,7 +132,7 @@ def cut_holes(rod: Rod, ends: Ends) -> tuple[Path, ...]:
     return tuple(Path.circle((cut.at, 0.0), cut.hole / 2) for cut in cuts if cut.hole)
 
 
-def cut_kinks(rod: Rod, width: Profile, sheet: Sheet) -> list[tuple[float, float]]:
+def lengths_added_by_cuts(rod: Rod, width: Profile, sheet: Sheet) -> list[tuple[float, float]]:
     """Return the position and the added length of each cut, mm: see `ElementCut.added_length`."""
     return [(cut.at, cut.added_length(float(width(cut.at)), sheet)) for cut in element_cuts(rod)]
 
@@ -151,14 +150,14 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
     """
     cuts = element_cuts(rod)
     for cut in cuts:
-        _require_room(cut, float(layout.width(cut.at)))
+        _require_narrower_cut(cut, float(layout.width(cut.at)))
     cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # the moment is 0 at a free end
     peaks = np.zeros(len(cuts))
-    for _ in range(ROUNDS if cuts else 0):
+    for _ in range(WIDENING_ITERATIONS if cuts else 0):
         bumps = []
         for cut, peak in zip(cuts, peaks, strict=True):
             plain = float(layout.width(cut.at)) / (1 + peak)
-            _require_room(cut, plain)
+            _require_narrower_cut(cut, plain)
             bumps.append(_Bump(cut.at, plain, plain / 2 + max(cut.hole, cut.notch)))
         pairs = zip(cuts, bumps, strict=True)
         peaks = np.array([bump.peak(cut, layout.sheet, rod.length) for cut, bump in pairs])
@@ -166,8 +165,7 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
     return layout
 
 
-def _require_room(cut: ElementCut, width: float) -> None:
-    """Refuse a cut that is as wide as the strip, whose `width`, mm, excludes the widening."""
+def _require_narrower_cut(cut: ElementCut, width: float) -> None:
     needed = max(cut.hole, 2 * cut.notch)
     if needed >= width:
         raise InputError(
@@ -179,7 +177,6 @@ def _require_room(cut: ElementCut, width: float) -> None:
 
 
 def _factor(bumps: Sequence["_Bump"], peaks: FloatArray, length: float) -> Profile:
-    """Return the factor on the stiffness along the strip: 1 plus the sum of the bumps times their peaks."""
     knots = np.concatenate([bump.at + bump.reach * np.linspace(-1, 1, 5) for bump in bumps])
     return Profile.fit(
         lambda s: 1 + sum(peak * bump(s) for bump, peak in zip(bumps, peaks, strict=True)),
@@ -203,9 +200,8 @@ class _Bump:
         return np.asarray(np.where(v < 1, 1 - 1.5 * v**2 + 0.75 * v**3, 0.25 * np.maximum(2 - v, 0) ** 3))
 
     def peak(self, cut: ElementCut, sheet: Sheet, length: float) -> float:
-        """Return the peak of the widening at which its stiffening compensates the angle that the cut adds."""
         low, high = max(self.at - self.reach, 0.0), min(self.at + self.reach, length)
-        shape = self(low + (high - low) * SHARES)
+        shape = self(low + (high - low) * FRACTIONS)
 
         def lack(peak: float) -> float:
             saved = float(np.mean(1 - 1 / (1 + peak * shape))) * (high - low)
@@ -213,7 +209,7 @@ class _Bump:
 
         from scipy.optimize import brentq
 
-        peak: float = brentq(lack, 0.0, HIGHEST)
+        peak: float = brentq(lack, 0.0, LARGEST_WIDENING)
         return peak
 
 
@@ -260,7 +256,7 @@ def strained_cuts(rod: Rod, layout: Layout) -> tuple[StrainedCut, ...]:
     for cut in cuts:
         at = np.array([cut.at])
         strain = max(float(layer.largest) for layer in layout.strains(Bends(np.abs(rod.bend_at(at)), at)))
-        factor = 1 + (1 + nu) / (3 + nu) * _grain(sheet) * cut.concentration
+        factor = 1 + (1 + nu) / (3 + nu) * _grain_factor(sheet) * cut.concentration
         strained.append(StrainedCut(cut, sheet, strain * factor))
     return tuple(cut for cut in strained if not cut.verdict.allowed)
 

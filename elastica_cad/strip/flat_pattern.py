@@ -21,7 +21,7 @@ from elastica_cad.strip.outline import pace
 SMOOTH = 2
 """Number of continuous derivatives inside an edge. An offset face in a CAD kernel has one derivative less."""
 
-RAMP = 2e-5
+RAMP_FRACTION = 2e-5
 """Length of a piece between two kinks, as a fraction of the loop's length, below which it counts as a step of the
 width."""
 
@@ -42,7 +42,7 @@ def in_smooth_pieces(path: Path) -> Path:
     In a drawing, a side is a single spline, so that a laser cuts it without stopping. It may have corners at its
     knots, and steep ramps in place of steps of the width. CAD kernels can fillet, offset and hollow only edges
     that are smooth inside. Points move by at most half a ramp, and areas do not change. That is 5e-6 of the length
-    for the ramps of a `Profile`, and 1e-5 for the longest ramp that counts as a step (`RAMP`).
+    for the ramps of a `Profile`, and 1e-5 for the longest ramp that counts as a step (`RAMP_FRACTION`).
 
     Examples
     --------
@@ -52,9 +52,9 @@ def in_smooth_pieces(path: Path) -> Path:
     >>> len(in_smooth_pieces(loop).segments)
     4
     """
-    if not any(_kinks(segment).size for segment in path.segments):
+    if not any(_possible_kinks(segment).size for segment in path.segments):
         return path
-    ramp = RAMP * _reach(path)
+    ramp = RAMP_FRACTION * _extent(path)
     smooth = [_smoothed(segment) for segment in path.segments]
     cuts = [_cut(segment, ramp) for segment in smooth]
     parts = iter([cut.curve.trimmed(*ends) for cut in cuts if cut is not None for ends in cut.kept])
@@ -92,8 +92,8 @@ def in_short_pieces(path: Path) -> Path:
     return Path(pieces, path.closed)
 
 
-def _reach(path: Path) -> float:
-    """Return the extent of the loop in x, mm; for splines the extent of their control points."""
+def _extent(path: Path) -> float:
+    """Return the extent of the loop in x, mm; for splines, of the control points."""
     rows = [
         segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
         for segment in path.segments
@@ -101,7 +101,7 @@ def _reach(path: Path) -> float:
     return float(np.ptp(np.concatenate(rows)[:, 0]))
 
 
-def _kinks(segment: Segment) -> FloatArray:
+def _possible_kinks(segment: Segment) -> FloatArray:
     """Return the parameters (k,) inside a segment at which its tangent or curvature may jump."""
     if not isinstance(segment, Spline):
         return np.empty(0)
@@ -139,10 +139,9 @@ def _smoothed(segment: Segment) -> Segment:
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """Division of a spline into smooth parts.
+    """Division of a spline into smooth parts, given by ranges of its parameter.
 
-    `kept` contains the parameter ranges of the parts. `over` contains the ranges to which the parts are extended;
-    it is None if they are not extended.
+    The parts are extended to the ranges `over`, unless `over` is None.
     """
 
     curve: PlaneCurve
@@ -150,7 +149,7 @@ class _Cut:
     over: list[tuple[float, float]] | None
 
     def pieces(self, parts: Sequence[PlaneCurve]) -> list[Segment]:
-        """Return the smooth parts as segments. Ramps are replaced by lines perpendicular to the strip."""
+        """Return the smooth parts, with lines perpendicular to the strip in place of ramps."""
         if self.over is None:
             return [Spline(part) for part in parts]
         parts = [_extended(part, *ends) for part, ends in zip(parts, self.over, strict=True)]
@@ -167,8 +166,8 @@ class _Cut:
 
 
 def _cut(segment: Segment, ramp: float) -> _Cut | None:
-    """Return the division of a segment into its smooth parts, or None if it has no kink."""
-    kinks = _kinks(segment).tolist()
+    """Return the division of a segment into smooth parts, or None if it has no kink."""
+    kinks = _possible_kinks(segment).tolist()
     if not isinstance(segment, Spline) or not kinks:
         return None
     curve = clamp_ends(segment.curve)
@@ -181,10 +180,6 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Yield the parameters of each joint, of the end of the part before it and of the start of the next part.
-
-    The three parameters are equal, except at ramps.
-    """
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
         first = last = kinks.pop(0)
@@ -194,7 +189,6 @@ def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tupl
 
 
 def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
-    """Return a clamped curve extended or shortened to a slightly different parameter range."""
     if (first, last) == curve.domain:
         return curve
     degree, knots = curve.degree, curve.knots.copy()
@@ -204,7 +198,7 @@ def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
     return PlaneCurve(knots, interpolated(sites, values, knots, degree), degree, None)
 
 
-ON_SEAM = 1e-7  # mm
+ON_SEAM = 1e-7  # distance from a station line, mm, below which a point is on the line
 
 
 @dataclass(frozen=True, eq=False)
@@ -292,7 +286,7 @@ class _Cutter:
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
     count: int = 0
     rim: int = 0
-    """Number of pieces of the outline, which are numbered before the pieces of the holes."""
+    """Number of pieces of the outline; their numbers are below those of the holes."""
 
     def add(self, path: Path, *, backward: bool) -> None:
         """Split a closed loop, reversed if `backward`, at the stations, and sort its pieces by interval."""
@@ -315,7 +309,6 @@ class _Cutter:
             self.chains.setdefault(interval, []).append([piece for _, piece in run])
 
     def result(self) -> CutPattern:
-        """Return all regions, closed along the seams."""
         on_seam = [self._corners_on(x) for x in self.stations]
         regions: list[Region] = []
         for interval in sorted({*self.loops, *self.chains}):
@@ -333,9 +326,9 @@ class _Cutter:
         return self.count - 1
 
     def _split(self, segment: Segment, alone: bool) -> Iterator[tuple[Segment, float, float, bool]]:
-        """Yield the parts of a segment between the stations, in the direction of the loop.
+        """Yield the parts of a segment between the stations.
 
-        A segment that is the whole loop is split at least once.
+        A segment `alone` in its loop has at least two parts.
         """
         forward = True
         if isinstance(segment, Arc):
@@ -368,12 +361,11 @@ class _Cutter:
         return bisect_left(stations, middle)
 
     def _corners_on(self, x: float) -> list[int]:
-        """Return the corners on the line at the coordinate x, sorted by y."""
         corners = [i for i, p in enumerate(self.points) if abs(p[0] - x) < ON_SEAM]
         return sorted(corners, key=lambda i: float(self.points[i][1]))
 
     def _closed(self, interval: int, on_seam: list[list[int]]) -> list[list[SegmentPart]]:
-        """Return the loops of an interval: its open chains joined by seams."""
+        """Return the loops of an interval, with its open chains joined by seams."""
         chains = list(self.chains.get(interval, []))
         loops: list[list[SegmentPart]] = []
         while chains:
@@ -394,14 +386,11 @@ class _Cutter:
                 if chain:
                     chains.remove(chain)
                     loop += chain
-            loops += _parted(loop)
+            loops += _split_at_repeated_corners(loop)
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Return the corners that lie on the station line of a corner, and the direction, 1 or -1, to follow them.
-
-        In this direction, the region is on the left.
-        """
+        """Return the corners on the station line of a corner, and the step along the region on the left."""
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:
                 return on_seam[row], step
@@ -431,11 +420,8 @@ class _Cutter:
         return list(groups.values())
 
 
-def _parted(loop: Sequence[SegmentPart]) -> Iterator[list[SegmentPart]]:
-    """Split a loop into loops that pass each corner once.
-
-    A loop may pass a corner twice where a hole has its tip on a station.
-    """
+def _split_at_repeated_corners(loop: Sequence[SegmentPart]) -> Iterator[list[SegmentPart]]:
+    """Split a loop into loops that pass each corner once, because a hole may have its tip on a station."""
     walk: list[SegmentPart] = []
     for piece in loop:
         walk.append(piece)
@@ -471,7 +457,6 @@ def _crossings(segment: Segment, x: float) -> list[float]:
 
 
 def _polygon(loop: Sequence[SegmentPart]) -> FloatArray:
-    """Return points (k, 2) along a loop, for tests of whether a point is inside."""
     rows = []
     for piece in loop:
         count = 2 if isinstance(piece.segment, Line) else 33

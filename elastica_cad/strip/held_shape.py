@@ -17,7 +17,7 @@ from elastica_cad.mechanics.tolerances import feels_modulus
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
-MEETING_SHARE = 1e-4
+MEETING_FRACTION = 1e-4
 """Largest distance between the ends of a closed rod, as a fraction of its length. Closed rods with few nodes have
 gaps of this size."""
 
@@ -26,7 +26,7 @@ def closes(rod: Rod) -> bool:
     """Return True if the ends of a rod meet and have the same direction."""
     gap = float(np.hypot(*(rod.position[-1] - rod.position[0])))
     turn = float(np.angle(np.exp(1j * float(rod.angle[-1] - rod.angle[0]))))
-    return gap <= MEETING_SHARE * rod.length and abs(turn) <= CORNER_RAD
+    return gap <= MEETING_FRACTION * rod.length and abs(turn) <= CORNER_RAD
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,7 +70,7 @@ LEAST_REPORTED_MM = 0.005
 Source: TypeAlias = Literal["computed", "model", "sheet"]
 """Sources of deviation: the computed shape, the uncertainty of the model, or sheet, cut and clamps."""
 
-MOST = np.sqrt(0.5)
+MAIN_SOURCE_FRACTION = np.sqrt(0.5)
 """Fraction of the expected deviation above which a source counts as the main source.
 
 The square of the expected deviation is the sum of the squares of the sources."""
@@ -129,12 +129,12 @@ class HeldShape:
 
     @property
     def main_source(self) -> Source | None:
-        """Main source of the expected deviation, or None: see `MOST`."""
+        """Main source of the expected deviation, or None: see `MAIN_SOURCE_FRACTION`."""
         sources: dict[Source, float] = {
             "computed": self.deviation, "model": self.open, "sheet": self.sheet_adds,
         }  # fmt: skip
         largest = max(sources, key=lambda source: sources[source])
-        return largest if sources[largest] > MOST * self.expected else None
+        return largest if sources[largest] > MAIN_SOURCE_FRACTION * self.expected else None
 
     def __str__(self) -> str:
         """Return a sentence on the deviation and a sentence for each note."""
@@ -181,7 +181,7 @@ def about(mm: float) -> Length:
     return Length(_two_digits(round(mm, 3)))
 
 
-def strayed(design: Rod, place: FloatArray) -> float:
+def deviation_from(design: Rod, place: FloatArray) -> float:
     """Return the largest distance, mm, between the nodes `place` (n, 2) of a shape and the nodes of the design.
 
     A closed strip has no fixed position, so the shape is first moved and turned to fit the design.
@@ -241,7 +241,7 @@ def shape_responses(
 PHASES = 8
 """Number of phases of a wave along the strip for which the deviation is computed."""
 
-OPEN_SHARES: Mapping[str, float] = {
+OPEN_FRACTIONS: Mapping[str, float] = {
     "slots": 0.24,
     "narrow tabs": 0.3,
     "steps of width": 0.3,
@@ -255,16 +255,20 @@ OPEN_SHARES: Mapping[str, float] = {
 """Largest error of the model as a fraction of the effect of each cause (`docs/finite_elements.md`)."""
 
 OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
-"""Uncertainties as fractions of the length, independent of the causes.
+"""Uncertainties as fractions of the length, for any strip, curling sheets, built-up strips and sheets with
+grain.
 
-The first is for any strip. The second is for a sheet that curls across the strip; it is the value for nu = 0.3 and
-is proportional to nu^2. The third is for perforated and laminated strips. The last is added for such strips of
-sheets with grain, because their holes and borders are computed as isotropic. It is multiplied by the excess over 1
-of sqrt(E / G) relative to an isotropic sheet."""
+`OPEN_CURLED` is for a sheet that curls across the strip; the value is for nu = 0.3 and is proportional to
+nu^2. `OPEN_BUILT` is for perforated and laminated strips. `OPEN_GRAINED` is added for such strips of
+sheets with grain, because their holes and borders are computed as isotropic. It is multiplied by the
+excess over 1 of sqrt(E / G) relative to an isotropic sheet.
+"""
 
 OPEN_WIDE = 2e-3
-"""Uncertainty as a fraction of the length, because cross sections of a wide strip of varying width warp. It is
-multiplied by (width / length)^2 and by E / G relative to an isotropic sheet."""
+"""Uncertainty as a fraction of the length, because cross sections of a wide strip of varying width warp.
+
+It is multiplied by (width / length)^2 and by E / G relative to an isotropic sheet.
+"""
 
 
 def open_deviation(
@@ -297,7 +301,7 @@ def open_deviation(
     """
     nu = sheet.poisson_ratio
     shear = even_shear_ratio(nu) / sheet.shear_ratio
-    from_causes = sum(OPEN_SHARES.get(cause, 0.0) * mm for cause, mm in parts.items())
+    from_causes = sum(OPEN_FRACTIONS.get(cause, 0.0) * mm for cause, mm in parts.items())
     from_causes += parts.get("slots", 0.0) * crowded
     if approximated:
         grained = OPEN_GRAINED * max(0.0, shear**0.5 - 1)
@@ -356,7 +360,7 @@ class MakingTolerance:
 
 
 USUAL_TOLERANCE = MakingTolerance()
-"""Default tolerances: those of a careful workshop."""
+"""Tolerances of a careful workshop."""
 
 
 def sheet_effects(
@@ -394,5 +398,5 @@ def sheet_effects(
             turned[-k] = rod.stiffness[-k] * tolerance.clamps / rod.discrete.node_lengths[-k]
     moved = shape_responses(rod, np.hstack([*changes.values()]))
     owner = np.repeat(np.arange(len(changes)), [columns.shape[1] for columns in changes.values()])
-    far = np.array([strayed(design, design.position + moved[:, k]) for k in range(owner.size)])
+    far = np.array([deviation_from(design, design.position + moved[:, k]) for k in range(owner.size)])
     return {cause: float(far[owner == k].max()) for k, cause in enumerate(changes)}

@@ -30,8 +30,7 @@ CROSS_MM = 8.0
 ARROW_MM, HEAD_MM = 20.0, 3.0
 """Length of the arrow of a load and size of the arrowhead, mm."""
 
-LETTERS = {Rail: "R", Pin: "P", Tie: "T", PointForce: "F", PointMass: "M"}
-"""First letters of the names of elements and loads."""
+ELEMENT_LETTERS = {Rail: "R", Pin: "P", Tie: "T", PointForce: "F", PointMass: "M"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,8 +89,8 @@ def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
     first, last = (
         HeldEnd(
             np.array(rod.position[k]),
-            _turned(np.degrees(rod.angle[k])),
-            _turned(np.degrees(rod.angle[k]) - line),
+            _principal_angle(np.degrees(rod.angle[k])),
+            _principal_angle(np.degrees(rod.angle[k]) - line),
             support,
             tab.length,
             thickness,
@@ -105,8 +104,7 @@ def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
     return first, last
 
 
-def _turned(degrees: float) -> float:
-    """Return the angle in (-180, 180], without rounding errors."""
+def _principal_angle(degrees: float) -> float:
     return 180.0 - (180.0 - round(float(degrees), 6)) % 360.0
 
 
@@ -203,13 +201,13 @@ class HeldElement:
 def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
     """Return the rails, pins, ties and loads of a strip with the dimensions for mounting them."""
     rod, counts, held = strip.rod, Counter[str](), []
-    actions = [*rod.acting, *_hung(strip)]
+    actions = [*rod.acting, *_forces_of_masses(strip)]
     if not actions:
         return ()
     x, y = chord = rod.position[-1] - rod.position[0]
     chord /= np.hypot(x, y) or 1.0
     for action in actions:
-        letter = LETTERS[type(action.element)]
+        letter = ELEMENT_LETTERS[type(action.element)]
         counts[letter] += 1
         at = rod.curve.at(action.s)
         normal = np.column_stack([-np.sin(at.angle), np.cos(at.angle)])
@@ -226,7 +224,7 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
             HeldElement(
                 f"{letter}{counts[letter]}", action, at.position, normal,
                 np.column_stack([off @ chord, off @ left_of(chord)]),
-                _turned(np.degrees(direction) - np.degrees(np.arctan2(chord[1], chord[0]))),
+                _principal_angle(np.degrees(direction) - np.degrees(np.arctan2(chord[1], chord[0]))),
                 strip.bending_stiffness * action.size,
                 np.array([face @ chord, face @ left_of(chord)]) if one_sided else None,
             )
@@ -234,12 +232,11 @@ def held_elements(strip: Strip) -> tuple[HeldElement, ...]:
     return tuple(held)
 
 
-def _hung(strip: Strip) -> Iterator[ElementForce]:
-    """Yield the masses that hang on a strip with their forces."""
+def _forces_of_masses(strip: Strip) -> Iterator[ElementForce]:
     rod = strip.rod
     if rod.gravity is None or rod.weight is None:
         return
-    mass: Any  # the type of `ElementForce.element` does not include masses
+    mass: Any  # the type of `ElementForce.element` excludes masses
     for mass in rod.weight.masses:
         newtons = mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
         force = newtons / strip.bending_stiffness * np.array([rod.gravity.direction])
@@ -327,7 +324,7 @@ def holding_template(strip: Strip) -> Drawing:
         Text((left, float(low - 1.8 * LETTERS_MM * row)), line, LETTERS_MM, 0.0, MARK)
         for row, line in enumerate(drawn_text)
     ]
-    texts += [_number(str(name), end) for name, end in zip((1, 2), ends, strict=True)]
+    texts += [_number_of_end(str(name), end) for name, end in zip((1, 2), ends, strict=True)]
     for held in elements:
         away = ARROW_MM if held.is_load else CROSS_MM
         x, y = held.position[0] + (away + LETTERS_MM) * held.outward[0]
@@ -336,7 +333,6 @@ def holding_template(strip: Strip) -> Drawing:
     return Drawing(f"{strip.label or 'strip'} template", tuple(paths), tuple(texts))
 
 
-def _number(name: str, end: HeldEnd) -> Text:
-    """Return the number of an end, drawn beyond the end point of its tab."""
+def _number_of_end(name: str, end: HeldEnd) -> Text:
     x, y = end.tip + LETTERS_MM * end.outward
     return Text((float(x) - LETTERS_MM / 4, float(y) - LETTERS_MM / 2), name, LETTERS_MM, 0.0, MARK)

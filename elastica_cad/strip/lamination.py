@@ -118,10 +118,7 @@ class Laminated:
     def _scale(
         self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None
     ) -> float:
-        """Return the bending stiffness at K = 1, N mm2.
-
-        It is that of the rod, or the largest for which the backing fits.
-        """
+        """Return the bending stiffness, N mm2, where K = 1: of the rod, or else the largest possible one."""
         s = stations_of(rod.length, base, rod.profile)
         w1 = base(s)
         s = refine_stations(s, section.bending_stiffness(w1, w1) / rod.profile(s), w1 / rod.profile(s))
@@ -179,10 +176,7 @@ class Laminated:
 def _infeasible(
     section: LaminatedSection, fits: ScaleRange, s: FloatArray, K: FloatArray, w1: FloatArray, least: float
 ) -> str:
-    """Return the message for a laminate that is infeasible at any bending stiffness.
-
-    It gives the stations with the conflict and possible changes.
-    """
+    """Return the message for a laminate that no bending stiffness makes possible."""
     i, j = fits.lowest_at, fits.highest_at
     ways: list[Refusal] = []
     try:
@@ -205,8 +199,6 @@ def _infeasible(
 
 
 def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: float) -> Profile:
-    """Return the width of the backing along the bent part, mm, for the bending stiffness `scale` times K."""
-
     def width(s: FloatArray) -> FloatArray:
         return section.backing_width(base(s), scale * rod.profile(s))
 

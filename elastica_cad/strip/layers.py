@@ -33,7 +33,7 @@ from elastica_cad.strip.slots import (
 )
 from elastica_cad.strip.styles import Layout
 
-TICK_SHARE = 0.3
+TICK_FRACTION = 0.3
 """Length of a mark on each side of the centre line, as a fraction of the width. Marks end before the edges,
 because a mark at an edge would act as a notch."""
 
@@ -128,7 +128,7 @@ class Layer:
 
     @cached_property
     def _chords(self) -> tuple[IntArray, FloatArray, FloatArray]:
-        """Return the chords of all cuts: indices of loops (m,), start points (2, m) and end points (2, m).
+        """Return indices of loops (m,), start points (2, m) and end points (2, m) of the chords of all cuts.
 
         Loop 0 is the outline.
         """
@@ -167,9 +167,9 @@ def cut_layers(
 
 
 def _cut_leaves(section: LaidLeaves, length: float, ends: Ends) -> tuple[Layer, ...]:
-    """Return the plies as rectangular layers, the full-length ply first.
+    """Return the plies as rectangular layers, the full-length ply before the others.
 
-    Plies that reach an end continue through its tab.
+    Plies that reach an end include its tab.
     """
     h, half = section.sheet.thickness, section.width / 2
     layers: list[Layer] = []
@@ -203,7 +203,10 @@ def draw_layers(
     drawn = []
     for i, layer in enumerate(layers):
         width = layout.width if i == 0 or layout.backing is None else layout.backing.width
-        marks = (*_ticks(layout, width, ends, lap), *(() if i else _off_slots(layout.guides, layer)))
+        marks = (
+            *_marks_across(layout, width, ends, lap),
+            *(() if i else _guides_outside_slots(layout.guides, layer)),
+        )
         if layout.stack is not None:
             marks = _leaf_marks(layer, layers)
         paths = (
@@ -221,8 +224,7 @@ def draw_layers(
     return tuple(drawn)
 
 
-def _off_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
-    """Return the parts of the guide lines that are outside slots."""
+def _guides_outside_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
     if not guides:
         return ()
     open_cuts = [rim.line for rim in layer.slots]
@@ -231,7 +233,7 @@ def _off_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, ...]:
 
 
 def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
-    """Return lines across a ply at the ends of the next shorter plies, which are glued to it."""
+    """Return lines across a ply, at the ends of the shorter plies that are glued to it."""
     (left, low), (right, high) = layer.outline.bounds
     above = [ply for ply in layers if abs(ply.low - layer.high) < layer.sheet.thickness / 2]
     places = [float(x) for ply in above for x in ply.outline.bounds[:, 0] if left < x < right]
@@ -239,7 +241,6 @@ def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
 
 
 def _leaf_text(name: str, layer: Layer) -> Text:
-    """Return the engraved text of a ply: its name, and its start and end along the stack, mm."""
     (left, low), (right, high) = layer.outline.bounds
     words = f"{layer.called(name)}: {left:.0f} - {right:.0f}"
     return fit_label(
@@ -257,7 +258,7 @@ def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
     return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
 
 
-def _ticks(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
+def _marks_across(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
     """Return marks across a strip without a hole pattern, where the tabs begin and where the lap joint ends."""
     if layout.pattern is not None:
         return ()
@@ -266,14 +267,15 @@ def _ticks(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path
     if lap:
         heights.insert(0, (lap, float(width(lap))))
     return tuple(
-        Path((Line((x, -TICK_SHARE * wide), (x, TICK_SHARE * wide)),), closed=False) for x, wide in heights
+        Path((Line((x, -TICK_FRACTION * wide), (x, TICK_FRACTION * wide)),), closed=False)
+        for x, wide in heights
     )
 
 
 def _label_texts(
     label: str, layout: Layout, width: Profile, ends: Ends, layer: Layer, *, slotted: bool
 ) -> tuple[Text, ...]:
-    """Return the label in a position clear of cuts: on the centre line, or on a tab of a perforated strip."""
+    """Return the label on the centre line, or on a tab of a perforated strip, clear of cuts."""
     if layout.pattern is None:
         return (label_off_cuts(label, width, Cuts(layer.holes, rim=layer.rim if slotted else None)),)
     length = width.length
@@ -392,7 +394,7 @@ class LapPlates:
         return np.asarray(1 / compliance)
 
     def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
-        """Return the fraction (n,) of the length around each node that is under the effective part of a plate."""
+        """Return the fraction (n,) of the length around each node on which a plate stiffens the strip."""
         ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
         near = PLATE_CUT / 2 * thickness
         far = max(near, self.lap / 2 - PLATE_END * thickness)

@@ -14,7 +14,7 @@ from elastica_cad.errors import InputError, quoted
 from elastica_cad.geometry.path import Path
 
 CAP_HEIGHT = 6.0  # height of capital letters in units of the alphabet
-LABEL_MM = 5.0  # largest height of a strip's label
+LABEL_MM = 5.0  # largest height of the label of a strip, mm
 LABEL_SHARE = 0.4  # largest height of a label as a fraction of the available height
 _GAP = 1.6  # gap between two letters in units of the alphabet
 _QUARTER, _EIGHTH = float(np.tan(np.pi / 8)), float(np.tan(np.pi / 16))
@@ -181,7 +181,6 @@ def centred_text(
 
 @lru_cache(maxsize=1)
 def _glyphs() -> dict[str, tuple[float, str]]:
-    """Return the width of every character and the code of its strokes."""
     import tomllib
 
     text = FilePath(__file__).with_name("glyphs.toml").read_text(encoding="utf-8")

@@ -21,7 +21,7 @@ from elastica_cad.mechanics.section_limits import thinner_for
 from elastica_cad.refusals import FieldName, Listed, note, sentences
 from elastica_cad.refusals import Length as Mm
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, Drawing, LayeredPath
-from elastica_cad.strip.held_shape import LEAST_REPORTED_MM, closes, shape_responses, strayed
+from elastica_cad.strip.held_shape import LEAST_REPORTED_MM, closes, deviation_from, shape_responses
 from elastica_cad.strip.layers import LapPlates, Layer
 from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.pieces import Piece
@@ -31,16 +31,18 @@ from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults
 
 # knot spacing of a correction as a fraction of the length; it is large, so that outlines stay smooth
 SPACING_SHARE = 1 / 24
-SMOOTHING = (
+SMOOTHING_PENALTY = (
     5e-3  # penalty on second differences of the coefficients of a correction, relative to the deviation
 )
-SIZE = 7e-3  # penalty on the coefficients, relative to the deviation; of equal corrections it selects the smallest
+SIZE_PENALTY = (
+    7e-3  # penalty on the coefficients, relative to the deviation; it selects the smallest correction
+)
 
 
 def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
-    """Return the values (n, m) of m cubic B-splines at evenly spaced stations s (n,).
+    """Return the values (n, m) of m cubic B-splines at stations s (n,).
 
-    For a closed strip, the first and the last B-spline are combined.
+    For a closed strip, the B-splines at both ends are combined.
     """
     pieces = round(1 / SPACING_SHARE)
     knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
@@ -76,11 +78,13 @@ def _correct_widths(
     moved = shape_responses(rod, rod.moment[:, None] * basis, rod.nodal_load[:, None, :] * basis[:, :, None])
     A, left = np.moveaxis(moved[1:], 1, 2).reshape(-1, basis.shape[1]), drift[1:].ravel()
     if closes(rod):
-        A, left = _without_motion(rod.position[1:], A), _without_motion(rod.position[1:], left)
+        A, left = _without_rigid_motion(rod.position[1:], A), _without_rigid_motion(rod.position[1:], left)
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     identity = np.eye(basis.shape[1])
     # the whole correction must be small and smooth, not only the last step
-    whole = scale * np.concatenate([SMOOTHING * np.diff(identity, n=2, axis=0), SIZE * identity])
+    whole = scale * np.concatenate(
+        [SMOOTHING_PENALTY * np.diff(identity, n=2, axis=0), SIZE_PENALTY * identity]
+    )
     system, wanted = np.concatenate([A, whole]), np.concatenate([-left, -whole @ correction])
     from scipy.optimize import lsq_linear
 
@@ -90,7 +94,7 @@ def _correct_widths(
     )
 
 
-def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
+def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
     """Return displacements (2 n, ...) of points (n, 2) without the part that is a rigid motion."""
     x, y = (position - position.mean(axis=0)).T
     ones, none = np.ones(x.size), np.zeros(x.size)
@@ -102,7 +106,9 @@ def _without_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
 ROUNDS = 8
 LEAST_GAIN = 0.97  # iterations end if one iteration does not reduce the deviation below this fraction
 LARGEST_GUESS = 0.5  # largest logarithm of the factor on the width in the initial guess
-ENOUGH_SHARE = 1e-5  # deviation below which iterations end, as a fraction of the length of the strip
+SMALL_DEVIATION_FRACTION = (
+    1e-5  # deviation below which iterations end, as a fraction of the length of the strip
+)
 
 
 def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
@@ -143,48 +149,42 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     design = strip.as_made.design
     basis = _width_basis(design.s, closed=strip.is_closed)
     # initial guess: the width is increased by the loss of stiffness, smoothed along the strip
-    softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.shares.values()], axis=0))
+    softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.factors.values()], axis=0))
     clip = min(LARGEST_GUESS, largest)
     guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
-    drawn, guessed = (_held(strip, basis, start) for start in (np.zeros(basis.shape[1]), guess))
-    best = min(filter(None, (drawn, guessed)), key=lambda candidate: candidate.strayed, default=None)
+    drawn, guessed = (_correct(strip, basis, start) for start in (np.zeros(basis.shape[1]), guess))
+    best = min(filter(None, (drawn, guessed)), key=lambda candidate: candidate.deviation, default=None)
     if best is None:
         return strip
     step = 1.0
     for _ in range(ROUNDS):
-        if best.strayed <= ENOUGH_SHARE * design.length:
+        if best.deviation <= SMALL_DEVIATION_FRACTION * design.length:
             break
         drift = best.rod.position - design.position
         wanted = _correct_widths(best.rod, drift, basis, best.coefficients, largest=largest)
         coefficients = best.coefficients + step * (wanted - best.coefficients)
-        trial = _held(strip, basis, coefficients)
-        if trial is None or trial.strayed >= best.strayed:
+        trial = _correct(strip, basis, coefficients)
+        if trial is None or trial.deviation >= best.deviation:
             step /= 2
             continue
-        gain, best, step = trial.strayed / best.strayed, trial, min(1.0, 2 * step)
+        gain, best, step = trial.deviation / best.deviation, trial, min(1.0, 2 * step)
         if gain > LEAST_GAIN:
             break
-    gained = np.inf if drawn is None else drawn.strayed - best.strayed
+    gained = np.inf if drawn is None else drawn.deviation - best.deviation
     return best.strip if gained >= LEAST_REPORTED_MM else strip
 
 
-class _Held(NamedTuple):
-    """A strip with corrected widths in its holders.
-
-    `coefficients` belong to the correction, and `strayed` is the deviation from the design, mm.
-    """
+class _CorrectedStrip(NamedTuple):
+    """Strip in its holders with widths corrected by `coefficients`, and its deviation from the design, mm."""
 
     strip: Strip
     coefficients: FloatArray
     rod: Rod
-    strayed: float
+    deviation: float
 
 
-def _held(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _Held | None:
-    """Return the strip with a correction of its widths, in its holders.
-
-    Return None if it cannot be made or has no rest shape.
-    """
+def _correct(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _CorrectedStrip | None:
+    """Return the strip with corrected widths in its holders, or None if this is impossible."""
     design, change = strip.as_made.design, basis @ coefficients
     try:
         if change.any():
@@ -192,13 +192,12 @@ def _held(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _Held | 
         rod = strip.as_made.rest()
     except (InputError, NotConvergedError):
         return None
-    return _Held(strip, coefficients, rod, strayed(design, rod.position))
+    return _CorrectedStrip(strip, coefficients, rod, deviation_from(design, rod.position))
 
 
-PLACES = 400
-"""Number of possible positions for a joint along a strip."""
+JOINT_STATIONS = 400
 
-APART_MM = 5.0
+PIECE_SPACING_MM = 5.0
 """Distance between pieces in a drawing, mm."""
 
 
@@ -251,7 +250,7 @@ class Splice:
             for piece in pieces:
                 (x0, y0), (_, y1) = piece.bounds
                 placed.append(piece.drawing.transformed([[1, 0, -x0], [0, 1, y - y0], [0, 0, 1]]))
-                y += float(y1 - y0) + APART_MM
+                y += float(y1 - y0) + PIECE_SPACING_MM
             drawn.append(Drawing.merged(name, placed))
         return tuple(drawn)
 
@@ -298,11 +297,10 @@ class Splice:
 
     @cached_property
     def _holes(self) -> tuple[Path, ...]:
-        """Holes of the base that are cut: those that no plate covers."""
+        """Holes of the base that no plate covers."""
         return self.plates.clear_holes(self.strip.holes)
 
     def _cut(self, whole: "_Whole") -> tuple[Piece, ...]:
-        """Return the pieces of a layer in order, then its plates."""
         (first, _), (last, _) = whole.layer.outline.bounds
         ends, half = [float(first), *whole.joints, float(last)], self.plates.lap / 2
         pieces = [
@@ -347,7 +345,7 @@ class Splice:
         return Piece(name, Drawing(name, paths, (label, *mates, *numbers)), layer.sheet)
 
     def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
-        """Return the part of a perforated piece that is under a plate and has no holes, as start and end, mm."""
+        """Return the start and end, mm, of the part of a piece that is under a plate and has no holes."""
         joint = next(at for at in whole.joints if at in (low, high))
         return (joint, joint + self.plates.lap / 2) if joint == low else (joint - self.plates.lap / 2, joint)
 
@@ -417,10 +415,10 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
             lap=Mm(lap),
             longest=Mm(min(longest)),
         )
-    s = np.linspace(lap / 2, strip.rod.length - lap / 2, PLACES)
-    clear = np.ones(PLACES, dtype=bool)
+    s = np.linspace(lap / 2, strip.rod.length - lap / 2, JOINT_STATIONS)
+    clear = np.ones(JOINT_STATIONS, dtype=bool)
     for slot in strip.slots:
-        clear &= _keeps_off(slot, strip.width, s, lap)
+        clear &= _is_clear_of_slot(slot, strip.width, s, lap)
     rod = strip.rod
     turned = turns_along(rod.angle)
     turn = np.interp(s + lap / 2, rod.s, turned) - np.interp(s - lap / 2, rod.s, turned)
@@ -430,7 +428,9 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
             clear &= np.abs(s - taken) >= lap
         (first, _), (last, _) = layer.outline.bounds
         count = int(np.ceil(float(last - first) / most * (1 - 1e-12))) - 1
-        joints = _placed(s, np.where(clear, turn**2, np.inf), count, float(first), float(last), most, lap)
+        joints = _cheapest_joints(
+            s, np.where(clear, turn**2, np.inf), count, float(first), float(last), most, lap
+        )
         if joints is None:
             raise InputError(
                 "{name}: {count} joints {lap:g} long do not fit between the slots: use a shorter lap or a "
@@ -461,22 +461,20 @@ def joined_within(strip: Strip, shop: FabricationLimits) -> Strip:
     return strip if strip.plates == plates else replace(strip, plates=plates)
 
 
-def _keeps_off(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
-    """Return True where a plate with its centre at arc length `at`, mm, is clear of a slot.
-
-    The clearance is half the width of the slot.
-    """
+def _is_clear_of_slot(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
+    """Return True where a plate with its centre at arc length `at`, mm, is half a slot width clear of a slot."""
     low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
     middle, reach = (high + low) / 2, (high - low) / 2
     return np.abs(at - middle) > lap / 2 + reach + slot.width / 2
 
 
-def _placed(
+def _cheapest_joints(
     s: FloatArray, cost: FloatArray, count: int, first: float, last: float, stock: float, lap: float
 ) -> tuple[float, ...] | None:
-    """Return the arc lengths of joints with the least sum of costs, or None.
+    """Return the arc lengths of the joints with the least sum of costs, or None.
 
-    `cost` is the cost of a joint at each station of `s`. Inner pieces are between twice `lap` and `stock` long.
+    `cost` is the cost of a joint at each station of `s`. Inner pieces are between twice `lap` and `stock`
+    long.
     """
     if count < 1:
         return ()

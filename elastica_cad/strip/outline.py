@@ -303,7 +303,6 @@ def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
 Ends = tuple[Tab, Tab]
 
 USUAL_TABS: Any = (Tab(), Tab())
-"""Tabs by default."""
 
 SHOULDER_MM = 1e-3
 """Width, mm, below which the shoulder beside a tab is omitted, because it cannot be cut and CAD kernels fail."""
@@ -311,7 +310,7 @@ SHOULDER_MM = 1e-3
 MEETING_MM = 1e-9
 """Distance, mm, below which the ends of two segments meet."""
 
-EVEN = 1e-10
+LINEAR_TOLERANCE = 1e-10
 """Relative deviation of x from a linear function of the parameter that counts as a rounding error."""
 
 
@@ -321,18 +320,20 @@ def flat_rim(width: Profile, ends: Ends) -> Path:
     The long sides are B-splines. The x coordinates of their control points are the Greville abscissae of the
     knots, so that y(x) is exactly half the width.
     """
-    pieces = _pieces(width)
+    pieces = _parts_between_jumps(width)
     lower = [_side(piece, -0.5) for piece in pieces]
     upper = [_side(piece, 0.5, backward=True) for piece in reversed(pieces)]
     start, end = _end_widths(width)
-    near_tab, far_tab = (_flush(tab, at) for tab, at in zip(ends, (start, end), strict=True))
-    far, near = _placed(far_tab.corners(end), width.length, 1), _placed(near_tab.corners(start), 0.0, -1)
+    near_tab, far_tab = (
+        _without_small_shoulders(tab, at) for tab, at in zip(ends, (start, end), strict=True)
+    )
+    far, near = _in_strip(far_tab.corners(end), width.length, 1), _in_strip(near_tab.corners(start), 0.0, -1)
     return Path(close_chain([*lower, *far, *upper, *near]), closed=True)
 
 
 def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:
     """Return the lower and the upper long side, each as splines between jumps of the width, from start to end."""
-    pieces = _pieces(width)
+    pieces = _parts_between_jumps(width)
     lower, upper = ([_side(piece, factor) for piece in pieces] for factor in (-0.5, 0.5))
     return lower, upper
 
@@ -340,8 +341,8 @@ def long_sides(width: Profile) -> tuple[list[Spline], list[Spline]]:
 def end_holes(width: Profile, ends: Ends) -> tuple[Path, ...]:
     """Return the round holes of both tabs as closed loops in the coordinates of the strip."""
     start, end = _end_widths(width)
-    first = [path.transformed(_frame(0.0, -1)) for path in ends[0].hole_paths(start)]
-    last = [path.transformed(_frame(width.length, 1)) for path in ends[1].hole_paths(end)]
+    first = [path.transformed(_tab_to_strip(0.0, -1)) for path in ends[0].hole_paths(start)]
+    last = [path.transformed(_tab_to_strip(width.length, 1)) for path in ends[1].hole_paths(end)]
     return (*first, *last)
 
 
@@ -391,7 +392,7 @@ def pace(segment: Segment) -> tuple[float, float] | None:
     speed = float((x[-1] - x[0]) / (sites[-1] - sites[0]))
     offset = float(x[0] - speed * sites[0])
     stray = np.abs(offset + speed * sites - x).max()
-    return (offset, speed) if speed and stray <= EVEN * max(1.0, np.abs(x).max()) else None
+    return (offset, speed) if speed and stray <= LINEAR_TOLERANCE * max(1.0, np.abs(x).max()) else None
 
 
 def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:
@@ -410,7 +411,7 @@ def _meet(before: Segment, after: Segment) -> bool:
     return dist(before.end.tolist(), after.start.tolist()) <= MEETING_MM
 
 
-def _pieces(width: Profile) -> list[Profile]:
+def _parts_between_jumps(width: Profile) -> list[Profile]:
     """Return the parts of a profile between its jumps, which are interior knots of multiplicity degree + 1."""
     k = width.degree
     knots, counts = knot_runs(width.knots)
@@ -426,35 +427,31 @@ def _pieces(width: Profile) -> list[Profile]:
 
 
 def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
-    """Return a long side as the graph of `factor` times the width."""
     return graph(width.knots, factor * width.coefficients, width.degree, backward=backward)
 
 
-def _flush(tab: Tab, width: float) -> Tab:
+def _without_small_shoulders(tab: Tab, width: float) -> Tab:
     """Return the tab, with the width of the strip if its shoulders would be too small to cut."""
     small = tab.width is not None and min(abs(tab.width - width), tab.length) < SHOULDER_MM
     return replace(tab, width=None) if small else tab
 
 
 def _end_widths(width: Profile) -> tuple[float, float]:
-    return float(width.coefficients[0]), float(width.coefficients[-1])  # clamped
+    return float(width.coefficients[0]), float(width.coefficients[-1])  # the knots are clamped
 
 
-def _placed(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | Arc]:
-    """Return the outline of a tab in the coordinates of the strip: see `_frame`."""
+def _in_strip(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | Arc]:
+    """Return the outline of a tab in the coordinates of the strip."""
     placed: list[Line | Arc] = []
     for segment in rim:
         if isinstance(segment, Line):
             ends = direction * np.array([segment.start, segment.end]) + (x, 0.0)
             placed.append(Line(*ends))
         else:
-            placed.append(segment.transformed(_frame(x, direction)))
+            placed.append(segment.transformed(_tab_to_strip(x, direction)))
     return placed
 
 
-def _frame(x: float, direction: int) -> FloatArray:
-    """Return the transformation from the coordinates of a tab to those of the strip.
-
-    For the tab at the start it includes a half turn.
-    """
+def _tab_to_strip(x: float, direction: int) -> FloatArray:
+    """Return the map from the coordinates of a tab to those of the strip, with a half turn at the start."""
     return np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])

@@ -42,7 +42,7 @@ error of 1e-4 mm."""
 FIT_ROUNDING = 1e-12
 """Relative rounding error of the fitted widths."""
 
-INSET = 1e-9
+INSET_FRACTION = 1e-9
 """Distance from a jump at which the fitted spline begins or ends, as a fraction of the length of the spline."""
 
 CLEAR_OF_SLOTS_MM = 0.02
@@ -129,7 +129,7 @@ class DiamondPattern:
             (part, part.loop(j))
             for row in self._rows_within(ends)
             for j in range(row.across)
-            for part in self._clear(row, j, cuts)
+            for part in self._divide_at_slots(row, j, cuts)
         ]
         loops = [loop for _, loop in clear]
         if self.corner_radius > 0:
@@ -143,7 +143,6 @@ class DiamondPattern:
         return tuple(loops)
 
     def _rows_within(self, ends: Ends) -> list["_Row"]:
-        """Return the rows of holes between the tabs."""
         length = self.width.length
         within = self._margin(ends[0], 0.0), length - self._margin(ends[1], length)
         return [row for whole in self._rows if (row := whole.within(*within)) is not None]
@@ -152,15 +151,14 @@ class DiamondPattern:
         held = tab.width is None or tab.width >= float(self.width(s))
         return 0.0 if held and tab.length > 0 else self.clearance
 
-    def _clear(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list["_Row"]:
-        """Return the parts of the row after division at all slots that meet its hole j."""
+    def _divide_at_slots(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list["_Row"]:
         left = [row]
         for cut in cuts:
-            left = [part for piece in left for part in self._beside(piece, j, cut)]
+            left = [part for piece in left for part in self._divide_at_slot(piece, j, cut)]
         return left
 
-    def _beside(self, row: "_Row", j: int, cut: Path) -> list["_Row"]:
-        """Return the parts of the row on both sides of a slot, or the whole row if its hole j is clear."""
+    def _divide_at_slot(self, row: "_Row", j: int, cut: Path) -> list["_Row"]:
+        """Return the parts of the row on both sides of a slot, or the row if hole j is clear of the slot."""
         if self._apart(row.loop(j), cut):
             return [row]
         (low, _), (high, _) = cut.bounds
@@ -182,7 +180,7 @@ class DiamondPattern:
 
     @cached_property
     def _rows(self) -> list["_Row"]:
-        """Rows of full diamonds alternating with rows of diamonds in the gaps."""
+        """Rows of full diamonds, alternating with rows of diamonds in the gaps."""
         first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
         first[0], last[-1] = self.joints[0], self.joints[-1]
         stretches = self._stretches
@@ -203,7 +201,7 @@ class DiamondPattern:
         tips = np.concatenate([inner - self.bridge / 2, inner + self.bridge / 2])
         cuts = np.unique(np.concatenate([self.joints[[0, -1]], tips, jumps]))
         low, high = cuts[:-1], cuts[1:]
-        inset = INSET * (high - low)
+        inset = INSET_FRACTION * (high - low)
         starts = self._values(np.where(np.isin(low, jumps), low + inset, low))
         ends = self._values(np.where(np.isin(high, jumps), high - inset, high))
         rough = [(s, continuity) for s, continuity in breaks if continuity < 2]
@@ -219,10 +217,7 @@ class DiamondPattern:
         return [_Stretch(knots, values) for knots, values in splines]
 
     def _values(self, s: FloatArray) -> FloatArray:
-        """Return outline width, net width and width of a full diamond, mm, at stations `s` (n,).
-
-        They are the columns of an array (n, 3).
-        """
+        """Return the columns (n, 3) of outline width, net width and width of a full diamond at stations, mm."""
         w, m = self.width(s), self.material(s)
         half, last = self.row_length / 2, 2 * self.rows - 1
         k = np.clip(np.floor(s / half), 0, last)
@@ -239,20 +234,17 @@ class _Row:
     stretches: tuple["_Stretch", ...]
     columns: int
     full: bool
-    lost: float = 0.0  # length of the row that tabs and slots take away, mm
+    lost: float = 0.0  # length of the row, mm, that tabs and slots remove
 
     @property
     def across(self) -> int:
-        """Number of holes."""
         return self.columns if self.full else self.columns + 1
 
     @property
     def length(self) -> float:
-        """Length of the row along the strip, mm."""
         return float(self.stretches[-1].knots[-1] - self.stretches[0].knots[0])
 
     def within(self, low: float, high: float) -> "_Row | None":
-        """Return the part of the row between two stations, or None if it is empty."""
         if low <= self.stretches[0].knots[0] and self.stretches[-1].knots[-1] <= high:
             return self
         kept = tuple(part for stretch in self.stretches if (part := stretch.within(low, high)) is not None)
@@ -263,11 +255,10 @@ class _Row:
 
     @cached_property
     def sides(self) -> list[list[tuple[Spline, Spline]]]:
-        """Lower and upper sides of the holes for every part of the row; upper sides have the reverse direction."""
+        """Lower and upper sides of the holes for every part of the row. Upper sides are reversed."""
         return [stretch.sides(self.columns, self.across, full=self.full) for stretch in self.stretches]
 
     def loop(self, j: int) -> Path:
-        """Return the outline of hole j, anticlockwise."""
         sides = [of_stretch[j] for of_stretch in self.sides]
         lower: list[Segment] = [side for side, _ in sides]
         upper: list[Segment] = [side for _, side in reversed(sides)]
@@ -278,7 +269,7 @@ class _Row:
 class _Stretch:
     """Part of the pattern as cubic splines with common knots.
 
-    The columns of `values` (m, 3) are the coefficients of the outline width, the net width and the width of a full
+    `values` (m, 3) are the coefficients of the outline width, the net width and the width of a full
     diamond, mm.
     """
 
@@ -286,7 +277,6 @@ class _Stretch:
     values: FloatArray
 
     def within(self, low: float, high: float) -> "_Stretch | None":
-        """Return the part of this stretch between two stations, or None if it is empty."""
         a, b = max(low, float(self.knots[0])), min(high, float(self.knots[-1]))
         if b - a <= JOIN:
             return None
@@ -300,10 +290,7 @@ class _Stretch:
         return _Stretch(knots, np.asarray(solved, dtype=float))
 
     def sides(self, columns: int, across: int, *, full: bool) -> list[tuple[Spline, Spline]]:
-        """Return the lower and the upper side of each of `across` holes side by side.
-
-        Upper sides have the reverse direction.
-        """
+        """Return the lower and the upper side, which is reversed, of each of `across` holes side by side."""
         w, m, diamond = self.values.T
         t, pitch = m / (2 * columns + 2), (w - m) / columns
         gap = pitch - diamond
@@ -323,7 +310,7 @@ STEEP_RAD = np.radians(30.0)
 """Inclination of ligaments, rad, above which a warning is added, because inclined ligaments are stiffer than
 computed from their width."""
 
-TIP_SHARE = 0.03
+TIP_FRACTION = 0.03
 """Extra material at rounded tips, as a fraction of the net width, above which a warning is added."""
 
 SLENDERNESS = 3.0
@@ -437,22 +424,20 @@ class Perforated:
             ))  # fmt: skip
         missing = self._excess(pattern) / pattern.material(pattern.joints)
         i = int(np.argmax(missing))
-        if missing[i] > TIP_SHARE:
+        if missing[i] > TIP_FRACTION:
             warnings.append(note(
                 "a corner radius of {radius:g} leaves {percent:.2g} % too much material at the tips at {s}: "
                 "use {least:.2g} or less to stay within {allowed:.0f} %",
                 radius=Mm(self.corner_radius), percent=100 * missing[i], s=Mm(pattern.joints[i]),
-                least=Mm(self.corner_radius * TIP_SHARE / missing[i]), allowed=100 * TIP_SHARE,
+                least=Mm(self.corner_radius * TIP_FRACTION / missing[i]), allowed=100 * TIP_FRACTION,
             ))  # fmt: skip
         return tuple(warnings)
 
     def _excess(self, pattern: DiamondPattern) -> FloatArray:
-        """Return the extra net width (n,), mm, at the joints due to rounded tips.
+        """Return the maximum extra net width (n,), mm, near each joint due to rounded tips.
 
-        It is the maximum near each joint.
-
-        A circle of radius r in a corner with half angle a ends where the corner is 2 r (sec a - tan a) wide. Half
-        diamonds have half the angle of full diamonds and end farther from the joint.
+        A circle of radius r in a corner with half angle a ends where the corner is 2 r (sec a - tan a)
+        wide. Half diamonds have half the angle of full diamonds and end farther from the joint.
         """
         slope = pattern.slopes(pattern.joints)
         others, halves = (
@@ -497,10 +482,7 @@ class _Fit:
         self.highest = self.by_ligaments.highest
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
-        """Return the bending stiffness, N mm2, of the relative stiffness K = 1.
-
-        It is the stiffness of the rod if the rod has one, otherwise the largest for `max_width`.
-        """
+        """Return the bending stiffness, N mm2, where K = 1: of the rod, or else the largest for `max_width`."""
         if self.lowest > self.highest * (1 + SEEN_APART):
             raise InputError(self._infeasible())
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
@@ -551,10 +533,7 @@ class _Fit:
         return scale
 
     def _infeasible(self) -> str:
-        """Return the message for a pattern that is infeasible at any bending stiffness.
-
-        It gives the station with the conflict and possible changes.
-        """
+        """Return the message for a pattern that no bending stiffness makes possible."""
         style, rigidity = self.style, self.section.rigidity
         i, need = self._least_outline()
         ways = []
@@ -587,10 +566,10 @@ class _Fit:
         )  # fmt: skip
 
     def _least_outline(self) -> tuple[int, float]:
-        """Return the index of the station where the outline is too narrow, and a sufficient width, mm.
+        """Return the station index where the outline is too narrow, and a sufficient width or infinity, mm.
 
-        The width is infinite if no width is sufficient. An outline of constant width must be widened along its
-        whole length, which also increases the least net width.
+        An outline of constant width must be widened along its whole length, which also increases the least
+        net width.
         """
         rigidity = self.section.rigidity
         need = self.lowest * self.K / rigidity + self.holes
@@ -608,7 +587,7 @@ class _Fit:
         return section.scale_range(self.w - 2 * columns * self.style.least_hole, self.K).feasible
 
     def _too_little(self, scale: float) -> str:
-        """Return a sentence on the limit that a bending stiffness violates, with the station."""
+        """Return a sentence on the limit that a bending stiffness violates, and the station."""
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             i = self.by_ratio.lowest_at
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])

@@ -39,12 +39,11 @@ SLOT_DIGITS = 6
 """Number of decimals, mm, to which sizes of slots are compared, because sizes of copies differ by rounding
 errors."""
 
-SAMPLES = 6
+POINTS_PER_SEGMENT = 6
 """Number of points on each segment at which loops are compared."""
 
-WAYS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
-"""Signs of x and y for the four positions of a part: unchanged, turned over about either axis, or rotated by 180
-degrees."""
+FLIPS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
+"""Signs of x and y of a part that is unchanged, turned over about either axis, or rotated by 180 degrees."""
 
 
 def cut_key(strip: Strip) -> Hashable:
@@ -66,7 +65,7 @@ def cut_key(strip: Strip) -> Hashable:
 
 
 def _sizes(slot: Slot) -> FloatArray:
-    """Return all dimensions of a slot, mm, and its inclination, rad."""
+    """Return all dimensions of a slot, mm, and the inclination, rad."""
     paths = [np.ravel(part) for part in (slot.path, slot.widths) if part is not None]
     return np.concatenate([[slot.at, slot.width, slot.depth or 0.0, slot.lean], *paths])
 
@@ -119,8 +118,7 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
     )
 
 
-def _near(a: FloatArray | None, b: FloatArray | None, room: float) -> bool:
-    """Return True if both arrays are None, or if they differ by less than `room`."""
+def _nearly_equal(a: FloatArray | None, b: FloatArray | None, room: float) -> bool:
     if a is None or b is None:
         return a is b
     return bool(np.abs(a - b).max() < room)
@@ -149,7 +147,10 @@ class FlatShape:
 
     def equals(self, other: "FlatShape") -> bool:
         """Return True if the parts have the same sheets and cut loops. Engraving has no effect."""
-        if not (_near(self.size, other.size, SAME_SIZE_MM) and _near(self.bent, other.bent, SAME_BEND_RAD)):
+        if not (
+            _nearly_equal(self.size, other.size, SAME_SIZE_MM)
+            and _nearly_equal(self.bent, other.bent, SAME_BEND_RAD)
+        ):
             return False
         if len(self.layers) != len(other.layers) or any(
             p.sheet != q.sheet or len(p.holes) != len(q.holes)
@@ -160,10 +161,10 @@ class FlatShape:
             (p.outline, *p.holes) == (q.outline, *q.holes)
             for p, q in zip(self.layers, other.layers, strict=True)
         ):
-            return True  # fast test for copies, which have the same loop objects
+            return True  # copies have the same loop objects
         if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False
-        ways = WAYS if self.bent is None else WAYS[:1]  # turning a pre-bent strip changes its curvature
+        ways = FLIPS if self.bent is None else FLIPS[:1]  # turning a pre-bent strip changes its curvature
         return any(self._covers(other, signs) for signs in ways)
 
     @cached_property
@@ -174,10 +175,7 @@ class FlatShape:
         return np.array([layers[0].outline.length, width, height, *(np.sqrt(layer.area) for layer in layers)])
 
     def _covers(self, other: "FlatShape", signs: tuple[int, int]) -> bool:
-        """Return True if the loops of both shapes coincide.
-
-        The other shape is first mirrored by `signs` and centred on this shape.
-        """
+        """Return True if the loops coincide after `other` is mirrored by `signs` and centred on this shape."""
         middles = [shape.layers[0].outline.bounds.mean(axis=0) for shape in (self, other)]
         shift = middles[0] - signs * middles[1]
         for layer, others in zip(self.layers, other.layers, strict=True):
@@ -214,8 +212,9 @@ class DistinctShapes:
 
 
 def _samples(path: Path) -> FloatArray:
-    """Return points (n, 2) on all segments of a path."""
-    return np.concatenate([segment.at(np.linspace(0.0, 1.0, SAMPLES + 1)[:-1]) for segment in path.segments])
+    return np.concatenate(
+        [segment.at(np.linspace(0.0, 1.0, POINTS_PER_SEGMENT + 1)[:-1]) for segment in path.segments]
+    )
 
 
 def _along(path: Path, points: FloatArray) -> bool:
@@ -371,16 +370,16 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
                 cuts = Cuts(layer.holes, drawing.on(MARK), rim=layer.rim)
                 marks = end_numbers(strip.width, cuts, drawing.texts)
             texts = (*drawing.texts, *marks)
-            sheet, worked = _blank(strip, layer)
+            sheet, worked = _stock(strip, layer)
             drawn = replace(drawing, name=called, texts=texts)
             pieces.append(Piece(called, drawn, sheet, part.count, worked))
     return tuple(pieces)
 
 
-def _blank(strip: Strip, layer: Layer) -> tuple[Sheet, float | None]:
+def _stock(strip: Strip, layer: Layer) -> tuple[Sheet, float | None]:
     """Return the sheet from which a layer is cut, and the mass, g, of a planed or turned strip, else None.
 
-    The sheet for a planed or turned strip has its largest thickness.
+    The sheet for a planed or turned strip has the largest thickness of the strip.
     """
     size = strip.layout.worked_size
     if size is None:

@@ -60,8 +60,8 @@ from elastica_cad.strip.element_cuts import (
     StrainedCut,
     crossing_warnings,
     cut_holes,
-    cut_kinks,
     element_cuts,
+    lengths_added_by_cuts,
     strained_cuts,
     widened_for_cuts,
 )
@@ -728,8 +728,8 @@ class Strip:
         """
         from elastica_cad.strip.as_made import rod_as_built
 
-        kinks = cut_kinks(self.rod, self.width, self.sheet)
-        return rod_as_built(self.rod, self.layout, self.whole() if kinks else self.layers, kinks)
+        added = lengths_added_by_cuts(self.rod, self.width, self.sheet)
+        return rod_as_built(self.rod, self.layout, self.whole() if added else self.layers, added)
 
     @cached_property
     def deviation_as_built(self) -> float:

@@ -40,7 +40,7 @@ from elastica_cad.model import (
 )
 from elastica_cad.model.plate_pairs import end_plates
 from elastica_cad.strip import TabSeat, compensate_widths
-from elastica_cad.strip.as_made import stiffness_shares
+from elastica_cad.strip.as_made import stiffness_factors
 from elastica_cad.strip.held_shape import LEAST_REPORTED_MM
 from elastica_cad.strip.tab_seats import lean_against, rest_in_seats
 
@@ -196,7 +196,7 @@ def test_causes_are_listed_each_alone(rod):
     leaning = Strip(rod, none, max_width=30.0, style=style).held()
     assert leaning.parts["leaning ligaments"] > 1e-5 * rod.length
     layout = Strip(rod, none, max_width=30.0, style=style).layout
-    share = stiffness_shares(rod, layout, (), (None, None))["leaning ligaments"]
+    share = stiffness_factors(rod, layout, (), (None, None))["leaning ligaments"]
     assert 0.98 < share.min() < share.max() < 1
 
 

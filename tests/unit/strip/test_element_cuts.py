@@ -5,7 +5,7 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad.errors import InputError
-from elastica_cad.strip.element_cuts import ElementCut, cut_kinks
+from elastica_cad.strip.element_cuts import ElementCut, lengths_added_by_cuts
 
 WAVE = ec.PlaneCurve.spline(
     [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)], degree=5
@@ -33,7 +33,7 @@ def test_a_widening_compensates_the_cuts(cut):
     plain, tied = strip_of(ec.Rail(200), ec.Tie(40, 310)), strip_of(ec.Rail(200), ec.Tie(40, 310, **cut))
     assert tied.width(175) == pytest.approx(float(plain.width(175)), rel=1e-6)  # away from the cuts
     # in a beam of the widths, the cuts bend as much as the widenings do less
-    for at, added in cut_kinks(tied.rod, tied.width, tied.sheet):
+    for at, added in lengths_added_by_cuts(tied.rod, tied.width, tied.sheet):
         s = np.linspace(at - 40, min(at + 40, tied.rod.length), 4001)
         saved = np.trapezoid(1 - plain.width(s) / tied.width(s), s)
         assert saved == pytest.approx(added, rel=2e-3)

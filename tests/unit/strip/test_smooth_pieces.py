@@ -67,7 +67,7 @@ def test_a_ramp_becomes_a_step():
     (before, _), (after, _) = strip.width.breaks
     half = (after - before) / 2  # so far points move
     assert half == pytest.approx(5e-6 * strip.rod.length, rel=1e-3)
-    assert half < flat_pattern.RAMP / 2 * strip.rod.length
+    assert half < flat_pattern.RAMP_FRACTION / 2 * strip.rod.length
     cut = in_smooth_pieces(strip.outline)
     steps = [s for s in cut.segments if isinstance(s, Line) and abs(s.start[0] - (before + after) / 2) < 1e-9]
     assert len(steps) == 2
