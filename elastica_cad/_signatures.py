@@ -27,7 +27,8 @@ def simplify_signature(value: Any) -> None:
         value.__signature__ = plain_signature(value)  # type: ignore[attr-defined]
     if not inspect.isclass(value) or "__signature__" in vars(value):
         return
-    if inspect.isfunction(value.__init__) and type(value) is type:  # not an Enum
+    # not an Enum; PySide2 gives all classes a __signature__ that cannot be set
+    if inspect.isfunction(value.__init__) and type(value) is type and not hasattr(type, "__signature__"):
         value.__signature__ = _RecordSignature()  # type: ignore[attr-defined]
     for base in value.__mro__:
         if base.__module__.startswith(__package__):

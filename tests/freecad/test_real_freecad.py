@@ -19,6 +19,7 @@ def test_freecadcmd(tmp_path):
     found = launching.run_console("console.py", tmp_path)
     assert found["kernels"] == []
     assert "elastica_cad" in found["core"]
+    assert found["classes"] == ["QObject", "ElasticaError", "StripSpec"]  # PySide2 changes all classes
     assert found["loaded"] == ["freecad.elastica_wb.features.strip", pytest.approx(found["volume"], rel=1e-9)]
     assert "crosses the curve" in found["refused"]
     assert found["hidden"]

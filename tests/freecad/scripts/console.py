@@ -57,9 +57,12 @@ def work():
     import numpy
     import scipy
     from freecad.elastica_wb.cutting_files import write_cutting_files
+    from PySide import QtCore
 
     import elastica_cad
+    from elastica_cad import ElasticaError, StripSpec
 
+    answers["classes"] = [QtCore.QObject.__name__, ElasticaError.__name__, StripSpec.__name__]
     answers["versions"] = [numpy.__version__, scipy.__version__, App.Version()[:3]]
     answers["core"] = elastica_cad.__file__
     document = App.newDocument("Console")
