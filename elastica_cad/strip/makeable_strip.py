@@ -31,12 +31,8 @@ from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults
 
 # knot spacing of a correction as a fraction of the length; it is large, so that outlines stay smooth
 SPACING_SHARE = 1 / 24
-SMOOTHING_PENALTY = (
-    5e-3  # penalty on second differences of the coefficients of a correction, relative to the deviation
-)
-SIZE_PENALTY = (
-    7e-3  # penalty on the coefficients, relative to the deviation; it selects the smallest correction
-)
+SMOOTHING_PENALTY = 5e-3  # penalty on second differences of the coefficients, relative to the deviation
+SIZE_PENALTY = 7e-3  # penalty on the coefficients, relative to the deviation
 
 
 def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
@@ -106,9 +102,7 @@ def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray
 ROUNDS = 8
 LEAST_GAIN = 0.97  # iterations end if one iteration does not reduce the deviation below this fraction
 LARGEST_GUESS = 0.5  # largest logarithm of the factor on the width in the initial guess
-SMALL_DEVIATION_FRACTION = (
-    1e-5  # deviation below which iterations end, as a fraction of the length of the strip
-)
+SMALL_DEVIATION_FRACTION = 1e-5  # deviation at which iterations end, as a fraction of the length
 
 
 def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:

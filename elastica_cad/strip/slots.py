@@ -170,7 +170,6 @@ def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
 
 
 def _left_of(tangents: FloatArray) -> FloatArray:
-    """Return unit normals (k, 2) to the left of tangents (k, 2)."""
     normals = np.stack([-tangents[:, 1], tangents[:, 0]], axis=1)
     return np.asarray(normals / np.hypot(*tangents.T)[:, None], dtype=float)
 
@@ -187,7 +186,6 @@ class _Side:
     bent: Spline | None = None
 
     def drawn(self, beyond: float) -> list[Segment]:
-        """Return the segments of the side, with a straight extension by `beyond` mm."""
         onward = self.points[-1] + self.direction * beyond / np.hypot(*self.direction)
         if self.bent is None:
             return [Line(self.points[0], onward)]
@@ -195,7 +193,7 @@ class _Side:
 
 
 def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
-    """Return the right and the left side, as seen from the inner end towards the edge."""
+    """Return the right and the left side, as seen from the inner end of the slot."""
     points, widths = slot.center_line(width)
     t = lengths_along(points)
     degree = min(3, len(points) - 1)
@@ -246,8 +244,7 @@ class _Place:
 class _Opening:
     """Opening of a slot in the outline.
 
-    `out` and `back` are the positions where the cut leaves the outline and returns to it. `points` are points
-    along the cut.
+    The cut leaves the outline at `out` and returns to it at `back`. `points` are points along the cut.
     """
 
     slot: Slot
@@ -336,7 +333,7 @@ class _Edge:
         for k, chords in enumerate(cut):
             low, high = chords.points.min(axis=0) - FLAT_MM, chords.points.max(axis=0) + FLAT_MM
             near = ((self.low <= high) & (self.high >= low)).all(axis=1)
-            # each segment only once, in the original order
+            # a segment may have several chords near the slot
             for i in dict.fromkeys(self.owner[near].tolist()):
                 for u, v in chord_crossings(self.chords[i], chords):
                     point = chords.segment.at(v)
@@ -348,7 +345,6 @@ class _Edge:
         return crossings
 
     def spliced(self, openings: Sequence[_Opening]) -> list[Segment]:
-        """Return the outline with all slots: the edge between successive slots, and the cuts of the slots."""
         chain: list[Segment] = []
         for before, after in zip([openings[-1], *openings[:-1]], openings, strict=True):
             chain += _between(self.segments, before.back, after.out)
@@ -357,7 +353,6 @@ class _Edge:
 
 
 def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segment]:
-    """Return the part of a closed chain between two positions. It may continue past the end of the chain."""
     if start.segment == end.segment and start.u <= end.u:
         return _piece(chain[start.segment], start.u, end.u)
     following = range(start.segment + 1, end.segment + (len(chain) if end.segment <= start.segment else 0))
@@ -366,7 +361,7 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
 
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
-    """Return the part of a segment between two parameters, as a list that is empty if both are nearly equal."""
+    """Return the part of a segment between two parameters as a list, empty if both are nearly equal."""
     if u1 - u0 < SAME_PARAMETER and np.hypot(*(segment.at(u1) - segment.at(u0))) < SAME_POINT_MM:
         return []
     return [trim_segment(segment, u0, u1)]
@@ -598,14 +593,13 @@ def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: 
 
 
 def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: Cuts) -> bool:
-    """Return True if a box (4, 2) is inside the bent part and clear of other boxes (2, 2) and of cuts."""
     if not _on_free_part(box, width) or (taken and boxes_meet(np.array(taken), box_about(box)).any()):
         return False
     return cuts.clear_of(box)
 
 
 def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
-    """Yield possible texts for a slot, the largest first: beyond its inner end, then on either side."""
+    """Yield possible texts for a slot, by decreasing height, beyond the inner end and on either side."""
     points, _ = slot.center_line(width)
     inward = -1.0 if slot.side == "upper" else 1.0
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()

@@ -26,7 +26,7 @@ from elastica_cad.strip.outline import Tab, close_chain, fix_tab_widths
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.tapered_solids import RoundSolid, side_view
 
-FLAT_CORNER = 1e-14
+COLLINEAR_TOLERANCE = 1e-14
 """Twice the least area of the triangle at a corner of a convex hull, as a fraction of the square of the largest
 extent."""
 
@@ -40,7 +40,7 @@ def centred_thickness(strip: Strip) -> float:
 
 
 def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
-    """Return the position of every joint in the flat strip, mm, and 1 or -1 for the direction of its x axis."""
+    """Return x and y of every joint in the flat strip, mm, and the direction, 1 or -1, of the joint's x axis."""
     places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
     for number, hole in enumerate(strip.holes, start=1):
         x, y = map(float, hole.bounds.mean(axis=0))
@@ -49,7 +49,7 @@ def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
 
 
 def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
-    """Return the joints with two more for every hole: "hole1:top" and "hole1:bottom" on the faces of the strip."""
+    """Return the joints and, for every hole, joints on the "top" and "bottom" face of the strip."""
     frames = dict(joints)
     for name, frame in joints.items():
         if name.startswith("hole"):
@@ -75,10 +75,10 @@ FEW_SPANS = 8
 """Largest number of spans of a spline that is extruded without a check of the area that the CAD kernel
 computes."""
 
-EVEN_SHARE = 1e-4
+AREA_TOLERANCE = 1e-4
 """Largest error of the area of a face in a CAD kernel, as a fraction of the area of the part."""
 
-RULE = np.polynomial.legendre.leggauss(16)
+GAUSS_RULE = np.polynomial.legendre.leggauss(16)
 """Points in -1..1 and weights of the quadrature rule that OpenCASCADE uses along an extruded spline, for any
 number of spans."""
 
@@ -156,12 +156,12 @@ class FlatSolid:
 
     @property
     def area(self) -> float:
-        """mm2."""
+        """Area of the plate, mm2."""
         return abs(self.outline.area) - sum(abs(hole.area) for hole in self.holes)
 
     @property
     def volume(self) -> float:
-        """mm3."""
+        """Volume of the plate, mm3."""
         return self.area * self.thickness
 
     @property
@@ -172,7 +172,7 @@ class FlatSolid:
             spline for spline in segments if isinstance(spline, Spline) and not spline.curve.is_rational
         ]
         many = [spline for spline in splines if knot_runs(spline.curve.knots)[0].size > FEW_SPANS + 1]
-        return not many or _misread_area(many) <= EVEN_SHARE * self.area
+        return not many or _misread_area(many) <= AREA_TOLERANCE * self.area
 
     @cached_property
     def boundary(self) -> Boundary:
@@ -183,7 +183,7 @@ class FlatSolid:
 
 def _misread_area(sides: Sequence[Spline]) -> float:
     """Return the error of the areas below splines, mm2, if one quadrature rule covers all spans of a spline."""
-    points, weights = RULE
+    points, weights = GAUSS_RULE
     off = 0.0
     for side in sides:
         curve, (first, last) = side.curve, side.curve.domain
@@ -333,7 +333,7 @@ class BentSolid:
     def _ring(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
         """Return a closed strip without its lap.
 
-        It has a small gap, because CAD kernels fail on bodies that touch.
+        Its ends have a gap, because CAD kernels fail on bodies that touch.
         """
         half, layer = strip.sheet.thickness / 2, strip.layers[0]
         outline = clip_across(layer.outline, 0.0, strip.rod.length - JOINT_GAP_MM)
@@ -416,13 +416,13 @@ class BentSolid:
 def glued(records: Sequence["BodyRecord | PrismSolid"]) -> "tuple[BodyRecord | PrismSolid, ...]":
     """Return the sheets of a strip for a single body, with gaps of `GLUE_MM` between them.
 
-    Boolean operations of OpenCASCADE require that the solids of a shape share faces or do not touch. Shared faces
-    cannot be computed reliably where base and backing are equally wide.
+    Boolean operations of OpenCASCADE need solids that share faces or do not touch, and shared faces are
+    not reliable where base and backing are equally wide.
     """
-    return tuple(_lifted(record, number * GLUE_MM) for number, record in enumerate(records))
+    return tuple(_moved_apart(record, number * GLUE_MM) for number, record in enumerate(records))
 
 
-def _lifted(record: "BodyRecord | PrismSolid", gap: float) -> "BodyRecord | PrismSolid":
+def _moved_apart(record: "BodyRecord | PrismSolid", gap: float) -> "BodyRecord | PrismSolid":
     """Return a sheet moved by `gap` mm, away from the curve or along z."""
     if not gap or isinstance(record, PrismSolid):
         return record
@@ -494,7 +494,7 @@ def convex_corners(points: FloatArray) -> FloatArray:
     [[0.0, 0.0], [2.0, 0.0], [1.0, 2.0]]
     """
     in_order = np.asarray(points, dtype=float)[np.lexsort(np.transpose(points)[::-1])]
-    least = FLAT_CORNER * float(np.ptp(in_order, axis=0).max()) ** 2
+    least = COLLINEAR_TOLERANCE * float(np.ptp(in_order, axis=0).max()) ** 2
     corners: list[list[float]] = []
     for row in (in_order.tolist(), in_order[::-1].tolist()):
         corners = corners[:-1]

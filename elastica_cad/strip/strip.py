@@ -187,8 +187,8 @@ class Shoulder:
         )  # fmt: skip
 
 
-def _find_shoulders(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) -> tuple[Shoulder, ...]:
-    """Return the ends of a strip whose tabs are strained beyond their limit by the moment there."""
+def _overstrained_tabs(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) -> tuple[Shoulder, ...]:
+    """Return the ends of a strip at which the moment strains the tab beyond the limit."""
     if layout.size is not None:  # the tabs of a planed or turned strip are as wide as the strip
         return ()
     shoulders = []
@@ -208,10 +208,10 @@ def _find_shoulders(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) 
     return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
 
 
-LINEAR_CREEP_SHARE = 0.5
+LINEAR_CREEP_FRACTION = 0.5
 """Strain, as a fraction of the strain limit, above which creep grows faster than the stress."""
 
-STRAIGHT_SHARE = 1e-6
+STRAIGHT_FRACTION = 1e-6
 """Curvature, as a fraction of the largest curvature, below which the strip counts as straight."""
 
 UNEVEN_JOINT_MM = 0.05
@@ -219,7 +219,6 @@ UNEVEN_JOINT_MM = 0.05
 
 
 def _breadth_message(width: Profile, tapered: dict[str, Profile], digits: str) -> str:
-    """Return a text with the width of a strip, and its thickness if it varies."""
     spans: dict[str, Any] = {
         name: Span.of(*size.extremes, digits) for name, size in {"width": width, **tapered}.items()
     }
@@ -229,14 +228,12 @@ def _breadth_message(width: Profile, tapered: dict[str, Profile], digits: str) -
 
 
 def _mark_on_backing(curvature: FloatArray) -> str:
-    """Return the word that is engraved on both sheets of a laminate.
+    """Return the side of the bend, INSIDE or OUTSIDE, to which the engraved faces of a laminate point.
 
-    INSIDE or OUTSIDE is the side of the bend to which the engraved faces point.
-
-    Seen from the start, the backing is on the right of the curve. It is therefore outside where the curve bends to
-    the left. If the sense of bending changes, the word is for the first bend, with "AT START".
+    Seen from the start, the backing is on the right of the curve. If the sense of bending changes, the
+    word is for the bend at the start, with "AT START".
     """
-    small = STRAIGHT_SHARE * float(np.abs(curvature).max(initial=0.0))
+    small = STRAIGHT_FRACTION * float(np.abs(curvature).max(initial=0.0))
     bent = curvature[np.abs(curvature) > small]
     if not bent.size:
         return ""
@@ -264,7 +261,7 @@ def _backing_message(mark: str) -> str:
 
 
 def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str:
-    """Return a sentence on the joint of a closed strip and its load; `width` is the width there, mm."""
+    """Return a sentence on the joint of a closed strip and the load there, where `width` is in mm."""
     how = (
         note(
             "glue the tab of {lap} at its end, bent along the curve, to the inside of its start",
@@ -281,7 +278,6 @@ def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str
 
 
 def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
-    """Yield warnings about layers that are strained beyond the limits of their sheets."""
     bend = bends.amount
     for layer in strains:
         at = layer.station
@@ -318,7 +314,6 @@ def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: b
 
 
 def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], bends: Bends) -> Iterator[str]:
-    """Yield warnings about plywood bent to less than its published radius, unless its strain causes a warning."""
     bend = bends.amount
     tightest = int(np.argmax(bend))
     for cut, layer in zip(layers, strains, strict=False):
@@ -335,11 +330,11 @@ def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], be
 
 def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Creep | None]) -> Iterator[str]:
     """Yield warnings if creep of the most strained layer is not linear, or if the strip snaps after creep."""
-    if strained.largest > LINEAR_CREEP_SHARE * strained.limit:
+    if strained.largest > LINEAR_CREEP_FRACTION * strained.limit:
         yield note(
             "The strain of {strain:.2f} % is more than {share:.0f} % of the sheet's limit, so creep there is "
             "larger than computed. Use a thinner sheet or a gentler curve.",
-            strain=100 * strained.largest, share=100 * LINEAR_CREEP_SHARE, severity="warning",
+            strain=100 * strained.largest, share=100 * LINEAR_CREEP_FRACTION, severity="warning",
         )  # fmt: skip
     try:
         later = crept()
@@ -642,8 +637,8 @@ class Strip:
 
     @cached_property
     def _shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
-        """Tabs and cuts with a strain above the limit. The cuts are for pins and ties."""
-        shoulders = _find_shoulders(self.layout, self.ends, self.strains)
+        """Tabs, and cuts for pins and ties, with a strain above the limit."""
+        shoulders = _overstrained_tabs(self.layout, self.ends, self.strains)
         return (*shoulders, *strained_cuts(self.rod, self.layout))
 
     @cached_property

@@ -78,8 +78,7 @@ def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> 
     return felt, 1.0 if felt is None else (length / felt.length) ** 3
 
 
-def _lightened(loads: Loads, share: float) -> Loads:
-    """Return the loads with their masses multiplied by `share`. Forces and a weight in newtons are unchanged."""
+def _with_masses_in_plane(loads: Loads, share: float) -> Loads:
     if isinstance(loads, Weight):
         return loads
     return tuple(
@@ -88,11 +87,8 @@ def _lightened(loads: Loads, share: float) -> Loads:
 
 
 def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight | None:
-    """Return the weight for `optimal_rod`, or None.
-
-    `share` is the fraction of a mass that acts in the plane of the curve.
-    """
-    felt = _lightened(loads, share)
+    """Return the weight for `optimal_rod`; `share` is the fraction of a mass that acts in the plane."""
+    felt = _with_masses_in_plane(loads, share)
     if isinstance(felt, Weight):
         return felt
     masses = tuple(load for load in felt if isinstance(load, PointMass))
@@ -119,7 +115,7 @@ def _direction(direction: object) -> tuple[float, ...]:
 NEAREST_CALL = (
     "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve then is."
 )
-"""Note that is added in Python to errors about a curve that may not be changed."""
+"""Instruction for Python that is added to errors about a curve that may not change."""
 
 
 def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
@@ -142,13 +138,10 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
         )
 
 
-def _check_law(
+def _check_section_law(
     law: BoundedLaw, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
 ) -> None:
-    """Raise InputError if a section law cannot be combined with style, tabs, slots, sheet or widths.
-
-    `sized` is True if a width is given.
-    """
+    """Raise InputError for a section law that cannot be combined with style, tabs, slots, sheet or widths."""
     shaped = bool(slots) or any(tab != Tab(tab.length) for tab in ends)
     shaped = shaped and getattr(law, "quantity", "") != "width"
     if not isinstance(style, Plain) or sized or shaped:
@@ -172,8 +165,7 @@ def _check_law(
         )
 
 
-def _check_together(spec: RodSpec) -> None:
-    """Raise InputError for requests that exclude each other."""
+def _check_conflicts(spec: RodSpec) -> None:
     if spec.layers is not None and (spec.may_change or spec.natural_curvature != 0.0):
         raise InputError(
             "with {gravity}, a laminate can only be made for the drawn curve itself and from flat sheets. "
@@ -209,13 +201,13 @@ def _check_together(spec: RodSpec) -> None:
         )
 
 
-def _limits_beside(
+def _limits_with_sheet_and_widths(
     limits: Limits, sheet: Sheet, style: Style, *, max_width: float | None, min_width: float | None
 ) -> Limits:
-    """Return the limits of a strip without a section law, with the limits from its sheet and widths.
+    """Return the limits of a strip without a section law, with the limits from sheet and widths.
 
-    The width of a solid strip can be limited by `limits.width` and by `max_width` and `min_width`. The result is
-    the intersection of both ranges.
+    The width of a solid strip can be limited by `limits.width` and by `max_width` and `min_width`. The
+    result is the intersection of both ranges.
     """
     if (
         limits.sheet is not None
@@ -251,7 +243,6 @@ def _limits_beside(
 
 
 def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: FabricationLimits) -> float:
-    """Return the largest ratio of the widths of a solid strip that the workshop can cut from a sheet."""
     least = shop.width_for(sheet)
     if min_width > max_width:
         raise InputError(
@@ -546,7 +537,7 @@ class StripSpec(EqualByValue):
         ends, slots = pair_of_tabs(self.ends), several("slots", self.slots, Slot, "Slot")
         sized = bool(self.max_width or self.min_width)
         if self.law is not None:
-            _check_law(self.law, self.material, self.style, ends, slots, sized=sized)
+            _check_section_law(self.law, self.material, self.style, ends, slots, sized=sized)
         elif isinstance(self.style, Plain) and not (sized or self.loads):
             raise InputError(NO_WIDTH, where={"field": "max_width"})
         _check_seam(self.seam_position, self.curve)
@@ -561,13 +552,13 @@ class StripSpec(EqualByValue):
         }
         for name, value in settled.items():
             object.__setattr__(self, name, value)
-        _check_together(self.rod_spec)
+        _check_conflicts(self.rod_spec)
         if self.between or self.rod_spec.point_forces:
             self._require_alone()
 
     def _require_alone(self) -> None:
         """Raise InputError for fields that cannot be combined with elements and point forces."""
-        curve = self._begun
+        curve = self._curve_from_seam
         conflicts = {
             "a law": ("law", self.law is not None),
             "a nearest curve": ("limits" if self.limits is not None else "keep", self.may_change),
@@ -594,11 +585,11 @@ class StripSpec(EqualByValue):
     @cached_property
     def gravity_in_plane(self) -> Gravity | None:
         """Gravity that acts on the rod in the plane of its curve."""
-        return self._pulled[0]
+        return self._gravity_and_fraction[0]
 
     @cached_property
-    def _pulled(self) -> tuple[Gravity | None, float]:
-        """Gravity in the plane of the curve, and the fraction of a weight that acts in it."""
+    def _gravity_and_fraction(self) -> tuple[Gravity | None, float]:
+        """Gravity in the plane of the curve, and the fraction of a weight that acts in this plane."""
         return pull_in_plane(self.gravity, self.material, self.frame)
 
     @property
@@ -606,8 +597,8 @@ class StripSpec(EqualByValue):
         """Equivalent request in the coordinates of the curve's plane, without a frame in space."""
         if self.frame is None:
             return self
-        gravity, share = self._pulled
-        return replace(self, frame=None, gravity=gravity, loads=_lightened(self.loads, share))
+        gravity, share = self._gravity_and_fraction
+        return replace(self, frame=None, gravity=gravity, loads=_with_masses_in_plane(self.loads, share))
 
     @property
     def may_change(self) -> bool:
@@ -621,7 +612,7 @@ class StripSpec(EqualByValue):
         It does not depend on the ends, slots and label of the strip. Widths have an effect only through loads,
         limits, a section law or smoothing.
         """
-        gravity, share = self._pulled
+        gravity, share = self._gravity_and_fraction
         layers: LaminateLayers | None = None
         weight = _hung_weight(self.loads, share, gravity)
         forces = [] if isinstance(self.loads, Weight) else self.loads
@@ -632,7 +623,7 @@ class StripSpec(EqualByValue):
                     "a laminate's own weight follows from its layers: give loads as PointMass records only"
                 )
         return RodSpec(
-            self._begun,
+            self._curve_from_seam,
             gravity,
             self.supports,
             self.natural_curvature,
@@ -647,7 +638,9 @@ class StripSpec(EqualByValue):
             section=self._section(share),
             widths=self._widths,
             # smoothing depends on the widths only if the outline may have a step
-            outline_widths=(self.max_width, self.min_width) if may_step(self._begun) else (None, None),
+            outline_widths=(self.max_width, self.min_width)
+            if may_step(self._curve_from_seam)
+            else (None, None),
         )
 
     @cached_property
@@ -704,10 +697,11 @@ class StripSpec(EqualByValue):
         return WidthRange(self.material, least, self.max_width)
 
     @cached_property
-    def _begun(self) -> PlaneCurve:
+    def _curve_from_seam(self) -> PlaneCurve:
         """Curve to which the strip is bent.
 
-        A closed curve starts at the seam, or by default at the point of least curvature if it may not change.
+        A closed curve starts at the seam, or by default at the point of least curvature if the curve may
+        not change.
         """
         curve = self.run_ins.bent
         # the request for the rod raises the error for corners
@@ -736,10 +730,7 @@ class StripSpec(EqualByValue):
         return WidthLaw(self.material, self.min_width or 0.0, np.inf)
 
     def _section(self, share: float) -> BoundedLaw | None:
-        """Return the section law of the strip.
-
-        The density of its sheet is scaled, so that its weight is the part that acts in the plane of the curve.
-        """
+        """Return the section law, with the density scaled to the weight that acts in the plane of the curve."""
         law: BoundedLaw | None = self.law
         felt = self.gravity_in_plane
         asks_for_margin = self.limits is not None and self.limits.margin is not None
@@ -767,7 +758,7 @@ class StripSpec(EqualByValue):
             return limits
         if self.law is None:
             widths = {"max_width": self.max_width, "min_width": self.min_width}
-            limits = _limits_beside(limits, self.material, self.style, **widths)
+            limits = _limits_with_sheet_and_widths(limits, self.material, self.style, **widths)
         if limits.sheet is None:
             limits = replace(limits, sheet=self.material)
         if self.law is None and isinstance(self.style, Plain) and self.max_width is not None:
@@ -860,7 +851,7 @@ class StripSpec(EqualByValue):
                 field=FieldName("gravity"),
             )
         widths = self.max_width, self.min_width
-        bent = Smoothing(self._begun, self.smooth, self.supports, widths=widths).curve
+        bent = Smoothing(self._curve_from_seam, self.smooth, self.supports, widths=widths).curve
         return LaminateLayers(
             LaminatedSection(self.material, style.backing),
             width_profile(style.width, bent.length, "the width of the base"),

@@ -38,7 +38,7 @@ WIDTH_MM = 1e-6
 """Largest error, mm, of the profile that approximates a width given as a function."""
 
 
-SIZE_SHARE = 3e-6
+SIZE_TOLERANCE = 3e-6
 """Largest relative error of the thickness or diameter of a section, about equal to the error of the stiffness."""
 
 CORRECTION_TOLERANCE = 1e-6
@@ -47,11 +47,10 @@ CORRECTION_TOLERANCE = 1e-6
 CURVATURE_STATIONS = 2001
 """Number of stations on a curve at which the strain is computed."""
 
-_RODS = 64  # number of rods in the cache of `bends_along`; equal strips of a model have the same rod
+_CACHED_RODS = 64  # number of rods in the cache of `bends_along`; equal strips of a model have the same rod
 
 MOST_EXTREMES = 200
-"""Largest number of local extremes around which stations are added. Further extremes are due to rounding
-errors."""
+"""Largest number of local extremes with additional stations, because more extremes are rounding errors."""
 
 GUIDE_MM = 0.5
 """Least distance between the edges of backing and base, mm, for which the edges of the backing are marked."""
@@ -61,7 +60,6 @@ NO_WIDTH = note(
     "a strip needs {max_width} or {min_width}, in mm, because its curve sets only the ratio of its widths",
     max_width=FieldName("max_width"), min_width=FieldName("min_width"),
 )  # fmt: skip
-"""Message for a solid strip without a width."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -254,8 +252,8 @@ class Plain:
         """
         require_laid_out(rod, sheet, max_width, min_width)
         if rod.section is not None:
-            sized = _of_section(rod, rod.section, sheet)
-            _within(sized.width, rod, min_width, max_width, slack=SAME_SCALE)
+            sized = _laid_out_by_section(rod, rod.section, sheet)
+            _require_width_within(sized.width, rod, min_width, max_width, slack=SAME_SCALE)
             return sized
         if max_width is None and min_width is None and rod.bending_stiffness is None:
             raise InputError(NO_WIDTH)
@@ -266,7 +264,7 @@ class Plain:
         else:
             factor = (min_width or 0.0) / low if max_width is None else max_width / high
         width = rod.profile.scaled(factor)
-        _within(width, rod, min_width, max_width, slack=SEEN_APART)
+        _require_width_within(width, rod, min_width, max_width, slack=SEEN_APART)
         return Layout(sheet, width, material=width, bending_stiffness=factor * rigidity)
 
 
@@ -292,10 +290,9 @@ def require_laid_out(rod: object, sheet: object, *widths: object) -> None:
             require_number(width, "a width", "mm")
 
 
-def _within(
+def _require_width_within(
     width: Profile, rod: Rod, min_width: float | None, max_width: float | None, *, slack: float
 ) -> None:
-    """Raise InputError for a width that is outside its limits."""
     narrow, wide = width.extremes
     if min_width is not None and narrow * (1 + slack) < min_width:
         shown, limit = distinct_digits(narrow, min_width, ".4g")
@@ -320,8 +317,7 @@ def _within(
         )
 
 
-def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
-    """Return the flat pattern for a section law, which determines the width, thickness or diameter."""
+def _laid_out_by_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
     profile = rod.profile
     if (stack := section.stack) is not None:
         B = rod.bending_stiffness or 1.0
@@ -335,7 +331,7 @@ def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
     B = scale_within(law, profile(s), solved=rod.bending_stiffness, heavy=rod.gravity is not None)
     size = Profile.fit(
         lambda s: section.bent(_bend_between_steps(rod, s), rod.rest_at(s)).parameter(B * profile(s)), rod.length,
-        breaks=profile.breaks, knots=profile.knots, tolerance=SIZE_SHARE * limit,
+        breaks=profile.breaks, knots=profile.knots, tolerance=SIZE_TOLERANCE * limit,
     )  # fmt: skip
     if section.quantity == "width":
         return Layout(sheet, size, material=size, bending_stiffness=B, section=section)
@@ -346,10 +342,7 @@ def _of_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
 
 
 def _bend_between_steps(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return kappa - kappa_0 (n,), 1/mm, at stations s.
-
-    It is interpolated linearly across steps of the stiffness.
-    """
+    """Return kappa - kappa_0 (n,), 1/mm, at stations s, interpolated linearly across steps of the stiffness."""
     bend = rod.bend_at(s)
     for step in rod.profile.steps:
         inside = (s > step[0]) & (s < step[1])
@@ -358,7 +351,6 @@ def _bend_between_steps(rod: Rod, s: FloatArray) -> FloatArray:
 
 
 PLAIN = Plain()
-"""Default style."""
 
 
 def width_profile(width: Width, length: float, name: str) -> Profile:
@@ -417,11 +409,11 @@ def correct_layout(
         tolerance=CORRECTION_TOLERANCE * float(drawn.extremes[1]),
     )  # fmt: skip
     layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
-    # convert to E I where K = 1 in the original rod: `with_stiffness` divides K by the minimum of the corrected K
+    # `with_stiffness` divides K by the minimum of the corrected K
     return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
 
 
-@lru_cache(maxsize=_RODS)
+@lru_cache(maxsize=_CACHED_RODS)
 def bends_along(rod: Rod) -> Bends:
     """Return the change of curvature of a rod at stations along its curve and on both sides of jumps."""
     if rod.shape is None:

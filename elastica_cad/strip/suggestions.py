@@ -26,10 +26,9 @@ from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
-MOST = 4
-"""Largest number of suggestions."""
+MOST_SUGGESTIONS = 4
 
-FIRST = ("smooth", "split_corners", "nearest")
+FIRST_FIELDS = ("smooth", "split_corners", "nearest")
 """Names of the fields whose changes are tested before changes of other fields."""
 
 MOST_TRIED = 3
@@ -170,24 +169,24 @@ def suggest(
         if (suggestion := next(filter(None, held), None)) is not None:
             yield suggestion
             count += 1
-        if count == MOST:
+        if count == MOST_SUGGESTIONS:
             return
 
 
 def _changes(spec: StripSpec, problem: ElasticaError) -> Iterator[Iterable[Change]]:
-    """Yield the possible changes of each field. Of each group, the first suitable change is suggested."""
+    """Yield the possible changes of each field, of which the first suitable change is suggested."""
     named = problem.refusal.changes
-    fields = dict.fromkeys((*FIRST, *(change.field for change in named)))
-    exact = isinstance(problem, NotRealizable) and _is_bare(spec)
+    fields = dict.fromkeys((*FIRST_FIELDS, *(change.field for change in named)))
+    exact = isinstance(problem, NotRealizable) and _is_unloaded(spec)
     if exact:
         yield _moved_points(spec)
     for name in fields:
         yield [change for change in named if change.field == name]
-        if exact and name == FIRST[-1]:
+        if exact and name == FIRST_FIELDS[-1]:
             yield _support(spec)
     if isinstance(problem, StrainError):
         share = problem.refusal.values["percent"] / 100
-        yield _sheets(spec, share)
+        yield _change_of_sheet(spec, share)
         yield [Change("size", rounded_up(1.01 * share, 2))]
 
 
@@ -205,16 +204,15 @@ def _support(spec: StripSpec) -> Iterator[Change]:
             yield Change("between", element)
 
 
-def _is_bare(spec: StripSpec) -> bool:
-    """Return True for a request without weight, loads and elements whose curve may not change."""
+def _is_unloaded(spec: StripSpec) -> bool:
     return not (spec.may_change or spec.between or spec.loads) and spec.gravity is None
 
 
-def _sheets(spec: StripSpec, share: float) -> Iterator[Change]:
+def _change_of_sheet(spec: StripSpec, share: float) -> Iterator[Change]:
     """Yield a change to the thickest sheet that withstands the curve, preferably of the same kind.
 
-    `share` is the strain divided by the limit of the present sheet. If that is a sheet of the user, only sheets of
-    its kind are considered.
+    `share` is the strain divided by the limit of the present sheet. If that is a sheet of the user, only
+    sheets of its kind are considered.
     """
     own, listed = spec.material, spec.material.name in sheet_names()
     bears = share * own.max_strain / own.thickness
@@ -226,7 +224,6 @@ def _sheets(spec: StripSpec, share: float) -> Iterator[Change]:
 
 
 def _requests(spec: StripSpec, change: Change) -> Sequence[StripSpec]:
-    """Return the requests with a change, or an empty list if the change does not apply."""
     match change.field, change.value:
         case "point", (index, place):
             points = spec.curve.control_points.copy()
@@ -270,5 +267,4 @@ def _held(spec: StripSpec, change: Change) -> Suggestion | None:
 
 
 def _size(spec: StripSpec) -> float:
-    """Return the diagonal of the bounding box of the curve, mm."""
     return float(np.hypot(*np.ptp(spec.curve.bounds, axis=0)))

@@ -21,7 +21,6 @@ from elastica_cad.strip.holding_template import distance_between, distance_of_ti
 from elastica_cad.strip.strip import Strip
 
 LATER = "…"
-"""Text of a row whose result is still being computed."""
 
 
 def strip_rows(
@@ -201,7 +200,7 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
     largest = float(np.hypot(*rod.force.T).max())
     texts = [
         _element_text(
-            action, rod, bending_stiffness * action.size if action.size > NO_FORCE_SHARE * largest else 0.0
+            action, rod, bending_stiffness * action.size if action.size > NO_FORCE_FRACTION * largest else 0.0
         )
         for action in rod.between
     ]
@@ -212,7 +211,7 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
     yield Row(note("Between"), sentences(texts, "; "), (details,))
 
 
-NO_FORCE_SHARE = 1e-6
+NO_FORCE_FRACTION = 1e-6
 """Force of an element, as a fraction of the largest force in the rod, below which it is a rounding error."""
 
 SMALLEST_GAP_MM = 0.01
@@ -225,7 +224,6 @@ The displacement of the strip by this error is reported."""
 
 
 def _mounting_rows(strip: Strip) -> Iterator[Row]:
-    """Yield a row on the displacement of the strip by errors in mounting rails, pins and ties."""
     if not strip.rod.between:
         return
     texts = [

@@ -157,10 +157,10 @@ class TabSeat:
         return float(turn[k] + STOP_RAD * max(0.0, room[k]) / (max(0.0, room[k]) - room[k + 1]))
 
 
-STEP_SHARE = 0.05  # largest shift of an end in a step, as a fraction of the length
+STEP_FRACTION = 0.05  # largest shift of an end in a step, as a fraction of the length
 STEP_RAD = 0.15  # largest turn of an end in a step, rad
 # penalty for an overlap relative to the forces; larger than most Lagrange multipliers of contacts
-PRICE = 100.0
+OVERLAP_PENALTY = 100.0
 TAB_PIECES = 16  # number of pieces of a tab; the error of its turn at the end of the bent part is 0.5 %
 
 
@@ -243,14 +243,14 @@ class SeatedEnd:
 
 def _chain(pieces: int) -> FloatArray:
     """Return the Hessian (m, m) of the energy of a chain of m pieces whose joints have the stiffness 1."""
-    # the first joint stands for the bending of half a piece, the others for that of a whole piece
+    # the joint at the bent part has the stiffness of half a piece
     springs = np.ones(pieces)
     springs[:1] = 2.0
     joints = np.eye(pieces) - np.eye(pieces, k=-1)
     return np.asarray(joints.T @ (springs[:, None] * joints))
 
 
-def _step_within(
+def _constrained_step(
     hessian: FloatArray,
     gradient: FloatArray,
     walls: tuple[FloatArray, FloatArray],
@@ -258,7 +258,7 @@ def _step_within(
     shifts: Sequence[int],
     *,
     scale: float,
-    price: float = PRICE,
+    penalty: float = OVERLAP_PENALTY,
     reach: float = np.inf,
 ) -> QuadraticSolution:
     """Return the next step of sequential quadratic programming for n unknowns and k contacts, mm.
@@ -282,8 +282,8 @@ def _step_within(
     """
     rows, gaps = walls
     bound = np.full(gradient.size, STEP_RAD * length)
-    bound[shifts] = STEP_SHARE * length
-    each = price * (np.abs(gradient).max() / scale + bound.max())
+    bound[shifts] = STEP_FRACTION * length
+    each = penalty * (np.abs(gradient).max() / scale + bound.max())
     program = QuadraticProgram(
         hessian / scale, gradient / scale, -np.minimum(bound, reach), np.minimum(bound, reach), rows, -gaps,
         np.full(gaps.size, each), np.ones(gaps.size, dtype=bool),
@@ -293,17 +293,17 @@ def _step_within(
 
 MOST_STEPS = 60
 RENEWED_SHARE = (
-    0.003  # step, as a fraction of the length, above which the stiffness of the ends is computed anew
+    0.003  # step above which the stiffness of the ends is computed again, as a fraction of the length
 )
-SHORTER, LONGER = 0.5, 2.0  # factors on the step limit: after a reversal of direction, and after other steps
-DIFFERENCE_SHARE = 1e-5  # step of the finite differences of reactions, as a fraction of the length
-SETTLED_SHARE = 1e-9  # length of the step, as a fraction of the length of the strip, at which the search ends
-LEAST_SHARE = 1e-6  # least eigenvalue of a stiffness matrix as a fraction of the largest eigenvalue
-DEARER = 10.0  # factor by which the penalty is increased if a tab still overlaps its holder
-DEAREST = 1e6  # penalty at which the search ends, because the tab does not fit into its holder
-OVERLAP_SHARE = 1e-7  # largest overlap that counts as a rounding error, as a fraction of the length
+SHORTER_STEP, LONGER_STEP = 0.5, 2.0  # factors on the largest step after a reversal, and after other steps
+DIFFERENCE_FRACTION = 1e-5  # step of the finite differences of reactions, as a fraction of the length
+SETTLED_FRACTION = 1e-9  # step length at which the search ends, as a fraction of the length of the strip
+LEAST_EIGENVALUE_FRACTION = 1e-6  # least eigenvalue of a stiffness matrix, relative to the largest eigenvalue
+PENALTY_FACTOR = 10.0  # factor by which the penalty is increased if a tab still overlaps its holder
+LARGEST_PENALTY = 1e6  # penalty at which the search ends, because the tab does not fit into its holder
+OVERLAP_FRACTION = 1e-7  # largest overlap, as a fraction of the length, that counts as a rounding error
 SEATING_STEPS = 3
-SEATING = 1e4  # factor on the stiffness of the ends during the first steps, in which only the tabs bend
+SEATING_FACTOR = 1e4  # factor on the stiffness of the ends in the initial steps, in which only tabs bend
 
 
 def rest_in_seats(
@@ -342,38 +342,43 @@ def rest_in_seats(
     ]
     if not seated:
         return bend(rod, start=design.position[0], end=design.position[-1]), (EndPose(), EndPose())
-    problem = _Held(rod, design, tuple(seated))
+    problem = _ContactProblem(rod, design, tuple(seated))
     q = np.zeros(problem.slices[-1].stop)
     rod = problem.bent(q, rod)
     stiffness = problem.end_stiffness(q, rod)
     firm = _made_definite(stiffness)
     # first bend the tabs into their holders, because overlaps of straight tabs would move the strip too far
     for _ in range(SEATING_STEPS):
-        q = q + problem.step(q, rod, SEATING * firm).x
+        q = q + problem.step(q, rod, SEATING_FACTOR * firm).x
     rod = problem.bent(q, rod)
-    step, pushes, price, reach = np.zeros(q.size), np.zeros(len(problem.walls(q)[1])), PRICE, np.inf
+    step, pushes, penalty, reach = (
+        np.zeros(q.size),
+        np.zeros(len(problem.walls(q)[1])),
+        OVERLAP_PENALTY,
+        np.inf,
+    )
     for _ in range(MOST_STEPS):
         if np.abs(step).max() > RENEWED_SHARE * design.length:
             stiffness = problem.end_stiffness(q, rod)
         firm = _made_definite(stiffness - problem.wall_bends(q, pushes))
-        solution = problem.step(q, rod, firm, price=price, reach=reach)
+        solution = problem.step(q, rod, firm, penalty=penalty, reach=reach)
         before, step, pushes = step, solution.x, solution.row_multipliers * np.abs(firm).max()
         moved = np.abs(step).max()
-        settled = moved <= SETTLED_SHARE * design.length and moved < reach
-        # after a reversal of direction steps are shorter, because shape and contacts changed more than predicted
-        reach = SHORTER * moved if step @ before < 0 else LONGER * reach
+        settled = moved <= SETTLED_FRACTION * design.length and moved < reach
+        # a reversal of direction means that shape and contacts changed more than predicted
+        reach = SHORTER_STEP * moved if step @ before < 0 else LONGER_STEP * reach
         q = q + step
         rod = problem.bent(q, rod)
         if settled:
-            if problem.walls(q)[1].min() >= -OVERLAP_SHARE * design.length:
+            if problem.walls(q)[1].min() >= -OVERLAP_FRACTION * design.length:
                 break
-            if price >= DEAREST:
+            if penalty >= LARGEST_PENALTY:
                 raise NotConvergedError(problem.without_room(q))
-            price, reach = DEARER * price, np.inf
+            penalty, reach = PENALTY_FACTOR * penalty, np.inf
     else:
         raise NotConvergedError(
             problem.without_room(q)
-            if price > PRICE and problem.walls(q)[1].min() < -OVERLAP_SHARE * design.length
+            if penalty > OVERLAP_PENALTY and problem.walls(q)[1].min() < -OVERLAP_FRACTION * design.length
             else "the strip is loose in its holders and finds no rest position: reduce the play, or hold the "
             "tabs with screws or glue"
         )
@@ -384,11 +389,8 @@ def rest_in_seats(
 
 
 @dataclass(frozen=True, eq=False)
-class _Held:
-    """Problem for the vector q (n,) of the unknowns of all ends with play, described in `SeatedEnd`.
-
-    `made` is the rod of the finished strip.
-    """
+class _ContactProblem:
+    """Problem for the vector q (n,) of the unknowns of all ends with play: see `SeatedEnd`."""
 
     made: Rod
     design: Rod
@@ -396,7 +398,7 @@ class _Held:
 
     @cached_property
     def slices(self) -> list[slice]:
-        """Slices of the vector of unknowns q, one for each end."""
+        """Slices of the vector of unknowns q, in the order of the ends."""
         ends = np.cumsum([2 + seated_end.pieces for seated_end in self.seated]).tolist()
         return [
             slice(end - 2 - seated_end.pieces, end) for seated_end, end in zip(self.seated, ends, strict=True)
@@ -431,7 +433,7 @@ class _Held:
 
     def end_stiffness(self, q: FloatArray, rod: Rod) -> FloatArray:
         """Return the derivatives of `reactions` with respect to the shifts and turns, 1/mm3."""
-        reactions, difference = self.reactions(rod), DIFFERENCE_SHARE * self.design.length
+        reactions, difference = self.reactions(rod), DIFFERENCE_FRACTION * self.design.length
         moves = difference * np.eye(q.size)[self.poses]
         ends = np.array([self.reactions(self.bent(q + move, rod)) - reactions for move in moves]) / difference
         return np.asarray((ends + ends.T) / 2)
@@ -476,7 +478,7 @@ class _Held:
         rod: Rod,
         end_stiffness: FloatArray,
         *,
-        price: float = PRICE,
+        penalty: float = OVERLAP_PENALTY,
         reach: float = np.inf,
     ) -> QuadraticSolution:
         """Return the next step of sequential quadratic programming.
@@ -492,13 +494,12 @@ class _Held:
         g[self.poses] = self.reactions(rod)
         H[np.ix_(self.poses, self.poses)] = end_stiffness
         scale = float(np.abs(end_stiffness).max())
-        return _step_within(
-            H, g, self.walls(q), length, self.poses[::2], scale=scale, price=price, reach=reach
+        return _constrained_step(
+            H, g, self.walls(q), length, self.poses[::2], scale=scale, penalty=penalty, reach=reach
         )
 
 
 def _block_diagonal(blocks: Sequence[FloatArray]) -> FloatArray:
-    """Return the block diagonal matrix of the blocks (k, m)."""
     from scipy.linalg import block_diag
 
     return np.asarray(block_diag(*blocks), dtype=float)
@@ -507,21 +508,21 @@ def _block_diagonal(blocks: Sequence[FloatArray]) -> FloatArray:
 def _made_definite(stiffness: FloatArray) -> FloatArray:
     """Return the symmetric matrix (n, n) with its eigenvalues replaced by their absolute values."""
     values, vectors = np.linalg.eigh(stiffness)
-    values = np.maximum(np.abs(values), LEAST_SHARE * np.abs(values).max())
+    values = np.maximum(np.abs(values), LEAST_EIGENVALUE_FRACTION * np.abs(values).max())
     return np.asarray(vectors @ np.diag(values) @ vectors.T)
 
 
-SHORTENING = (1.0, 0.1, 0.01)
+SPRING_STIFFNESSES = (1.0, 0.1, 0.01)
 """Spring stiffness in the first steps, as a multiple of load / length. Stiff springs limit these steps."""
 
-FREE = 1e-4
+SOFTEST_SPRING = 1e-4
 """Spring stiffness in all later steps, as a multiple of load / length. The error decreases by about this factor in
 each step."""
 
-MOST_LEANS = 36
+MOST_LEAN_ITERATIONS = 36
 """Largest number of iterations for the displacement of a holder; usually about six are needed."""
 
-LEANED_SHARE = 1e-7
+LEAN_STEP_FRACTION = 1e-7
 """Length of the step, as a fraction of the length of the strip, at which the iteration ends."""
 
 
@@ -586,17 +587,17 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
         return Lean(shift, turn, np.zeros(end.pieces), piece)
     H, g, q = np.zeros((n, n)), np.zeros(n), np.zeros(n)
     g[:2] = load
-    springs = chain(SHORTENING, repeat(FREE))
-    for spring, _ in zip(springs, range(MOST_LEANS), strict=False):
+    springs = chain(SPRING_STIFFNESSES, repeat(SOFTEST_SPRING))
+    for spring, _ in zip(springs, range(MOST_LEAN_ITERATIONS), strict=False):
         H[0, 0] = H[1, 1] = spring * pressed / length
         if n > 2:
             H[2:, 2:] = end.bending / length**2
             g[2:] = H[2:, 2:] @ q[2:]
-        step = _step_within(H, g, end.walls(q, length), length, [0], scale=H[0, 0]).x
+        step = _constrained_step(H, g, end.walls(q, length), length, [0], scale=H[0, 0]).x
         q[2:] += step[2:]
         # the displacement of the holder is the negative step
         shift, turn = shift - float(step[0]), turn - sign * float(step[1]) / length
-        if np.abs(step).max() <= LEANED_SHARE * length:
+        if np.abs(step).max() <= LEAN_STEP_FRACTION * length:
             break
         end = SeatedEnd(index, seat.moved(shift, turn), tab_stiffness)
     return Lean(shift, turn, q[2:] * sign / length, piece)

@@ -80,13 +80,12 @@ def _frames(strip: Strip, bent: bool) -> tuple[FloatArray, FloatArray]:
 
 
 def _flat_face(size: Profile, side: int) -> PlaneCurve:
-    """Return the upper (`side` 1) or lower (-1) face of the flat strip, which is exactly a spline."""
     points = np.column_stack([size.greville, side * size.coefficients / 2])
     return PlaneCurve(size.knots, points, size.degree)
 
 
 def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
-    """Return the left (`side` 1) or right (-1) face of the bent strip, at half the thickness from its curve."""
+    """Return the left (`side` 1) or right (-1) face of the bent strip."""
     curve, length = strip.rod.curve, strip.rod.length
     tight = np.abs(strip.rod.curvature) * size(strip.rod.s) / 2
     if tight.max() >= 1:
@@ -143,12 +142,12 @@ class RoundSolid:
         first, last = (tab.length for tab in self.strip.ends)
         length = self.strip.rod.length
         stations = [*([-first] if first else []), 0.0, length, *([length + last] if last else [])]
-        pieces = [self._spine(a, b) for a, b in pairwise(stations)]
+        pieces = [self._axis_spline(a, b) for a, b in pairwise(stations)]
         shares = (1.0, self.bore) if self.bore else (1.0,)
-        skins = _Skins()
+        skins = _RoundBoundary()
         rings = [skins.skin(pieces, share, self.frame, outward=share == 1.0) for share in shares]
         for end, station in ((0, stations[0]), (-1, stations[-1])):
-            skins.cap([ring[end] for ring in rings], self._cross(station), at_start=end == 0)
+            skins.cap([ring[end] for ring in rings], self._cross_section(station), at_start=end == 0)
         return Boundary(np.array(skins.vertices), tuple(skins.edges), tuple(skins.faces))
 
     def _at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -169,7 +168,7 @@ class RoundSolid:
         axis = position + (s - within)[:, None] * tangent
         return axis, np.column_stack([-tangent[:, 1], tangent[:, 0]]), size(within) / 2
 
-    def _spine(self, start: float, end: float) -> tuple[FloatArray, FloatArray]:
+    def _axis_spline(self, start: float, end: float) -> tuple[FloatArray, FloatArray]:
         """Return the knots and coefficients (m, 5) of a spline: axis (2), radius times normal (2), and radius."""
         size, curve, length = self.strip.layout.size, self.strip.rod.curve, self.strip.rod.length
         breaks = [] if size is None else list(size.breaks)
@@ -185,15 +184,13 @@ class RoundSolid:
         inner = [(s, continuity) for s, continuity in breaks if start < s < end]
         return adaptive_spline(spine, (start, end), degree=DEGREE, tolerance=FACE_MM, breaks=inner)
 
-    def _cross(self, s: float) -> Frame:
+    def _cross_section(self, s: float) -> Frame:
         """Return the plane of the cross section at arc length s. Its x axis is the normal of the curve."""
         axis, normal, _ = self._at(np.array([s]))
         return Frame(self.frame.point(axis[0]), self.frame.direction(normal[0]), self.frame.z_axis)
 
 
-class _Skins:
-    """Builder of the vertices, edges and faces of a round solid."""
-
+class _RoundBoundary:
     def __init__(self) -> None:
         self.vertices: list[FloatArray] = []
         self.edges: list[Edge] = []
@@ -202,14 +199,13 @@ class _Skins:
     def skin(
         self, pieces: list[tuple[FloatArray, FloatArray]], share: float, frame: Frame, *, outward: bool
     ) -> list[list[int]]:
-        """Add the faces around the axis at the fraction `share` of the radius.
-
-        Return the two edges of the circle at each station.
+        """Add the faces at the fraction `share` of the radius, and return the edges of the circle per
+        station.
         """
         around, cosines, sines = _half_turn()
         z = frame.z_axis
 
-        def net(rows: FloatArray, sign: float) -> FloatArray:
+        def control_net(rows: FloatArray, sign: float) -> FloatArray:
             """Return the control points (n, m, 3) of a half surface: n around the axis and m along it."""
             axis, across = frame.point(rows[:, :2]), share * frame.direction(rows[:, 2:4])
             up = share * rows[:, 4, None] * z
@@ -218,7 +214,7 @@ class _Skins:
         ends = [pieces[0][1][0], *(rows[-1] for _, rows in pieces)]
         rings, corners = [], []
         for row in ends:
-            nets = [net(row[None], sign)[:, 0] for sign in (1.0, -1.0)]
+            nets = [control_net(row[None], sign)[:, 0] for sign in (1.0, -1.0)]
             first = len(self.vertices)
             self.vertices += [nets[0][0], nets[0][-1]]
             rings.append(
@@ -226,7 +222,7 @@ class _Skins:
             )
             corners.append(first)
         for i, (knots, rows) in enumerate(pieces):
-            nets = [net(rows, sign) for sign in (1.0, -1.0)]
+            nets = [control_net(rows, sign) for sign in (1.0, -1.0)]
             seams = [
                 self._edge(knots, points[0], corners[i] + k, corners[i + 1] + k)
                 for k, points in enumerate(nets)
@@ -244,7 +240,7 @@ class _Skins:
         return rings
 
     def cap(self, rings: list[list[int]], cross: Frame, *, at_start: bool) -> None:
-        """Add the plane end face inside the first circle and, if there is a bore, outside the second circle."""
+        """Add the plane end face inside the outer circle and outside the bore."""
         frame = Frame(cross.origin, cross.y_axis, cross.x_axis) if at_start else cross
         loops = []
         for i, ring in enumerate(rings):
@@ -267,7 +263,7 @@ def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
     knots = np.pad(inner, DEGREE, mode="edge")
     u = np.linspace(0.0, 1.0, 40 * HALF_TURN_SPANS + 1)
     weights = np.ones(u.size)
-    weights[[0, -1]] = 1e6  # large weights at the ends, so that both halves meet
+    weights[[0, -1]] = 1e6  # large weights make both halves meet
     fitted = make_lsq_spline(
         u, np.column_stack([np.cos(np.pi * u), np.sin(np.pi * u)]), knots, DEGREE, w=weights
     )

@@ -27,11 +27,11 @@ from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.strip.strip import Strip, strip_sideways
 from elastica_cad.strip.styles import Bends
 
-RESOLUTION_SHARE = 1e-4
+RESOLUTION_FRACTION = 1e-4
 """Tolerance of the positions in the movement at which the strip snaps, is overstrained or crosses itself, as a
 fraction of a step."""
 
-FALL_SHARE = 1e-4
+CONSTANT_FORCE_FRACTION = 1e-4
 """Largest decrease of a force in a step, as a fraction of the largest force, that counts as constant."""
 
 TITLES = {
@@ -202,17 +202,17 @@ class Travel:
     @cached_property
     def strained_at(self) -> float | None:
         """First value of `path_length` at which the strain exceeds the limit of the sheet, or None."""
-        return self._first(lambda rod: _most_strained(self.strip, rod)[2] < 1)
+        return self._first_failure(lambda rod: _most_strained(self.strip, rod)[2] < 1)
 
     @cached_property
     def snaps_at(self) -> float | None:
         """First value of `path_length` at which the strip snaps, or None."""
-        return self._first(lambda rod: has_snapped(rod) or not stability(rod).stable)
+        return self._first_failure(lambda rod: has_snapped(rod) or not stability(rod).stable)
 
     @cached_property
     def crosses_at(self) -> float | None:
         """First value of `path_length` at which the strip crosses itself, or None."""
-        return self._first(_crosses_itself)
+        return self._first_failure(_crosses_itself)
 
     @cached_property
     def force_falls_at(self) -> float | None:
@@ -223,7 +223,11 @@ class Travel:
         if self.is_turn or self.is_still:
             return None
         steps, gains = np.diff(self.end, axis=0), np.diff(self.end_force, axis=0)
-        even = FALL_SHARE * np.linalg.norm(self.end_force, axis=1).max() * np.linalg.norm(steps, axis=1)
+        even = (
+            CONSTANT_FORCE_FRACTION
+            * np.linalg.norm(self.end_force, axis=1).max()
+            * np.linalg.norm(steps, axis=1)
+        )
         falls = np.sum(gains * steps, axis=1) < -even
         if self.snaps_at is not None:
             falls &= self.travel[1:] <= self.snaps_at
@@ -231,13 +235,13 @@ class Travel:
 
     @cached_property
     def _at_rest(self) -> Rod:
-        """Rod in equilibrium before its ends are moved. Its weight may differ from the weight in the design."""
+        """Rod in equilibrium before the ends are moved, because the weight may differ from the design."""
         return bend(self.strip.rod_to_bend)
 
-    def _first(self, fails: Callable[[Rod], bool]) -> float | None:
-        """Return the first value of `path_length` at which `fails` is True, or None.
+    def _first_failure(self, fails: Callable[[Rod], bool]) -> float | None:
+        """Return the least `path_length` at which `fails` is True, or None.
 
-        Between two steps the positions and angles of the ends change linearly.
+        Ends move linearly between two steps.
         """
         rods = (self._at_rest, *self.rods)
         k = next((k for k, rod in enumerate(rods) if fails(rod)), None)
@@ -251,7 +255,7 @@ class Travel:
         # elements cannot be added or removed gradually
         at_once = "between" in changed and len(require_elements(changed["between"])) != len(start.between)
         low, high = 0.0, 0.0 if at_once else 1.0
-        while high - low > RESOLUTION_SHARE:
+        while high - low > RESOLUTION_FRACTION:
             middle = (low + high) / 2
             entry = course.entry(middle) | part_of_change(start, changed, middle)
             rod = bend(good, **entry, **held, side=self.side if k == 1 else None)
@@ -343,7 +347,7 @@ def bend_strip(
         travel=movement.travel[1:], turn=movement.turn[1:],
         start_force=start_force, end_force=end_force,
         start_moment=-B * moment[:, 0], end_moment=B * moment[:, -1],
-        force_along=np.sum(end_force * _directions(end, designed), axis=1),
+        force_along=np.sum(end_force * _path_directions(end, designed), axis=1),
         energy=np.array([B * rod.bending_energy for rod in rods]),
         strain=np.array([strain for strain, _, _ in skins]),
         stress=np.array([stress for _, stress, _ in skins]),
@@ -353,11 +357,8 @@ def bend_strip(
     )  # fmt: skip
 
 
-def _directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
-    """Return unit vectors (k, 2) along the path of the end relative to the start.
-
-    They are zero where it does not move.
-    """
+def _path_directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
+    """Return unit vectors (k, 2) along the path of the end relative to the start, zero for an end at rest."""
     first = end[0] if len(end) > 1 else first_direction
     before = np.concatenate([[first], end[:-1]])
     after = np.concatenate([end[1:], end[-1:]])
@@ -367,12 +368,11 @@ def _directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
 
 
 def _crosses_itself(rod: Rod) -> bool:
-    """Return True if a rod crosses itself, which requires angles that differ by more than half a turn."""
     return bool(np.ptp(rod.angle) > np.pi and rod.curve.self_intersections().size)
 
 
 def _most_strained(strip: Strip, rod: Rod) -> tuple[float, float, float]:
-    """Return strain, elastic stress (MPa) and safety of the layer nearest to its limit."""
+    """Return strain, elastic stress (MPa) and safety factor of the layer nearest to the strain limit."""
     bent = np.abs(rod.curvature - rod.natural_curvature)
     layers = strip.layout.strains(Bends(bent, rod.s))
     k = max(range(len(layers)), key=lambda i: layers[i].largest / layers[i].limit)

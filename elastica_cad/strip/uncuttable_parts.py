@@ -23,14 +23,14 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import PLAIN, Plain, outline_field
 
 LEAST_STRIP_MM = 3.0  # narrower strips break when they are lifted out, whatever the sheet
-THICKNESSES = 3.0  # least width as a multiple of the thickness; a narrower strip bends sideways and twists
+LEAST_WIDTH_THICKNESSES = 3.0  # least width, in thicknesses, because a narrower strip twists
 LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because of the heat of both cuts
 LEAST_LIGAMENT_MM = 0.5  # least width of material between two laser cuts; less may burn away
 LARGEST_PANEL_MM = (3050.0, 1525.0)  # size, mm, of the largest sheet of plywood or board that is sold
 # width of a vertical slot, as a multiple of the tab's thickness, above which it cannot hold the tab
 WIDEST_SLOT_THICKNESSES = 6.0
 FILLED_SLOT_MM = 1.6  # largest width, mm, of a slot that can hold a thin tab with glue on both sides
-SLENDEREST = 600.0  # ratio of length to least width above which a flat strip cannot be handled
+LARGEST_SLENDERNESS = 600.0  # ratio of length to least width above which a flat strip cannot be handled
 
 
 @dataclass(frozen=True)
@@ -100,7 +100,11 @@ class FabricationLimits:
     def width_for(self, sheet: Sheet) -> float:
         """Return the least width of strips, tabs and tongues of a sheet, mm."""
         sheet = Sheet.of(sheet)
-        return self.least_width or sheet.least_width or max(LEAST_STRIP_MM, THICKNESSES * sheet.thickness)
+        return (
+            self.least_width
+            or sheet.least_width
+            or max(LEAST_STRIP_MM, LEAST_WIDTH_THICKNESSES * sheet.thickness)
+        )
 
     def ligament_for(self, sheet: Sheet) -> float:
         """Return the least width of material between the holes of a perforated strip, mm."""
@@ -133,16 +137,14 @@ DEFAULT_LIMITS = FabricationLimits()
 
 # number of points on a length of cut equal to the least width; widths then have an error of 1 %
 SAMPLES_PER_WIDTH = 12
-LONGEST_PART = 2.0  # length of chords in the first search, as a multiple of the least width
-FACING = (
-    # least cosine between a width and both inward normals; material in corners above 50 degrees is not thin
-    0.9
-)
+LONGEST_PART = 2.0  # length of chords in the search for pairs, as a multiple of the least width
+# least cosine between a width and both inward normals; material in corners above 50 degrees is not thin
+LEAST_FACING_COSINE = 0.9
 # largest derivative of the width along the strip; then both long edges are inclined by 26 degrees
-STEEPEST = 1.0
+STEEPEST_WIDTH_SLOPE = 1.0
 # search distances, as fractions of the least width, in the order of the search
-_REACHES = np.array([1 / 16, 1 / 4, 1])
-FLAT_SHARE = 0.02  # chord error of the cuts as a fraction of the least width
+_SEARCH_DISTANCES = np.array([1 / 16, 1 / 4, 1])
+CHORD_ERROR_FRACTION = 0.02  # chord error of the cuts as a fraction of the least width
 
 
 @dataclass(frozen=True)
@@ -176,8 +178,8 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     >>> [place.width for place in find_thin_places([plate], [hole], 2.0)]
     [1.0]
     """
-    parts = _Chords.of(outlines, holes, FLAT_SHARE * least).divided(LONGEST_PART * least)
-    near = parts.at(_near_others(parts, least))
+    parts = _Chords.of(outlines, holes, CHORD_ERROR_FRACTION * least).divided(LONGEST_PART * least)
+    near = parts.at(_chords_near_others(parts, least))
     if not near.loop.size:
         return ()
     near = near.divided(least / SAMPLES_PER_WIDTH)
@@ -194,27 +196,27 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     return tuple(sorted(places, key=lambda place: place.width))
 
 
-def _near_others(chords: "_Chords", least: float) -> IntArray:
+def _chords_near_others(chords: "_Chords", least: float) -> IntArray:
     """Return the indices (n,) of chords that face another chord across less than `least` mm of material."""
     i, j = near_pairs(chords.middle, chords.middle, (1 + LONGEST_PART) * least)
     inward = chords.inward
-    opposed = np.sum(inward[i] * inward[j], axis=1) < 1 - 2 * FACING**2
+    opposed = np.sum(inward[i] * inward[j], axis=1) < 1 - 2 * LEAST_FACING_COSINE**2
     here, there = chords.at(i[opposed]), chords.at(j[opposed])
     facing = here.has_in_front(there, least) & there.has_in_front(here, least)
     return np.flatnonzero(np.bincount(i[opposed][facing], minlength=chords.loop.size))
 
 
-def _opposed(
+def _opposed_points(
     points: FloatArray, normals: FloatArray, searching: IntArray, reach: float, least: float
 ) -> tuple[IntArray, IntArray]:
-    """Return pairs (k,) of indices of points that are at most `reach` apart and have nearly opposite normals.
+    """Return index pairs (k,) of points at most `reach` apart with nearly opposite normals.
 
-    The first point of each pair is among `searching`. To compare positions and normals in one search, the normals
-    times `least` are appended to the coordinates.
+    The leading point of each pair is among `searching`. The normals times `least` are appended to the
+    coordinates, so that one search compares positions and normals.
     """
     # the length of the sum of the normals is at most 2 sin(acos(FACING)) for points that face each other
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
-    radius = np.hypot(reach, 2 * least * np.sqrt(1 - FACING**2))
+    radius = np.hypot(reach, 2 * least * np.sqrt(1 - LEAST_FACING_COSINE**2))
     i, j = near_pairs(here, there, float(radius))
     return searching[i], j
 
@@ -222,21 +224,21 @@ def _opposed(
 def _widths_across(
     points: FloatArray, normals: FloatArray, least: float
 ) -> tuple[IntArray, IntArray, FloatArray]:
-    """Return pairs (k,) of indices of points that face each other across the material, and their distances, mm.
+    """Return index pairs (k,) of points that face each other across the material, and their distances, mm.
 
-    Only the closest pair of each point is returned. Short distances are searched first, because a search for long
-    distances would return very many pairs between slots that are close together.
+    Only the closest pair of each point is returned. Short distances are searched before long ones, because
+    a long search distance gives very many pairs between slots that are close together.
     """
     pairs: list[tuple[IntArray, IntArray, FloatArray]] = []
     searching = np.arange(len(points))
-    for reach in (1 - 1e-9) * least * _REACHES:
-        i, j = _opposed(points, normals, searching, reach, reach)
+    for reach in (1 - 1e-9) * least * _SEARCH_DISTANCES:
+        i, j = _opposed_points(points, normals, searching, reach, reach)
         across = points[j] - points[i]
         width = np.hypot(across[:, 0], across[:, 1])
         with np.errstate(invalid="ignore", divide="ignore"):
             across = across / width[:, None]
-        facing = (np.sum(across * normals[i], axis=1) > FACING) & (
-            np.sum(across * normals[j], axis=1) < -FACING
+        facing = (np.sum(across * normals[i], axis=1) > LEAST_FACING_COSINE) & (
+            np.sum(across * normals[j], axis=1) < -LEAST_FACING_COSINE
         )
         facing &= width < reach
         i, j, width = i[facing], j[facing], width[facing]
@@ -252,15 +254,11 @@ def _widths_across(
 
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
-    """Return the index of the narrowest part of the material in each group.
-
-    `middle` (k, 2) contains the midpoints of narrow parts. Parts closer together than `least` are in the same
-    group.
-    """
+    """Return the index of the narrowest place in each group of places closer together than `least`."""
     order = np.argsort(width, kind="stable")
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
-    thinnest, known = ranks.copy(), None  # smallest rank by width that is known so far in each group
+    thinnest, known = ranks.copy(), None  # smallest rank by width in each group so far
     while known is None or not np.array_equal(thinnest, known):
         known = thinnest.copy()
         np.minimum.at(thinnest, i, known[j])
@@ -269,20 +267,13 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
 
 
 def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
-    """Return the index of the smallest width of each point.
-
-    `point` (k,) assigns a point to each of the widths (k,).
-    """
     order = np.lexsort((width, point))
     return order[np.diff(point[order], prepend=-1) > 0]
 
 
 @dataclass(frozen=True, eq=False)
 class _Chords:
-    """Chords of cuts: midpoints and vectors (m, 2), mm, and the indices of their cuts (m,).
-
-    The material is on the left of the chords.
-    """
+    """Midpoints and vectors (m, 2), mm, of chords with the material on the left, and indices of the cuts."""
 
     middle: FloatArray
     vector: FloatArray
@@ -290,7 +281,7 @@ class _Chords:
 
     @classmethod
     def of(cls, outlines: Sequence[Path], holes: Sequence[Path], flat: float) -> "_Chords":
-        """Return the chords of closed cuts. `flat` is their largest distance from the cuts, mm."""
+        """Return the chords of closed cuts, at most `flat` mm from the cuts."""
         lines = [anticlockwise(path.points(flat)) for path in (*outlines, *holes)]
         lines[len(outlines) :] = [line[::-1] for line in lines[len(outlines) :]]
         vectors = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
@@ -299,12 +290,10 @@ class _Chords:
         return chords.at(np.flatnonzero(chords.length))
 
     def at(self, numbers: IntArray) -> "_Chords":
-        """Return the chords with these indices (n,)."""
         return _Chords(self.middle[numbers], self.vector[numbers], self.loop[numbers])
 
     @property
     def length(self) -> FloatArray:
-        """Lengths of the chords (m,), mm."""
         return np.hypot(self.vector[:, 0], self.vector[:, 1])
 
     @property
@@ -321,30 +310,28 @@ class _Chords:
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
-        """Return True (m,) for chords with the chord of the same index in `others` in front of them.
-
-        A chord is in front if it is on the other side of the material, at a distance of at most `least` mm."""
+        """Return True (m,) for chords at most `least` mm across the material from the same row of `others`."""
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
         ahead = np.sum(ends * normals, axis=2)
         aside = ends[..., 0] * normals[:, 1] - ends[..., 1] * normals[:, 0]
-        reach = self.length / 2 + np.sqrt(1 - FACING**2) * least
+        reach = self.length / 2 + np.sqrt(1 - LEAST_FACING_COSINE**2) * least
         in_depth = (ahead.max(axis=0) > 0) & (ahead.min(axis=0) < least)
         return np.asarray(in_depth & (aside.max(axis=0) > -reach) & (aside.min(axis=0) < reach))
 
 
-FAR_LARGER = 2.0
+LARGER_THAN_STOCK = 2.0
 """Size of a part, as a multiple of the length of the stock, above which it is refused without a search for thin
 places."""
 
-TIMES_AS_LONG = 4.0
+LEAST_LENGTH_RATIO = 4.0
 """Least ratio of length to width of a suggested strip. At half this ratio it would bend as a plate."""
 
 LAP_THICKNESSES = 20
 """Suggested length of the plates that join pieces, as a multiple of the thickness. From about 12 on, the glue
 joint is as strong as the sheet."""
 
-MOST_LISTED = 3  # number of narrow positions of a part that a message lists; the others are only counted
+MOST_LISTED = 3  # number of narrow positions of a part that a message lists
 
 
 @dataclass(frozen=True)
@@ -373,7 +360,7 @@ class Fault:
 
 
 def _faults_message(faults: Iterable[Fault]) -> str:
-    """Return the faults as sentences, in which each suggestion occurs only once."""
+    """Return the faults as sentences, with each suggestion only once."""
     by_cure: dict[tuple[str, str], list[str]] = {}
     for fault in faults:
         by_cure.setdefault((fault.part, fault.cure), []).append(fault.what)
@@ -429,7 +416,7 @@ def find_strip_faults(
         called = name if i == 0 else f"{name}, backing"
         long = min(length, stock[0] if joined else np.inf)
         web = min(least, shop.bridge_for(sheet))
-        if max(long, width) < FAR_LARGER * stock[0] and not _is_plainly_wide(strip, least):
+        if max(long, width) < LARGER_THAN_STOCK * stock[0] and not _is_obviously_wide(strip, least):
             faults += _thin_strip(called, strip, strip.layers[i], least, web, noisy=noisy)
         faults += _too_large(called, long, width, sheet, stock, strip.style)
     style = strip.style
@@ -444,13 +431,13 @@ def find_strip_faults(
         faults.append(Fault(name, what, note("Set wider ligaments, or fewer columns")))
     longest = min(strip.rod.length, stocks[0][0] if joined else np.inf)
     slenderest = longest / min(float(strip.width.extremes[0]), stocks[0][1])
-    if slenderest > SLENDEREST:
+    if slenderest > LARGEST_SLENDERNESS:
         what = note(
             "{length} long and {width} wide: too slender to handle",
             length=Length(strip.rod.length),
             width=Length(strip.width.extremes[0]),
         )
-        wider = _wider(strip, slenderest / SLENDEREST)
+        wider = _change_of_width(strip, slenderest / LARGEST_SLENDERNESS)
         faults.append(Fault(name, what, note("Make it wider, or split it"), wider))
     return tuple(faults)
 
@@ -471,7 +458,7 @@ def find_plate_faults(
     shop = limits_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
     length, width = np.ptp(outline.bounds, axis=0)
-    far_larger = max(length, width) >= FAR_LARGER * stock[0]
+    far_larger = max(length, width) >= LARGER_THAN_STOCK * stock[0]
     places = () if far_larger else find_thin_places([outline], holes, least)
     others = len(holes) - len(called) - len(drilled)
     loops = (note("the edge"), *called, *(note("a hole") for _ in range(others)), *drilled)
@@ -526,11 +513,8 @@ def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]
     )
 
 
-def _is_plainly_wide(strip: Strip, least: float) -> bool:
-    """Return True if a strip is obviously wide enough.
-
-    Its long edges have small slopes and are at least `least` mm apart, and there are no other cuts.
-    """
+def _is_obviously_wide(strip: Strip, least: float) -> bool:
+    """Return True if the long edges have small slopes and are `least` mm apart, and there are no other cuts."""
     layout, width = strip.layout, strip.width
     if strip.slots or element_cuts(strip.rod) or layout.backing is not None or layout.pattern is not None:
         return False
@@ -539,16 +523,15 @@ def _is_plainly_wide(strip: Strip, least: float) -> bool:
             return False
     # the slope of a spline is between the slopes of its control polygon
     rises, runs = np.abs(np.diff(width.coefficients)), width.greville[1:] - width.greville[:-1]
-    return min(width.extremes[0], strip.rod.length) >= least and bool((rises < STEEPEST * runs).all())
+    return min(width.extremes[0], strip.rod.length) >= least and bool(
+        (rises < STEEPEST_WIDTH_SLOPE * runs).all()
+    )
 
 
 def _thin_strip(
     name: str, strip: Strip, layer: Layer, least: float, web: float, *, noisy: bool
 ) -> Iterator[Fault]:
-    """Yield the faults of a layer that is too narrow.
-
-    The least width is `least`, mm, and beside holes `web`, mm.
-    """
+    """Yield the faults of a layer narrower than `least`, mm, or than `web`, mm, beside holes."""
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # the limit `ligament` applies to perforated strips
     places = find_thin_places([layer.outline], holes, least)
@@ -559,7 +542,7 @@ def _thin_strip(
         of_tab = not 0 <= place.x <= strip.rod.length and strip.ends[int(place.x > 0)].width is not None
         (tabs if of_tab else free).append(place)
     if free:
-        cure, changes = _cures_of_necks(strip, least / free[0].width, least, noisy)
+        cure, changes = _suggestions_for_necks(strip, least / free[0].width, least, noisy)
         for fault in _faults_at(name, free, least, layer.sheet, cure):
             yield replace(fault, changes=changes)
     for place in tabs[:1]:
@@ -574,12 +557,11 @@ def _thin_strip(
         yield _thin_web(name, place, _place_on(strip, place), web, layer.sheet)
 
 
-def _cures_of_necks(strip: Strip, times: float, least: float, noisy: bool) -> tuple[str, tuple[Change, ...]]:
-    """Return suggestions for a strip that is too narrow at some places.
-
-    `times` is the factor that makes them `least` mm wide.
-    """
-    wider = _wider(strip, times)
+def _suggestions_for_necks(
+    strip: Strip, times: float, least: float, noisy: bool
+) -> tuple[str, tuple[Change, ...]]:
+    """Return suggestions for a strip that must be wider by the factor `times` to be `least` mm wide."""
+    wider = _change_of_width(strip, times)
     field = outline_field(strip.style)
     if not wider:
         cure = note(
@@ -603,7 +585,6 @@ def _cures_of_necks(strip: Strip, times: float, least: float, noisy: bool) -> tu
 
 
 def _place_on(strip: Strip, place: ThinPlace) -> str:
-    """Return a text with the position of a place along the strip or in a tab."""
     length = strip.rod.length
     if place.x < 0:
         return note("in the tab at its start, {into} from the bent part", into=Length(-place.x))
@@ -613,7 +594,6 @@ def _place_on(strip: Strip, place: ThinPlace) -> str:
 
 
 def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) -> Fault:
-    """Return the fault of too little material beside a hole."""
     wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
     shift = Length(rounded_up(least - place.width, 2))
     if 0 in place.loops:
@@ -633,8 +613,7 @@ def _thin_web(name: str, place: ThinPlace, at: str, least: float, sheet: Sheet) 
     )
 
 
-def _wider(strip: Strip, times: float) -> tuple[Change, ...]:
-    """Return the change that makes a solid strip `times` as wide. Empty if its rod determines the width."""
+def _change_of_width(strip: Strip, times: float) -> tuple[Change, ...]:
     if not isinstance(strip.style, Plain) or strip.rod.bending_stiffness is not None:
         return ()
     return (Change("max_width", rounded_up(times * float(strip.width.extremes[1]), 3)),)
@@ -676,7 +655,7 @@ def _too_large(
         )  # fmt: skip
         if width > length or (width > stock[1] and length <= stock[0]):
             field = outline_field(style)
-            fits = Change(field, rounded_down(min(stock[1], length / TIMES_AS_LONG), 2))
+            fits = Change(field, rounded_down(min(stock[1], length / LEAST_LENGTH_RATIO), 2))
             cure = note("Set a smaller {field}, or a larger stock", field=field)
             yield Fault(name, what, cure, (fits,))
         else:
