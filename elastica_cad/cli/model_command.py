@@ -1,6 +1,5 @@
 """`elastica model`: write a folder with everything that is needed to build the model of a design file."""
 
-from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
@@ -106,6 +105,11 @@ def model(
     check_kit_folder(read.name, output, force=force)
     suggest_later(partial(_refused, read), _as_line, FIELDS)
     strips, files = count(1), count(1)
+
+    def written(_: str, total: int) -> None:
+        if (number := next(files)) < total:
+            say_step(f"writing {kit.files[number].name}", number + 1, total)
+
     made = read.model(lambda label: say_step(f"made strip {label}", next(strips), len(read.entries)))
     say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
     contents = kit_contents(made, read.kit, entries=read.entries, effects=effects)
@@ -114,7 +118,7 @@ def model(
     kit.write(
         output,
         force=force,
-        done=lambda name, total: say_step(f"wrote {name}", next(files), total),
+        done=written,
         process=click.get_current_context().find_object(DrawingProcess),
     )
     _report(contents, kit, output)
@@ -181,18 +185,13 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
         row = accuracy_row(contents.held[worst])
         say_row(replace(row, text=f"{worst} deviates most: {row.text}"))
     _before_you_cut(contents, kit, output)
-    kinds = Counter(nest.sheet.full_name for nest in contents.nests if nest.sheet is not None)
-    say_row(
-        Row(
-            "Sheets",
-            ", ".join(f"{count} of {name}" for name, count in kinds.items()),
-            [
-                f"{nest.name}: {counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet"
-                f"{nest.grain and f', {nest.grain}'}"
-                for nest in contents.nests
-            ],
-        )
-    )
+    details = [
+        f"{nest.name}: {counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet"
+        f"{nest.grain and f', {nest.grain}'}"
+        for nest in contents.nests
+    ]
+    sawn = [f"saw from one rod, mm: {line}" for item in listed.stock for line in item.sawn]
+    say_row(Row("To buy", "; ".join(map(str, listed.stock)), [*details, *sawn]))
     start = [f"; open {output / START_PAGE} first" for file in kit.files if file.name == START_PAGE]
     say_row(Row("Files", f"{len(kit.files)} in {output}{''.join(start)}"))
 

@@ -262,11 +262,13 @@ class KitSpec:
         from elastica_cad.strip.coupon import coupon_drawing, reference_bar
         from elastica_cad.strip.pieces import Piece
 
-        sheets = list(dict.fromkeys(strip.sheet for strip in model.strips))
+        sheets = [
+            sheet for sheet in dict.fromkeys(strip.sheet for strip in model.strips) if sheet.kind != "rod"
+        ]
         pieces = []
         if self.coupon:
             names = ["coupon"] if len(sheets) == 1 else [f"coupon-{n}" for n in range(1, len(sheets) + 1)]
             pieces += [Piece(name, coupon_drawing(s), s) for name, s in zip(names, sheets, strict=True)]
-        if self.reference_bar is not None and not self.cutting.service:
+        if self.reference_bar is not None and sheets and not self.cutting.service:
             pieces.append(Piece("reference-bar", reference_bar(self.reference_bar), sheets[0]))
         return tuple(pieces)

@@ -103,6 +103,15 @@ def report_model(
             }
             for row in cut_list.printed
         ],
+        "stock": [
+            {
+                "sheet": item.sheet,
+                "size": round_numbers(item.size),
+                "count": item.count,
+                "sawn": list(item.sawn),
+            }
+            for item in cut_list.stock
+        ],
         "reports": list(model.reports),
         "files": dict(files),
     }

@@ -1,7 +1,7 @@
 """Contents of the kit of a model: parts to cut, nested sheets, holders and notes."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
@@ -17,13 +17,13 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.model.assembly import Holder, unheld_ends
 from elastica_cad.model.collisions import missing_slots
-from elastica_cad.model.cut_rows import CutList, cut_list
+from elastica_cad.model.cut_rows import CutList, Stock, cut_list
 from elastica_cad.model.fixtures import EndFixture, crowded_blocks
 from elastica_cad.model.held_tabs import hold_each, holder_plays
 from elastica_cad.model.model import Model
-from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, widened_by
+from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, saw_rods, widened_by
 from elastica_cad.model.rocking import rocking_tabs
-from elastica_cad.refusals import Length, Listed, note
+from elastica_cad.refusals import FieldName, Length, Listed, note
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.strip.outline import ENDS, StripEnd
@@ -53,7 +53,8 @@ class KitContents:
     @cached_property
     def cut_list(self) -> CutList:
         """List of all parts to be cut. The list is cached, because the search for parts of equal shape is slow."""
-        return cut_list((*self.pieces, *self.blocks))
+        listed = cut_list((*self.pieces, *self.blocks))
+        return replace(listed, stock=(*_sheets_to_buy(self.nests), *_rods_to_buy(self.pieces, self.spec)))
 
     @property
     def blocks(self) -> list[EndFixture]:
@@ -120,7 +121,7 @@ def kit_contents(
     messages += _unheld_messages(model, unheld)
     held, notes = _shapes_in_holders(model, (*model.plates, *holders), unheld) if effects else ({}, ())
     messages += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
-    messages += _bar_messages(spec)
+    messages += [*_bar_messages(spec), *_rod_notes(pieces, spec)]
     messages += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
     return KitContents(model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(messages))
 
@@ -214,7 +215,41 @@ def count_strips(model: Model) -> str:
     return counted(count, "strip") + (f" ({model.shape_count} different)" if count > 1 else "")
 
 
+def _sheets_to_buy(nests: Sequence[NestedSheet]) -> Iterator[Stock]:
+    kinds = Counter((nest.sheet.full_name, nest.sheet_size) for nest in nests if nest.sheet is not None)
+    for (name, size), count in kinds.items():
+        yield Stock(name, size, count)
+
+
+def _rods_to_buy(pieces: Sequence[Piece], spec: KitSpec) -> Iterator[Stock]:
+    kinds = dict[Sheet, list[Piece]]()
+    for piece in pieces:
+        if piece.is_rod:
+            kinds.setdefault(piece.sheet, []).append(piece)
+    for sheet, sawn in kinds.items():
+        length, _ = spec.shop.stock_for(sheet)
+        rods = saw_rods(sawn, length, spec.nesting.margin)
+        lines = tuple(", ".join(f"{part:.1f} ({name})" for name, part in rod) for rod in rods)
+        yield Stock(sheet.full_name, (length,), len(rods), lines)
+
+
+def _rod_notes(pieces: Sequence[Piece], spec: KitSpec) -> list[str]:
+    """Return a note on the rods that are longer than the stock."""
+    rods = [piece for piece in pieces if piece.is_rod]
+    long = [piece.name for piece in rods if piece.size[0] > spec.shop.stock_for(piece.sheet)[0]]
+    if not long:
+        return []
+    return [
+        note(
+            "{rods}: longer than the rods to buy, {length:g}. Join each from the listed lengths with sleeves, or "
+            "state the length of your rods in {field}.",
+            rods=Listed(long), length=Length(spec.shop.stock_for(rods[0].sheet)[0]), field=FieldName("shop.stock"),
+        )
+    ]  # fmt: skip
+
+
 def _nest(pieces: Sequence[Piece], nesting: Nesting, spec: KitSpec, name: str) -> tuple[NestedSheet, ...]:
+    pieces = [piece for piece in pieces if not piece.is_rod]
     return nest_pieces(
         pieces, sheet_size=nesting.sheet_size, margin=nesting.margin, kerf=spec.cutting.kerf, name=name
     )

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 import numpy as np
@@ -17,15 +17,20 @@ from elastica_cad.errors import InputError
 from elastica_cad.files import step_trouble
 from elastica_cad.formats.write_files import File, check_folder, write_json, write_text
 from elastica_cad.geometry.path import Path as ClosedPath
-from elastica_cad.kit.kit import Kit, can_draw, cutting_files, left_out, save_solid
+from elastica_cad.kit.kit import Kit, can_draw, cutting_files, left_out
 from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
-from elastica_cad.model.cut_rows import CutList
+from elastica_cad.model.assembly import single_holders
+from elastica_cad.model.cut_rows import CutList, Stock
+from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces
 from elastica_cad.strip.drawing import CUT_OUTER, SHEET, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import holding_template
 from elastica_cad.strip.pieces import Piece, distinct, file_word
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
+
+if TYPE_CHECKING:
+    from elastica_cad.kernel.step_files import NamedShape
 
 PARTS, SHEETS, MODEL = "parts", "sheets", "model"
 """Folders in a kit. The start page, the lists and the report are beside them."""
@@ -115,8 +120,11 @@ def model_kit(
         files.append(File(f"{name}-pages.pdf", partial(_draw_pages, contents), "parts at full size on paper"))
     files.append(File(csv, lambda path: write_text(path, listed.csv), "cut list"))
     files.append(File(txt, lambda path: write_text(path, str(listed)), "cut list"))
+    shapes = cache(
+        partial(_shapes, contents)
+    )  # the assembly and the files of the blocks have the same bodies
     if step:
-        files += _assemblies(contents, f"{MODEL}/{name}")
+        files += _assemblies(contents, f"{MODEL}/{name}", shapes)
     if pictures:
         files.append(File(f"{MODEL}/{name}.png", partial(_draw_model, contents), "picture of the model"))
     for nest in () if cutting.service else contents.nests:
@@ -126,7 +134,10 @@ def model_kit(
         if pictures:
             files.append(File(f"{stem}.png", partial(_draw_nest, nest), "picture of a sheet"))
     for piece in contents.pieces if parts else ():
-        cut = cutting_files(piece.drawing, f"{PARTS}/{piece.file_stem}", cutting, piece.sheet, "part")
+        if piece.is_rod and cutting.service:
+            continue
+        kind = "side view of a rod" if piece.is_rod else "part"
+        cut = cutting_files(piece.drawing, f"{PARTS}/{piece.file_stem}", cutting, piece.sheet, kind)
         names = {file.name.casefold() for file in cut}
         if used_names & names:
             raise InputError(
@@ -137,7 +148,7 @@ def model_kit(
             )
         files, used_names = [*files, *cut], used_names | names
     if step:
-        files += _block_files(contents)
+        files += _block_files(contents, shapes)
     files.append(File(json, lambda path: write_json(path, report), "report"))
     files.append(File(page, lambda path: write_text(path, _start_page(contents, report)), "this page"))
     files += _archives(name, files, PARTS if cutting.service else SHEETS) if archives else ()
@@ -300,9 +311,11 @@ def _has_holders(contents: KitContents) -> bool:
 def _file_of_each_piece(contents: KitContents, *, parts: bool) -> dict[str, str]:
     """Return the file from which each piece is cut: a separate file, or the file of the nested sheet."""
     named = contents.spec.cutting.file_name
+    no_file = not parts or contents.spec.cutting.service
+    rods = {piece.name: "" for piece in contents.pieces if piece.is_rod and no_file}
     if parts:
-        return {piece.name: f"{PARTS}/{named(piece.file_stem, 'dxf')}" for piece in contents.pieces}
-    return {
+        return {piece.name: f"{PARTS}/{named(piece.file_stem, 'dxf')}" for piece in contents.pieces} | rods
+    return rods | {
         piece: f"{SHEETS}/{named(file_word(nest.name), 'dxf')}"
         for nest in contents.nests
         for piece in nest.pieces
@@ -319,6 +332,7 @@ def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
             f"{nest.sheet_size[0]:g} by {nest.sheet_size[1]:g} mm."
             for nest in contents.nests
         ),
+        *(f"To buy: {item}{_sawn(item)}." for item in listed.stock),
         *_block_lines(contents, report["files"]),
         "Ends are numbered: end 1 is where a strip's label begins, end 2 where it ends; slot A:1 takes end 1 of A."
         if not contents.spec.cutting.service
@@ -326,6 +340,10 @@ def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
     ]
     files = {file: what for file, what in report["files"].items() if file != START_PAGE}
     return compose_start_page(contents.model.name, lines, report["reports"], files)
+
+
+def _sawn(item: Stock) -> str:
+    return f"; saw from each, mm: {'; '.join(item.sawn)}" if item.sawn else ""
 
 
 def _taken(pieces: int) -> str:
@@ -366,12 +384,18 @@ def _pack(files: Sequence[str], path: Path) -> None:
             archive.writestr(entry, (path.parent / name).read_bytes(), ZIP_DEFLATED)
 
 
-def _assemblies(contents: KitContents, stem: str) -> tuple[File, File]:
-    """Compute the bodies only once."""
-    from elastica_cad.kernel.mesh_files import write_glb
-    from elastica_cad.kernel.step_files import model_shapes, write_step
+def _shapes(contents: KitContents) -> "list[NamedShape]":
+    from elastica_cad.kernel.step_files import model_shapes
 
-    shapes = cache(lambda: model_shapes(contents.model, contents.holders))
+    return model_shapes(contents.model, contents.holders)
+
+
+def _assemblies(
+    contents: KitContents, stem: str, shapes: "Callable[[], list[NamedShape]]"
+) -> tuple[File, File]:
+    from elastica_cad.kernel.mesh_files import write_glb
+    from elastica_cad.kernel.step_files import write_step
+
     name = contents.model.name
     return (
         File(f"{stem}.step", lambda path: write_step(shapes(), path, name=name), "assembly for CAD programs"),
@@ -383,13 +407,21 @@ def _assemblies(contents: KitContents, stem: str) -> tuple[File, File]:
     )
 
 
-def _block_files(contents: KitContents) -> list[File]:
-    blocks = contents.blocks
+def _block_files(contents: KitContents, shapes: "Callable[[], list[NamedShape]]") -> list[File]:
+    blocks, holders = contents.blocks, [*single_holders(contents.holders)]
     stems = distinct(file_word(block.label) for block in blocks)
+    # the bodies of the holders are the last of the assembly
+    places = [k - len(holders) for k, holder in enumerate(holders) if isinstance(holder, EndFixture)]
     return [
-        File(f"{PARTS}/{stem}.stl", partial(save_solid, block.solid, bed=block.ground), "block to print")
-        for stem, block in zip(stems, blocks, strict=True)
+        File(f"{PARTS}/{stem}.stl", partial(_save_block, block, place, shapes), "block to print")
+        for stem, block, place in zip(stems, blocks, places, strict=True)
     ]
+
+
+def _save_block(block: EndFixture, place: int, shapes: "Callable[[], list[NamedShape]]", path: Path) -> None:
+    from elastica_cad.kernel.mesh_files import write_stl
+
+    write_stl(shapes()[place].shape, path, bed=block.ground)
 
 
 def _draw_assembly(contents: KitContents, listed: CutList, path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Cut list with a row for every piece and every printed block, as CSV and as a printed table."""
+"""Cut list with all pieces, printed blocks, and the sheets and rods to buy, as CSV and as a printed table."""
 
 import csv
 import io
@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from elastica_cad._values import require_record, several
+from elastica_cad._values import counted, require_record, several
 from elastica_cad.mechanics.sheets import hex_color, sheet_color
 from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER
@@ -16,7 +16,8 @@ from elastica_cad.strip.pieces import DistinctShapes, FlatShape, Piece, distinct
 
 CSV_COLUMNS = {
     "part": "{0.part}", "sheet": "{0.sheet}", "thickness_mm": "{0.thickness:g}", "length_mm": "{0.length:.2f}",
-    "width_mm": "{0.width:.2f}", "count": "{0.count}", "file": "{0.file}", "cut_length_mm": "{0.cut_length:.1f}",
+    "width_mm": "{0.width:.2f}", "height_mm": "{0.thickness:.2f}", "count": "{0.count}", "file": "{0.file}",
+    "cut_length_mm": "{0.cut_length:.1f}",
     "mass_g": "{0.mass:.3f}", "grain": "{0.grain}", "same_shape_as": "{0.like}", "color": "{0.color}",
 }  # fmt: skip
 """Columns of the list in a file, with the format of each value."""
@@ -30,8 +31,14 @@ TABLE_COLUMNS = {
 
 SUMMED = ("count", "cut mm", "g")
 
-NOT_PRINTED = ("cut_length_mm", "mass_g", "cut mm", "g")
-"""Columns that are empty in the rows of printed blocks. Their mass depends on the printer."""
+BLOCK_COLUMNS = {
+    "printed block": "{0.part}", "base, length x width mm": "{0.length:.1f} x {0.width:.1f}",
+    "height over the base mm": "{0.thickness:.1f}", "count": "{0.count}", "color": "{0.color}", "file": "{0.file}",
+}  # fmt: skip
+"""Columns of the printed table of blocks, with the format of each value."""
+
+ONLY_CUT, ONLY_PRINTED = ("thickness_mm", "cut_length_mm", "mass_g"), ("height_mm",)
+"""Columns that are empty for printed blocks, whose mass depends on the printer, and for pieces that are cut."""
 
 PRINTED = "printed"
 """Text in place of the sheet in the rows of printed blocks."""
@@ -62,6 +69,33 @@ class CutListRow:
 
 
 @dataclass(frozen=True)
+class Stock:
+    """Equal sheets or rods to buy.
+
+    Attributes
+    ----------
+    sheet : str
+        Full name of the material.
+    size : (float, ...)
+        Width and height of a sheet, or length of a rod, mm.
+    count : int
+        Number of sheets or rods.
+    sawn : tuple of str
+        For rods, the lengths to saw from each rod, mm, with the names of the pieces.
+    """
+
+    sheet: str
+    size: tuple[float, ...]
+    count: int
+    sawn: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        noun = "rod" if len(self.size) == 1 else "sheet"
+        size = " x ".join(f"{side:g}" for side in self.size)
+        return f"{counted(self.count, noun)} of {self.sheet}, {size} mm{' long' * (noun == 'rod')}"
+
+
+@dataclass(frozen=True)
 class CutList:
     """List of the pieces to be cut. `csv` returns it for programs, and `str()` as a printed table.
 
@@ -71,10 +105,13 @@ class CutList:
         Pieces to be cut.
     printed : tuple of CutListRow
         Printed blocks. The sums do not include them.
+    stock : tuple of Stock
+        Sheets and rods to buy, if the list belongs to a kit.
     """
 
     rows: tuple[CutListRow, ...]
     printed: tuple[CutListRow, ...] = ()
+    stock: tuple[Stock, ...] = ()
 
     @property
     def count(self) -> int:
@@ -105,7 +142,8 @@ class CutList:
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(CSV_COLUMNS)
-        writer.writerows(map(_cell, row) for row in self._texts(CSV_COLUMNS))
+        for rows, empty in ((self.rows, ONLY_PRINTED), (self.printed, ONLY_CUT)):
+            writer.writerows(map(_cell, row) for row in _texts(rows, CSV_COLUMNS, empty))
         return stream.getvalue()
 
     def in_files(self, files: Mapping[str, str]) -> "CutList":
@@ -115,23 +153,28 @@ class CutList:
             tuple(replace(row, file=files.get(row.part, row.file)) for row in rows)
             for rows in (self.rows, self.printed)
         )
-        return CutList(cut, printed)
+        return replace(self, rows=cut, printed=printed)
 
     def __str__(self) -> str:
-        """Return the list as a table of text. The sums are below the pieces and above the printed blocks."""
-        body = self._texts(TABLE_COLUMNS)
+        """Return tables of the pieces, with sums, of the stock to buy, and of the printed blocks."""
         sums = [TABLE_COLUMNS[name].format(self) if name in SUMMED else "" for name in TABLE_COLUMNS]
-        body.insert(len(self.rows), ["in all", *sums[1:]])
-        return _table([[*TABLE_COLUMNS], *body], right=(2, 3, 4, 5, 6), sums=len(self.rows) + 1)
+        pieces = [[*TABLE_COLUMNS], *_texts(self.rows, TABLE_COLUMNS), ["in all", *sums[1:]]]
+        parts = [_table(pieces, right=(2, 3, 4, 5, 6), lines=(1, len(pieces) - 1))]
+        if self.stock:
+            rows = [
+                line for item in self.stock for line in (str(item), *(f"    {each}" for each in item.sawn))
+            ]
+            parts.append("\n".join(["to buy", *rows, ""]))
+        if self.printed:
+            blocks = [[*BLOCK_COLUMNS], *_texts(self.printed, BLOCK_COLUMNS)]
+            parts.append(_table(blocks, right=(1, 2, 3), lines=(1,)))
+        return "\n".join(parts)
 
-    def _texts(self, columns: Mapping[str, str]) -> list[list[str]]:
-        """Return the texts of all rows, those of the printed blocks last."""
-        cut = [[text.format(row) for text in columns.values()] for row in self.rows]
-        printed = [
-            ["" if name in NOT_PRINTED else text.format(row) for name, text in columns.items()]
-            for row in self.printed
-        ]
-        return cut + printed
+
+def _texts(
+    rows: Iterable[CutListRow], columns: Mapping[str, str], empty: Sequence[str] = ()
+) -> list[list[str]]:
+    return [["" if name in empty else text.format(row) for name, text in columns.items()] for row in rows]
 
 
 def _cell(text: str) -> str:
@@ -164,7 +207,7 @@ def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | No
                 length,
                 width,
                 piece.count,
-                piece.cut_length,
+                0.0 if piece.is_rod else piece.cut_length,
                 piece.mass,
                 f"{piece.file_stem}.dxf",
                 "" if piece.sheet.grain == "none" else piece.sheet.grain,
@@ -204,18 +247,17 @@ def _like(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
     return ""
 
 
-def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int], sums: int) -> str:
-    """Return rows as text, with lines below the headings and around the row of the sums."""
+def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int], lines: Sequence[int]) -> str:
+    """Return rows as text, with a line above each row whose number is in `lines`."""
     widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
-    lines = []
+    texts = []
     for row in rows:
         cells = [
             cell.rjust(width) if k in right else cell.ljust(width)
             for k, (cell, width) in enumerate(zip(row, widths, strict=True))
         ]
-        lines.append("  ".join(cells).rstrip())
-    line = "-" * max(map(len, lines))
-    for k in (sums + 1, sums, 1):
-        if k < len(lines):
-            lines.insert(k, line)
-    return "\n".join(lines) + "\n"
+        texts.append("  ".join(cells).rstrip())
+    line = "-" * max(map(len, texts))
+    for k in sorted(lines, reverse=True):
+        texts.insert(k, line)
+    return "\n".join(texts) + "\n"

@@ -149,6 +149,9 @@ GROOVE_SHARE = 0.16, 0.075
 at a
 height of 4 mm; the depth is then two fine layers."""
 
+MOST_EXTENDED_MM = 150.0
+"""Largest height, mm, by which blocks are extended to a floor below them. Few printers hold taller blocks."""
+
 LABEL_MM = 4.0
 """Height of the part number, mm, if the surface is large enough."""
 
@@ -472,8 +475,10 @@ def end_fixtures(
 ) -> tuple[EndFixture, ...]:
     """Return blocks for these ends of every strip that has tabs; sizes as in `EndFixture`.
 
-    By default, blocks of strips in vertical planes have a common horizontal floor below the lowest block. The
-    floor of every other block is perpendicular to its tab.
+    By default, blocks of strips in vertical planes have a horizontal floor below the lowest block. A block that
+    would be extended by more than `MOST_EXTENDED_MM` to this floor has a higher floor. If its tab points upwards,
+    its floor is perpendicular to the tab, because a floor below the block would cut the strip. Blocks of other
+    strips have such floors, too.
     """
     refuse_unknown(
         sizes, {field.name for field in fields(EndFixture)} - {"tab", "floor", "engrave"}, "a fixture"
@@ -485,15 +490,27 @@ def end_fixtures(
     if floor is not None:
         grounds: list[Frame | None] = [floor] * len(held)
     else:
-        upright = [abs(tab.frame.y_axis[2]) <= LEVEL for tab, _, _ in held]
-        trial = [EndFixture(tab, None, engrave=None, **sizes) for tab, _, _ in held]
-        corners = [fixture.lowest_height for fixture, stands in zip(trial, upright, strict=True) if stands]
-        ground = Frame((0.0, 0.0, min(corners))) if corners else None
-        grounds = [ground if stands else None for stands in upright]
+        grounds = _floors([EndFixture(tab, None, engrave=None, **sizes) for tab, _, _ in held])
     return tuple(
         EndFixture(tab, ground, engrave=None, **sizes).leaning(strip, end)
         for (tab, strip, end), ground in zip(held, grounds, strict=True)
     )
+
+
+def _floors(blocks: Sequence[EndFixture]) -> list[Frame | None]:
+    """Return the horizontal floor of each block, or None for a block on a floor perpendicular to its tab."""
+    floors: list[Frame | None] = [None] * len(blocks)
+    floor = None
+    for k in sorted(range(len(blocks)), key=lambda k: blocks[k].lowest_height):
+        tab, height = blocks[k].tab.frame, blocks[k].lowest_height
+        if abs(tab.y_axis[2]) > LEVEL:
+            continue
+        if floor is None or height - floor.origin[2] > MOST_EXTENDED_MM:
+            if tab.x_axis[2] > LEVEL and floor is not None:
+                continue
+            floor = Frame((0.0, 0.0, height))
+        floors[k] = floor
+    return floors
 
 
 def _polygon(corners: FloatArray) -> Path:
@@ -553,15 +570,21 @@ def _crossed(placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Seque
     half = placed.strip.width(s) / 2
     across = np.linspace(-1.0, 1.0, int(2 * half.max() / PITCH_MM) + 2)
     middle = frame.point(np.column_stack([np.interp(s, rod.s, x) for x in rod.position.T]))
-    points = (middle[:, None] + np.multiply.outer(half, across)[..., None] * frame.z_axis).reshape(-1, 3)
-    return [
-        k for k, block in enumerate(blocks) if block.tab.key not in tab_keys and _reach_into(points, parts[k])
-    ]
+
+    def crosses(its: Sequence["_Prism"]) -> bool:
+        corners = np.concatenate([part.edges for part in its])
+        # only stations of the strip near the block can be inside it
+        near = (middle > corners.min(axis=0) - half.max()) & (middle < corners.max(axis=0) + half.max())
+        places, wide = middle[near.all(axis=1)], half[near.all(axis=1)]
+        points = places[:, None] + np.multiply.outer(wide, across)[..., None] * frame.z_axis
+        return _reach_into(points.reshape(-1, 3), its)
+
+    return [k for k, block in enumerate(blocks) if block.tab.key not in tab_keys and crosses(parts[k])]
 
 
 def _reach_into(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
     """Return True if any of the points (n, 3) is deeper than `TOUCHING_MM` in one of the parts."""
-    return any(bool((part.depths(points) > TOUCHING_MM).any()) for part in parts)
+    return any(bool((part.depths(part.near(points)) > TOUCHING_MM).any()) for part in parts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -587,6 +610,11 @@ class _Prism:
         outward = np.concatenate([np.cross(after - lower, up), up[None], -up[None]])
         outward /= np.linalg.norm(outward, axis=1)[:, None]
         return cls(edges.reshape(-1, 3), np.concatenate([lower, upper[:1], lower[:1]]), outward)
+
+    def near(self, points: FloatArray) -> FloatArray:
+        """Return those of the points (n, 3) that are within the bounding box of the prism."""
+        inside = (points > self.edges.min(axis=0)) & (points < self.edges.max(axis=0))
+        return np.asarray(points[inside.all(axis=1)])
 
     def depths(self, points: FloatArray) -> FloatArray:
         """Return the depths (n,), mm, of points (n, 3) below the surface of the prism; negative outside."""

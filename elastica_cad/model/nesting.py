@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, TypeAlias
 
 import numpy as np
 
@@ -81,6 +81,10 @@ class NestedSheet(Drawing):
     def counts(self) -> dict[str, int]:
         """Number of each piece on this sheet."""
         return dict(Counter(self.pieces))
+
+
+Sawn: TypeAlias = tuple[str, float]
+"""Name of a piece, and a length to saw for it, mm."""
 
 
 @dataclass(frozen=True)
@@ -167,6 +171,43 @@ def nest_pieces(
         apart = widened + (max(margin, LEAST_GAP_MM) if widened else margin)
         drawings += _nested_group(sheet, group, (width, height), apart, name)
     return tuple(drawings)
+
+
+def saw_rods(pieces: Iterable[Piece], stock: float, saw: float = 2.0) -> tuple[tuple[Sawn, ...], ...]:
+    """Return the lengths to saw from each rod: the longest piece first, from the first rod with enough length left.
+
+    A piece that is longer than the stock is joined from whole rods and a shorter length.
+
+    Parameters
+    ----------
+    pieces : iterable of Piece
+        Each piece is sawn `count` times.
+    stock : float
+        Length of the rods, mm.
+    saw : float
+        Length that is lost at each cut, mm.
+
+    Examples
+    --------
+    >>> from elastica_cad.strip.drawing import CUT_OUTER
+    >>> pole = Drawing("pole", [LayeredPath(CUT_OUTER, Path.rectangle(700, 4))])
+    >>> [[length for _, length in rod] for rod in saw_rods([Piece("P", pole, Sheet.named("glass-rod-4"), 3)], 2000)]
+    [[700.0, 700.0], [700.0]]
+    """
+    lengths: list[Sawn] = []
+    for piece in pieces:
+        length = piece.size[0]
+        whole = int((length - SLACK_MM) // stock)
+        parts = [stock] * whole + [length - whole * stock]
+        lengths += [(piece.name, part) for part in parts] * piece.count
+    rods: list[list[Sawn]] = []
+    for name, length in sorted(lengths, key=lambda sawn: -_rounded(sawn[1])):
+        fits = (rod for rod in rods if sum(used + saw for _, used in rod) + length <= stock + SLACK_MM)
+        rod = next(fits, None)
+        if rod is None:
+            rods.append(rod := [])
+        rod.append((name, length))
+    return tuple(map(tuple, rods))
 
 
 def widened_by(sheet: Sheet, kerf: float | None) -> float:

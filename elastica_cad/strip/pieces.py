@@ -17,6 +17,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path, distances
 from elastica_cad.geometry.plane_points import box_around
 from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, MARK, SAME_MM, Drawing
 from elastica_cad.strip.layers import Layer
 from elastica_cad.strip.lettering import Text
@@ -31,6 +32,9 @@ SIZE_TOLERANCE = 1e-6
 """Largest difference between parts that count as equal, as a fraction of the length of the outline.
 
 The parts are compared by length, bounding box and square root of the area."""
+
+ROD_KIND = "rod"
+"""Kind of the sheets that are rods or flat bars: stock of a length."""
 
 SAME_BEND_RAD = 1e-4
 """Largest difference between natural curvatures that count as equal, times the length of the strip, rad."""
@@ -271,6 +275,11 @@ class Piece:
         words = (self.name, self.sheet.name, f"{self.sheet.thickness:g}mm", f"x{self.count}")
         return "_".join(map(file_word, words))
 
+    @property
+    def is_rod(self) -> bool:
+        """True if the piece is sawn from a rod, not cut from a sheet."""
+        return self.sheet.kind == ROD_KIND
+
     @cached_property
     def bounds(self) -> FloatArray:
         """Exact bounding box [[x_min, y_min], [x_max, y_max]] of the outer cuts, mm."""
@@ -379,9 +388,12 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
 def _stock(strip: Strip, layer: Layer) -> tuple[Sheet, float | None]:
     """Return the sheet from which a layer is cut, and the mass, g, of a planed or turned strip, else None.
 
-    The sheet for a planed or turned strip has the largest thickness of the strip.
+    The sheet for a planed or turned strip has the largest thickness of the strip. Turned strips are rods.
     """
     size = strip.layout.worked_size
     if size is None:
         return layer.sheet, None
-    return layer.sheet.with_thickness(float(f"{size.extremes[1]:.4g}")), strip.mass
+    sheet = layer.sheet.with_thickness(float(f"{size.extremes[1]:.4g}"))
+    return (
+        replace(sheet, kind=ROD_KIND) if isinstance(strip.layout.section, RoundLaw) else sheet
+    ), strip.mass

@@ -108,11 +108,13 @@ def test_printed_blocks_are_listed_with_the_sizes_of_their_meshes(tmp_path):
     for row, block in zip(rows, report["blocks"], strict=True):
         data = np.frombuffer((out / row["file"]).read_bytes()[84:], TRIANGLE)
         extents = sorted(np.ptp(data["corners"].reshape(-1, 3), axis=0))
-        listed = [float(row[name]) for name in ("length_mm", "width_mm", "thickness_mm")]
+        listed = [float(row[name]) for name in ("length_mm", "width_mm", "height_mm")]
         assert sorted(listed) == pytest.approx(extents, abs=0.006)
         assert (block["size"], block["color"]) == (pytest.approx(listed, abs=0.006), row["color"])
     table = (out / "kit-cut-list.txt").read_text().splitlines()
-    assert [line.split()[:3] for line in table[-2:]] == [["fixture", f"K:{k}", "printed"] for k in (1, 2)]
+    assert [line.split()[:2] for line in table[-2:]] == [["fixture", f"K:{k}"] for k in (1, 2)]
+    assert "height over the base mm" in table[-4]
+    assert rows[0]["thickness_mm"] == ""
 
 
 def test_the_same_design_gives_the_same_files(design, tmp_path):
@@ -566,3 +568,59 @@ def test_glued_leaves_beside_strips_that_are_held(tmp_path):
     done = run("model", path, "-o", tmp_path / "all", code=2)
     assert "LEAF: " in done.output
     assert not (tmp_path / "all").exists()
+
+
+POLES = """
+name = "tent"
+sheet = "glass-rod-4"
+[[strips]]
+label = "P"
+count = 5
+curve = "pole.csv"
+law = { kind = "rod", limits = [4, 4] }
+limits = {}
+origin = [0, "300 * i", 0]
+"""
+
+
+def cut_only(design, out, *settings):
+    options = [word for setting in settings for word in ("--set", setting)]
+    told = run("model", design, "-o", out, "--no-step", "--no-pictures", "--no-effects", *options)
+    assert told.exit_code == 0, told.output
+    return told.output
+
+
+def test_a_kit_of_rods_lists_the_lengths_to_saw(tmp_path):
+    """Of five poles of 726 mm, three fit a rod of 2.25 m, and two a rod of 1.5 m. No sheet is nested."""
+    (tmp_path / "pole.csv").write_text("x mm,y mm\n0,0\n150,110\n310,150\n470,110\n620,0\n")
+    design = tmp_path / "tent.toml"
+    design.write_text(POLES)
+    for length, rods in (("2250", 2), ("1500", 3)):
+        out = tmp_path / length
+        bought = f"{rods} rods of Pultruded glass rod 4 mm, {length} mm long"
+        assert bought in cut_only(design, out, f"shop.stock=[{length}, 100]")
+        assert bought in (out / "index.html").read_text()
+        (stock,) = json.loads((out / "tent.json").read_text())["stock"]
+        assert (stock["size"], stock["count"]) == ([float(length)], rods)
+        sawn = [[float(part) for part in re.findall(r"[\d.]+(?= \(P\))", line)] for line in stock["sawn"]]
+        assert sum(map(len, sawn)) == 5
+        assert all(sum(parts) < float(length) for parts in sawn)
+        assert not (out / "sheets").exists()
+    cut_only(design, tmp_path / "service", "cut.for=service")
+    assert not [*(tmp_path / "service").rglob("*.dxf")]
+    short = cut_only(design, tmp_path / "short", "shop.stock=[500, 100]")
+    assert "P: longer than the rods to buy, 500 mm" in short
+    assert "10 rods" not in short  # the rests of two poles share a rod
+    assert "8 rods of Pultruded glass rod 4 mm, 500 mm long" in short
+
+
+def test_the_cut_list_says_how_many_sheets_to_buy(tmp_path):
+    (tmp_path / "kit.toml").write_text(DESIGN.replace("count = 2", "count = 3"))
+    told = cut_only(
+        tmp_path / "kit.toml", tmp_path / "out", "nest.sheet_size=[450, 60]", "base.sheet_size=[500, 500]"
+    )
+    listed = (tmp_path / "out" / "kit-cut-list.txt").read_text()
+    for line in ("2 sheets of Birch plywood 0.8 mm, 450 x 60 mm", "1 sheet of MDF 3 mm, 500 x 500 mm"):
+        assert line in listed
+        assert line in told
+    assert len([*(tmp_path / "out" / "sheets").glob("kit-nest*.dxf")]) == 2
