@@ -99,7 +99,11 @@ def pair(**chosen: Any) -> None:
     written = made.kit.write(chosen["output"], force=chosen["force"], process=process)
     _report(made)
     answer({"pair": made.kit.report})
-    wrote(written, {f"{name}.dxf": "cut", f"{name}-holder.dxf": "cut, holder"})
+    held = "print, holder" if made.part.pair.bistable else "print, holder without the names of the settings"
+    wrote(
+        written,
+        {f"{name}.dxf": "cut", f"{name}-holder.dxf": "cut, holder", f"{name}-holder.stl": held},
+    )
 
 
 def _spec_of(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:

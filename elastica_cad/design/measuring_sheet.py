@@ -112,12 +112,7 @@ def _number(value: Any) -> float:
 def read_readings(path: FilePath) -> tuple[dict[str, dict[str, float]], dict[str, float]]:
     """Return the measured values in a TOML file, by strip and quantity, and the errors of the readings.
 
-        Values above all tables have the strip's name "". Errors are above all tables.
-
-    Raises
-    ------
-    InputError
-        The file is missing or not TOML, or a reading is not a number.
+    Values above all tables have the strip's name "". Errors are above all tables.
     """
     text = ""
     try:

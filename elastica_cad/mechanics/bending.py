@@ -425,7 +425,16 @@ def _snap_warning(percent: float) -> Refusal:
 
 def has_snapped(rod: Rod) -> bool:
     """Return True if `bend` warned that the rod snapped into another shape."""
-    return any(warning.startswith("the rod snaps ") for warning in rod.warnings)
+    return snap_percent(rod) is not None
+
+
+def snap_percent(rod: Rod) -> float | None:
+    """Return the fraction of the path in percent at which `bend` warned that the rod snapped, or None."""
+    return next(
+        (float(warning.values["percent"]) for warning in rod.warnings
+         if isinstance(warning, Refusal) and warning.startswith("the rod snaps ")),
+        None,
+    )  # fmt: skip
 
 
 def _too_coarse(state: RodState) -> tuple[str, ...]:
@@ -491,14 +500,10 @@ def bend_path(
 
 def _with_rescaled_snap(rod: Rod, start: float, end: float) -> Rod:
     """Convert the fraction in the snap warning from one step to the whole movement."""
-    if not has_snapped(rod):
+    if (percent := snap_percent(rod)) is None:
         return rod
-    warning = next(
-        message for message in rod.warnings if isinstance(message, Refusal) and "percent" in message.values
-    )
-    percent = 100 * start + (end - start) * warning.values["percent"]
-    other_warnings = [message for message in rod.warnings if message is not warning]
-    return replace(rod, warnings=(_snap_warning(percent), *other_warnings))
+    others = [message for message in rod.warnings if not message.startswith("the rod snaps ")]
+    return replace(rod, warnings=(_snap_warning(100 * start + (end - start) * percent), *others))
 
 
 @dataclass(frozen=True, eq=False)

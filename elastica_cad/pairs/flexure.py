@@ -26,7 +26,7 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.segments import Arc, Line, Spline
 from elastica_cad.geometry.splines import adaptive_spline, spline_through
-from elastica_cad.mechanics.bending import bend_path
+from elastica_cad.mechanics.bending import Movement, bend_path, snap_percent
 from elastica_cad.mechanics.rod import Rod, csv_text
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet
@@ -37,7 +37,7 @@ from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.corner_rounding import round_corners
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, Drawing, LayeredPath
 from elastica_cad.strip.flat_pattern import in_short_pieces
-from elastica_cad.strip.lettering import Text, centred_text, fit_label
+from elastica_cad.strip.lettering import Text, centred_text, engravable, fit_label, text_width
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.solids import FlatSolid, turned
 
@@ -53,6 +53,7 @@ SIDE_MM = 1e-3
 LEAST_GAP_MM = 0.3
 """Least gap between parts of the outline, mm; smaller gaps close or fuse during cutting or printing."""
 
+NAME_MM = 3.0  # height of the names of settings on the holder
 APART = 3.0
 """Distance along the part, in thicknesses, up to which points are neighbours.
 
@@ -61,6 +62,7 @@ The gap between them is not checked.
 
 CONTACT_POINTS = 241
 TRAVEL_STEPS = 48
+SNAP_SHARE = 1e-3  # distance of the shapes before and after a snap from it, as a fraction of the path
 SHAPES = 8  # number of shapes on a path in which the part is checked for contact with itself
 State: TypeAlias = Literal["first", "second"]
 STATES = get_args(State)
@@ -123,8 +125,8 @@ class FlexureTravel:
     Attributes
     ----------
     travel : (k,) array
-        Displacement of the pushed point, mm. For a part that is not bistable, it is the fraction (0 to 1) of the
-        displacement of its end.
+        Displacement of the pushed point, mm. For a part that is not bistable, it is the displacement of its end,
+        mm, or the rotation of an end that only turns, degrees.
     force : (k,) array
         Force along the push, N. For a part that is not bistable, it is the force that holds its end.
     energy : (k,) array
@@ -134,11 +136,15 @@ class FlexureTravel:
     strain : (k,) array
         Largest strain of each shape.
     snap : float or None
-        Travel at which the part snaps, mm, or None.
+        Travel at which the part snaps, or None.
     work : float
         Work of the push up to the snap, N mm.
     reached : bool
         True if the path ends in the other state.
+    forces_at_snap : (float, float) or None
+        Force on the moved end before and after the part snaps, N. None for a pushed part, or without a snap.
+    unit : "mm" or "deg"
+        Unit of `travel` and `snap`.
     """
 
     travel: FloatArray
@@ -149,11 +155,14 @@ class FlexureTravel:
     snap: float | None
     work: float
     reached: bool
+    forces_at_snap: tuple[float, float] | None = None
+    unit: Literal["mm", "deg"] = "mm"
 
     @property
     def largest_force(self) -> float:
-        """Largest force up to the snap, or over the whole travel without a snap, N."""
-        return float(self.force[self.travel <= (self.travel[-1] if self.snap is None else self.snap)].max())
+        """Largest force up to the snap of a pushed part, or over the whole travel, N."""
+        end = self.travel[-1] if self.snap is None or self.forces_at_snap is not None else self.snap
+        return float(self.force[self.travel <= end].max())
 
 
 @dataclass(frozen=True, eq=False)
@@ -514,19 +523,13 @@ class Flexure:
         return Drawing(self.label or "flexure", (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
 
     def holder(self) -> Drawing:
-        """Return a plate with holes for both pads; the end pad has two sets unless the part is bistable."""
+        """Return a plate with holes for both pads; the end pad has two sets unless the part is bistable.
+
+        The names of the settings are engraved beside these sets.
+        """
         places = [self.hole_places(line) for line in self.states]
-        groups = [
-            (places[0][0], ""),
-            (places[0][1], "" if self.pair.bistable else self.state_names[0] or "1"),
-        ]
-        if not self.pair.bistable:
-            groups.append((places[1][1], self.state_names[1] or "2"))
-        middles = np.concatenate([group for group, _ in groups])
-        margin = self.pad_width / 2 + self.pad.hole
-        low, high = middles.min(axis=0) - margin, middles.max(axis=0) + margin
-        plate = round_corners(Path.rectangle(*(high - low), corner=low), self.pad.hole)
-        distinct = _distinct(middles)
+        settings = [] if self.pair.bistable else [group[1] for group in places]
+        distinct = _distinct(np.concatenate([*places[0], *settings[1:]]))
         apart = min(
             (float(np.hypot(*(a - b))) for i, a in enumerate(distinct) for b in distinct[:i]), default=np.inf
         )
@@ -536,8 +539,17 @@ class Flexure:
                 "of the pads, or turn the second curve so that its end is elsewhere",
                 apart=Length(apart),
             )
-        room = self.pad.length - 2 * self.pad.inset - self.pad.hole
-        texts = [centred_text(name, group.mean(axis=0), 3.0, room) for group, name in groups if name]
+        texts = list[Text]()
+        boxes = list[FloatArray]()
+        for group, name, number in zip(settings, self.state_names, "12", strict=False):
+            half = np.array([text_width(engravable(name or number), NAME_MM), NAME_MM]) / 2 + 1
+            middle = _free_place(group.mean(axis=0), half, np.array(distinct), self.pad.hole / 2, boxes)
+            texts.append(centred_text(name or number, middle, NAME_MM, np.inf))
+            boxes.append(np.array([middle - half, middle + half]))
+        margin = self.pad_width / 2 + self.pad.hole
+        low, high = (f([f(distinct, axis=0) + side * margin, *(f(box, axis=0) for box in boxes)], axis=0)
+                     for f, side in ((np.min, -1), (np.max, 1)))  # fmt: skip
+        plate = round_corners(Path.rectangle(*(high - low), corner=low), self.pad.hole)
         holes = [LayeredPath(CUT_INNER, Path.circle(place, self.pad.hole / 2)) for place in distinct]
         name = f"{self.label or 'flexure'}-holder"
         return Drawing(name, (*holes, LayeredPath(CUT_OUTER, plate)), tuple(texts))
@@ -654,10 +666,11 @@ class Flexure:
     def force_csv(self) -> str:
         """Return the force curve as comma-separated text: travel, force, energy and largest strain.
 
-        The travel of a part that is not bistable is the fraction of the displacement of its end.
+        The first column is `turn_deg` instead of `travel_mm` if the end only turns.
         """
-        travel, unit = self.travel, "travel_mm" if self.pair.bistable else "travel"
-        columns = {unit: travel.travel, "force_N": travel.force, "energy_Nmm": travel.energy}
+        travel = self.travel
+        name = "travel_mm" if travel.unit == "mm" else "turn_deg"
+        columns = {name: travel.travel, "force_N": travel.force, "energy_Nmm": travel.energy}
         return csv_text(columns | {"largest_strain": travel.strain})
 
     @property
@@ -705,7 +718,16 @@ class Flexure:
 
     @cached_property
     def _rods_with_moved_end(self) -> Sequence[Rod]:
-        """Return the rods while the end moves along a straight line and turns uniformly; the start is fixed."""
+        """Rods while the end moves along a straight line and turns uniformly, with finer steps at a snap."""
+        shares = np.linspace(0.0, 1.0, TRAVEL_STEPS + 1)
+        rods = self._moved_end(shares)
+        snaps = [percent for rod in rods if (percent := snap_percent(rod)) is not None]
+        if not snaps:
+            return rods
+        near = np.clip(snaps[0] / 100 + np.array([-SNAP_SHARE, SNAP_SHARE]), 0.0, 1.0)
+        return self._moved_end(np.union1d(shares, near))
+
+    def _moved_end(self, shares: FloatArray) -> Sequence[Rod]:
         first, second = self.rods
         end, angle = second.position[-1], float(second.angle[-1])
         steps = [
@@ -716,7 +738,7 @@ class Flexure:
                     float(first.angle[-1] + share * (angle - first.angle[-1])),
                 ),
             }
-            for share in np.linspace(0.0, 1.0, TRAVEL_STEPS + 1)
+            for share in shares
         ]
         return bend_path(first, steps)
 
@@ -726,10 +748,18 @@ class Flexure:
         energy = B * np.array([rod.bending_energy for rod in rods])
         force = B * np.array([np.hypot(*rod.force[-1]) for rod in rods])
         strains = self._strains(self._bends_of(rods), self.scale**2 * self._pull_of(rods), self.scale)
+        movement = Movement.of(rods)
+        travel = np.degrees(movement.turn) if movement.is_turn else movement.travel
+        snap, jump = None, None
+        for k, rod in enumerate(rods):
+            if (percent := snap_percent(rod)) is not None:
+                snap, jump = float(percent / 100 * travel[-1]), (float(force[k - 1]), float(force[k]))
+                break
         return FlexureTravel(
-            np.linspace(0.0, 1.0, len(rods)), force, energy, np.array([rod.position for rod in rods]),
-            strains.max(axis=1), None, float(energy[-1] - energy[0]),
-            _distance(rods[-1].position, second.position) <= REST_SHARE * first.length,
+            travel, force, energy, np.array([rod.position for rod in rods]), strains.max(axis=1), snap,
+            float(energy[-1] - energy[0]),
+            _distance(rods[-1].position, second.position) <= REST_SHARE * first.length, jump,
+            "deg" if movement.is_turn else "mm",
         )  # fmt: skip
 
     # --- errors and warnings
@@ -888,11 +918,14 @@ class Flexure:
             "largest_force_N": travel.largest_force,
             "largest_force_range_N": list(self.force_range),
             "force_direction_deg": self.force_direction,
-            "snap_travel_mm": travel.snap,
+            "snap_travel_mm": travel.snap if travel.unit == "mm" else None,
             "work_N_mm": travel.work,
             "reaches_second_state": travel.reached,
             "reports": [str(message) for message in self.warnings],
         }
+        if travel.forces_at_snap is not None:
+            report |= {"snap_turn_deg": travel.snap} if travel.unit == "deg" else {}
+            report |= {"forces_at_snap_N": list(travel.forces_at_snap)}
         if pair.bistable:
             at, _ = self.pushed
             back = self.travel_back
@@ -999,6 +1032,20 @@ class CentreLine:
 
 def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
     return [Line(a, b) for a, b in pairwise(corners)]
+
+
+def _free_place(
+    middle: FloatArray, half: FloatArray, holes: FloatArray, radius: float, boxes: Sequence[FloatArray]
+) -> FloatArray:
+    """Return the centre (2,) nearest to `middle` of a box with half sizes (2,) that is clear of holes and boxes."""
+    reach = float(np.ptp(holes, axis=0).max() + 2 * half.max() + radius)
+    steps = np.stack(np.meshgrid(*2 * [np.arange(-reach, reach, 1.0)]), axis=-1).reshape(-1, 2)
+    centres = middle + steps[np.hypot(*steps.T).argsort(kind="stable")]
+    apart = np.maximum(np.abs(centres[:, None] - holes) - half, 0.0)
+    clear = np.all(np.hypot(apart[..., 0], apart[..., 1]) > radius, axis=1)
+    for low, high in boxes:
+        clear &= np.any((centres + half < low) | (centres - half > high), axis=1)
+    return np.asarray(centres[clear][0])
 
 
 def _distinct(places: FloatArray) -> list[FloatArray]:

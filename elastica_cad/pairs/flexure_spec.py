@@ -4,6 +4,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Annotated, Literal
 
+import numpy as np
+
 from elastica_cad._values import EqualByValue
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
@@ -28,6 +30,8 @@ class FlexureSpec(EqualByValue):
         Drawn curves of both states, mm.
     sheet : Sheet or str
         Sheet from which the part is cut.
+    scale : float
+        Factor by which both curves are enlarged before anything else.
     match : "ends", "shape" or "none"
         Method by which the lengths of both curves are made equal: see `matched_pair`.
     smooth : float, optional
@@ -58,6 +62,7 @@ class FlexureSpec(EqualByValue):
     sheet: Annotated[
         Sheet | str, Option("Material, whose thickness is the depth of the part.", common=True, written=Sheet)
     ]
+    scale: Annotated[float, Option("Factor by which both curves are enlarged.", above=0, common=True)] = 1.0
     match: Annotated[
         Match,
         Option(
@@ -131,7 +136,11 @@ class FlexureSpec(EqualByValue):
     @cached_property
     def faired(self) -> tuple[PlaneCurve, PlaneCurve]:
         """Both curves with a smooth curvature, starting at the same end."""
-        first, second = (smooth_curve(curve, self.smooth).curve for curve in (self.first, self.second))
+        matrix = np.diag([self.scale, self.scale, 1.0])
+        first, second = (
+            smooth_curve(curve.transformed(matrix) if self.scale != 1 else curve, self.smooth).curve
+            for curve in (self.first, self.second)
+        )
         return same_way(first, second)
 
     @cached_property

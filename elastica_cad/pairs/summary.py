@@ -85,10 +85,22 @@ def _stability_row(part: Flexure) -> Row:
 def _force_sentence(part: Flexure) -> Refusal:
     turn = round(part.force_direction)
     if not part.pair.bistable:
-        return note(
+        sentence = note(
             "the part has two settings; moving its end from one to the other takes at most {force}, at {turn} "
             "degrees to the x axis",
             force=part.force_text, turn=turn,
+        )  # fmt: skip
+        snap, jump = part.travel.snap, part.travel.forces_at_snap
+        if snap is None or jump is None:
+            return sentence
+        return note(
+            "{sentence}; the part snaps after {snap:.3g} degrees of rotation, and the force jumps from "
+            "{before:.2g} to {after:.2g} N"
+            if part.travel.unit == "deg" else
+            "{sentence}; the part snaps after {snap:.3g} of travel, and the force jumps from {before:.2g} to "
+            "{after:.2g} N",
+            sentence=sentence, snap=snap if part.travel.unit == "deg" else Length(snap),
+            before=jump[0], after=jump[1],
         )  # fmt: skip
     at = Length(part.pushed[0])
     if (back := part.travel_back) is None:

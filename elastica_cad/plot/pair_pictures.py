@@ -71,11 +71,12 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
     push.axhline(0, color=INK, lw=0.5)
     if way.snap is not None:
         push.axvline(way.snap, color=SECOND, lw=0.8, ls=":")
-    label = "mm of the pushed point" if part.pair.bistable else "fraction of the displacement of the end"
+    unit = "mm" if way.unit == "mm" else "degrees"
+    label = f"{unit} of the {'pushed point' if part.pair.bistable else 'moved end'}"
     push.set_xlabel(f"{label}; force at {part.force_direction:.0f}° to the x axis", fontsize=8)
     push.set_ylabel("N", fontsize=8)
     push.tick_params(labelsize=7)
-    upto = "force" if way.snap is None else "force up to the snap"
+    upto = "force up to the snap" if way.snap is not None and way.forces_at_snap is None else "force"
     push.set_title(f"{upto}, at most {part.force_text}", fontsize=9, loc="left")
     return figure
 

@@ -18,7 +18,9 @@ def page_words() -> dict[str, Any]:
     without = set() if can_draw() else {"pdf"}
     without |= {"step", "stl"} if step_trouble() else set()
     fields = described(SharedKeys)
-    pair_fields = [entry for entry in described(FlexureSpec) if entry["name"] not in ("first", "second")]
+    pair_fields = [
+        entry for entry in described(FlexureSpec) if entry["name"] not in ("first", "second", "scale")
+    ]
     return {
         "fields": fields,
         "pair_fields": pair_fields,

@@ -5,13 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastica_cad import Flexure, InputError, PlaneCurve, Sheet
+from elastica_cad import Flexure, InputError, PlaneCurve, Sheet, bend
 from elastica_cad.errors import StrainError
 from elastica_cad.geometry import Spline
 from elastica_cad.geometry.path import distances
 from elastica_cad.pairs import FlexureSpec, Pad
 from elastica_cad.pairs.flexure import curved_beam_factor, root_factors
 from elastica_cad.pairs.pushed_rod import push_path
+from elastica_cad.pairs.summary import pair_rows
+from elastica_cad.strip.lettering import text_strokes
 
 pytestmark = pytest.mark.core
 
@@ -278,3 +280,62 @@ def test_states_have_names_in_the_holder_and_the_warnings(stand):
     assert [text.text for text in named.holder().texts] == ["reading", "2"]
     assert [text.text for text in stand.holder().texts] == ["1", "2"]
     assert [str(label) for label in named.state_labels] == ["reading", "second state"]
+
+
+def hook(rise: float, width: float) -> PlaneCurve:
+    """Start level and end at an angle."""
+    return PlaneCurve.spline([(0, 0), (15, 0), (30, 0), (0.7 * width, rise), (width, 0)], degree=4)
+
+
+SNAPPING = {"moved end": (-22, 114, 0.87, "mm"), "turned end": (-25, 110, 0.75, "deg")}
+
+
+@pytest.mark.parametrize(("rise", "width", "thickness", "unit"), SNAPPING.values(), ids=SNAPPING.keys())
+def test_a_setting_that_jumps_names_place_and_forces(rise, width, thickness, unit):
+    """Bent in one step to either side of the snap, the rod has the reported forces, and less energy after it."""
+    spec = FlexureSpec(hook(30, 110), hook(rise, width), POM, least_thickness=thickness, ignore_limits=True)
+    part = spec.make()
+    travel = part.travel
+    assert not part.pair.bistable
+    assert travel.unit == unit
+    (first, second), (before, after) = part.rods, travel.forces_at_snap
+    share = travel.snap / travel.travel[-1]
+    held = [
+        {
+            "end": first.position[-1] + at * (second.position[-1] - first.position[-1]),
+            "angles": (first.angle[0], first.angle[-1] + at * (second.angle[-1] - first.angle[-1])),
+        }
+        for at in (share - 1e-3, share + 1e-3)
+    ]
+    near = bend(first, **held[0])
+    far = bend(second, **held[1])
+    B = part.bending_stiffness
+    assert before == pytest.approx(B * np.hypot(*near.force[-1]), rel=0.01)
+    assert after == pytest.approx(B * np.hypot(*far.force[-1]), rel=0.01)
+    assert far.bending_energy < near.bending_energy
+    (row,) = (row.text for row in pair_rows(part) if row.label == "Force")
+    place = f"{travel.snap:.3g} " + ("mm of travel" if unit == "mm" else "degrees of rotation")
+    assert f"the part snaps after {place}, and the force jumps from {before:.2g} to {after:.2g} N" in row
+    assert travel.largest_force == travel.force.max()
+    assert part.force_csv().startswith({"mm": "travel_mm", "deg": "turn_deg"}[unit] + ",force_N,")
+    assert part.as_dict()["forces_at_snap_N"] == [before, after]
+
+
+def test_names_of_settings_have_one_height_beside_the_holes(stand):
+    holder = replace(stand, state_names=("for reading in bed", "flat")).holder()
+    assert {text.height for text in holder.texts} == {3.0}
+    holes = [path.points(0.01).mean(axis=0) for path in holder.on("CUT_INNER")]
+    (plate,) = holder.on("CUT_OUTER")
+    for text in holder.texts:
+        strokes = np.vstack([stroke.points(0.1) for stroke in text_strokes(text)])
+        assert min(np.hypot(*(strokes - hole).T).min() for hole in holes) > stand.pad.hole / 2 + 0.5
+        assert (plate.bounds[0] + 1 < strokes).all()
+        assert (strokes < plate.bounds[1] - 1).all()
+
+
+def test_scaled_curves_make_a_larger_part(stand):
+    first = PlaneCurve.spline([(0, 0), (40, 0), (62, 22), (72, 52), (89, 99)], degree=4)
+    second = PlaneCurve.spline([(0, 0), (40, 0), (66, 15), (90, 40), (122, 72)], degree=4)
+    large = FlexureSpec(first, second, "pla-4", scale=1.5, printed=True, least_thickness=3.0).make()
+    assert large.pair.length == pytest.approx(1.5 * stand.pair.length, rel=1e-3)
+    assert large.rods[1].position == pytest.approx(1.5 * stand.rods[1].position, abs=0.3)

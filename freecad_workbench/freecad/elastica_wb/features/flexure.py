@@ -51,7 +51,7 @@ class FlexureKeys:
     """Keys of a two-state part for which the feature has properties."""
 
     BESIDE: ClassVar[Record] = FlexureSpec
-    WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "sheet", "first_state", "second_state")
+    WITHOUT: ClassVar[tuple[str, ...]] = ("first", "second", "scale", "sheet", "first_state", "second_state")
 
 
 NAMES = {
@@ -115,7 +115,7 @@ class FlexureFeature(Feature):
             Reasons=list(part.warnings),
             Bistable=part.bistable,
             LargestForce=travel.largest_force,
-            SnapTravel=travel.snap or 0.0,
+            SnapTravel=(travel.snap or 0.0) if part.pair.bistable else 0.0,
             Length=part.pair.length,
             ThinnestPlace=part.thickness_range[0],
             ThickestPlace=part.thickness_range[1],

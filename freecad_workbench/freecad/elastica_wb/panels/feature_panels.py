@@ -305,17 +305,17 @@ FLEXURE = Layout(
 def _force_chart(part: Flexure) -> Any:
     """Return the chart of the force over the travel.
 
-    For a bistable part, it is the travel of the pushed point, for other parts the travel of the end.
+    For a bistable part, it is the travel of the pushed point, for other parts the travel or rotation of the end.
     """
-    travel = part.travel
-    if part.pair.bistable:
+    travel, size, name = part.travel, 1.0, note("rotation of the end (degrees)")
+    if travel.unit == "mm":
         unit = shown_unit()
-        x, name = travel.travel / unit.size, note("travel ({unit})", unit=unit.name)
-        snap = None if travel.snap is None else travel.snap / unit.size
-    else:
-        x, name, snap = travel.travel, note("fraction of the travel of the end"), None
-    names = worded(name), worded(note("force (N)"))
-    return line_chart(x.tolist(), travel.force.tolist(), names, snap)
+        size, name = unit.size, note("travel ({unit})", unit=unit.name)
+    names, snap = (
+        (worded(name), worded(note("force (N)"))),
+        None if travel.snap is None else travel.snap / size,
+    )
+    return line_chart((travel.travel / size).tolist(), travel.force.tolist(), names, snap)
 
 
 LAYOUTS = {
