@@ -185,7 +185,7 @@ def _attempted(task: _Task) -> NearestRod:
     try:
         return nearest_rod(curve, limits, keep, gravity, supports=supports, **options)
     except (ElasticaError, ArithmeticError, ValueError) as error:
-        return NearestRod.failed(curve, str(error), limits, keep)
+        return NearestRod.failure(curve, str(error), limits, keep)
 
 
 def _lost(task: _Task, error: Exception) -> NearestRod:
@@ -194,7 +194,7 @@ def _lost(task: _Task, error: Exception) -> NearestRod:
         kind_of_error=type(error).__name__,
         error=error,
     )
-    return NearestRod.failed(task.curve, why, task.limits, task.keep)
+    return NearestRod.failure(task.curve, why, task.limits, task.keep)
 
 
 def _values_each(name: str, value: Any, count: int) -> list[Any]:

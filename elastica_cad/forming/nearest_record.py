@@ -127,7 +127,7 @@ class NearestRod:
     again: "Callable[..., NearestRod] | None" = field(default=None, repr=False)
 
     @classmethod
-    def failed(
+    def failure(
         cls, target: PlaneCurve, message: str, limits: Limits | None = None, keep: Keep | None = None
     ) -> "NearestRod":
         """Return the record with the status FAILED, for a curve whose rod could not be computed."""
@@ -153,6 +153,11 @@ class NearestRod:
     @property
     def _no_rod(self) -> NotConvergedError:
         return NotConvergedError("there is no rod for this curve: {message}", message=self.message)
+
+    @property
+    def failed(self) -> bool:
+        """True if no rod could be computed."""
+        return self.status is Status.FAILED
 
     @property
     def met(self) -> bool:

@@ -63,6 +63,22 @@ def test_names_of_the_front_door_are_there(page):
                 break
 
 
+def test_names_in_code_of_the_manual_are_in_the_reference():
+    """Names of packages that a page imports, or names as `ec.package.name`, have a section there."""
+    shown = re.findall(r"^### (\S+)$", read("docs/reference/python.md"), re.MULTILINE)
+    packages, used = "|".join(ec.__all__), set[str]()
+    for page in sorted((ROOT / "docs").rglob("*/*.md")):
+        text = read(page)
+        used |= {".".join(named) for named in re.findall(rf"\bec\.({packages})\.([a-zA-Z]\w+)", text)}
+        for package, names in re.findall(rf"from elastica_cad\.({packages}) import ([\w, ]+)", text):
+            used |= {f"{package}.{name.strip()}" for name in names.split(",")}
+    packaged = {name for name in used if hasattr(getattr(ec, name.split(".")[0]), "__path__")}
+    assert len(packaged) > 10
+    assert packaged - {*shown} <= {
+        "published.sampled_stiffness"
+    }  # the algorithm of the paper, for comparison
+
+
 def rows():
     """File and function of each row of the table of equations."""
     table = read("docs/architecture.md").split("## Equations")[1].split("##")[0]

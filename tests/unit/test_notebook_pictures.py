@@ -46,7 +46,7 @@ def test_words_are_short(strip):
 
 
 def test_pictures_are_sound_and_hold_the_shape(strip):
-    near, failed = nearest_rod(ARCH), NearestRod.failed(ARCH, "too wild")
+    near, failed = nearest_rod(ARCH), NearestRod.failure(ARCH, "too wild")
     for record in (ARCH, strip.rod, strip, strip.drawing(), near, failed):
         root = ElementTree.fromstring(record._repr_svg_())
         width, height = float(root.get("width")), float(root.get("height"))

@@ -122,7 +122,7 @@ def test_records_travel_with_what_was_asked():
 
 
 def test_failures_speak_for_themselves():
-    failed = NearestRod.failed(ARCH, "it rained")
+    failed = NearestRod.failure(ARCH, "it rained")
     assert failed.advice == ()
     assert str(failed).endswith("it rained")
     with pytest.raises(NotConvergedError, match="it rained"):

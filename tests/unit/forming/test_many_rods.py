@@ -173,7 +173,7 @@ def test_a_stream_whose_worker_dies_goes_on():
 def test_a_list_keeps_any_number_of_workers_busy(monkeypatch):
     """Each task waits until as many have begun as there are workers."""
     begun = Barrier(WORKERS)
-    failed = NearestRod.failed(ARCHES[0], "", None, None)
+    failed = NearestRod.failure(ARCHES[0], "", None, None)
 
     def attempted(_):
         begun.wait(timeout=20)

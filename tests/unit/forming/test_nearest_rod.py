@@ -389,7 +389,7 @@ def test_what_leads_nowhere_is_begun_afresh():
     for start in (
         nearest_rod(ARCH, Limits(ratio=2.0)),  # another valley
         nearest_rod(WAVE, Limits(ratio=2.0), coefficients=12),  # other unknowns
-        NearestRod.failed(ARCH, "it rained"),
+        NearestRod.failure(ARCH, "it rained"),
     ):
         assert nearest_rod(WAVE, Limits(ratio=2.0), start=start).distance <= 1.02 * afresh.distance
 
@@ -460,8 +460,10 @@ def test_bad_input_is_one_sentence(make, words):
 
 
 def test_a_failed_record_has_no_rod():
-    failed = NearestRod.failed(ARCH, "it rained")
+    failed = NearestRod.failure(ARCH, "it rained")
     assert not failed.met
+    assert failed.failed is True
+    assert nearest_rod(ARCH).failed is False
     with pytest.raises(NotConvergedError, match="it rained"):
         _ = failed.rod
 
