@@ -20,7 +20,7 @@ from elastica_cad.strip.solids import BentSolid, BodyRecord, PrismSolid, bent_co
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
 HOLDERS = "BasePlate, SlottedFrame, Ring and EndFixture"
-"""List, for messages, of the classes that hold strips."""
+"""Names, for messages, of the classes that hold strips."""
 
 SingleHolder: TypeAlias = BasePlate | Rib | EndFixture
 Holder: TypeAlias = SingleHolder | SlottedFrame
@@ -95,7 +95,10 @@ def assembly_parts(placed: Sequence[Placed], holders: Iterable[Holder] = ()) -> 
             solids[id(strip)] = BentSolid.layers(strip)
         colors = bent_colors(strip, member.color)
         strips.append(AssemblyPart(name, solids[id(strip)], colors, member.frame, strip))
-    return (*_numbered(strips), *_numbered([_holder_part(holder) for holder in single_holders(holders)]))
+    return (
+        *_with_unique_names(strips),
+        *_with_unique_names([_holder_part(holder) for holder in single_holders(holders)]),
+    )
 
 
 def shape_parts(
@@ -129,8 +132,7 @@ def _holder_part(holder: SingleHolder) -> AssemblyPart:
     return AssemblyPart(holder.name, (holder.solid,), (sheet_color(holder.sheet),))
 
 
-def _numbered(parts: Sequence[AssemblyPart]) -> Iterator[AssemblyPart]:
-    """Yield the parts with unique names; parts with equal names get a number."""
+def _with_unique_names(parts: Sequence[AssemblyPart]) -> Iterator[AssemblyPart]:
     count = Counter(part.name for part in parts)
     used, taken = Counter[str](), set(count)
     for part in parts:
@@ -189,12 +191,12 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
     ('slot A:1 of base', 'slot A:2 of base')
     """
     require_model(model)
-    places = _held_at(model, holders)
+    places = _places_of_tabs(model, holders)
     parts = {member: part.name for part in model.parts for member in part.members}
     steps = []
     for i in range(len(model.placed)):
         names = [tab_name(model.name_of(i), end) for end in ENDS]
-        by_hand = [_by_hand(model.placed[i], end) for end in ENDS]
+        by_hand = [_instruction_without_holder(model.placed[i], end) for end in ENDS]
         first, last = (" and ".join(places[name]) or hand for name, hand in zip(names, by_hand, strict=True))
         short, long = (
             tuple(places[name].values()) or (hand,) for name, hand in zip(names, by_hand, strict=True)
@@ -208,31 +210,28 @@ def list_assembly_steps(model: Model, holders: Iterable[Holder] = ()) -> tuple[A
 
 
 def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple[StripEnd, ...]]:
-    """Return the supported ends that have no holder: a mapping from the index of a strip in the model to its
-    ends.
-    """
-    places = _held_at(model, holders)
+    """Return the supported ends without a holder, by the index of the strip in the model."""
+    places = _places_of_tabs(model, holders)
     by_hand = {
         i: tuple(
             end
             for end in ENDS
-            if not places[tab_name(model.name_of(i), end)] and _by_hand(strip, end) != FREE
+            if not places[tab_name(model.name_of(i), end)] and _instruction_without_holder(strip, end) != FREE
         )
         for i, strip in enumerate(model.placed)
     }
     return {i: ends for i, ends in by_hand.items() if ends}
 
 
-def _held_at(model: Model, holders: Iterable[Holder]) -> dict[str, dict[str, str]]:
-    """Return a mapping from the name of each tab to its places, each with its short text."""
+def _places_of_tabs(model: Model, holders: Iterable[Holder]) -> dict[str, dict[str, str]]:
+    """Return the places of each tab by name, each with a short text."""
     places = defaultdict[str, dict[str, str]](dict)
-    for tab, place, short in _places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
+    for tab, place, short in _held_places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
         places[tab][place] = short
     return places
 
 
-def _by_hand(member: Placed, end: StripEnd) -> str:
-    """Return the instruction at which position and angle to hold an end that has no holder."""
+def _instruction_without_holder(member: Placed, end: StripEnd) -> str:
     k = ENDS.index(end)
     support = member.strip.rod.supports.ends[k]
     if member.strip.is_closed or not (support.x or support.y or support.angle):
@@ -242,8 +241,8 @@ def _by_hand(member: Placed, end: StripEnd) -> str:
     return f"hold at ({x:z.1f}, {y:z.1f}, {z:z.1f}){turned}"
 
 
-def _places(holders: Iterable[Holder]) -> Iterable[tuple[str, str, str]]:
-    """Yield the name of each held tab, its place in a holder, and a short text for this place."""
+def _held_places(holders: Iterable[Holder]) -> Iterable[tuple[str, str, str]]:
+    """Yield the name of each held tab, the place in the holder, and a short text for this place."""
     for holder in single_holders(holders):
         if isinstance(holder, BasePlate):
             yield from (

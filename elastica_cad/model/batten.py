@@ -30,11 +30,10 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.tapered_solids import side_view
 
-ROWS = 21
-"""Default number of stations, evenly spaced along the free part of a batten."""
+DEFAULT_STATIONS = 21
 
 DECIMALS = {"mm": 2, "inch": 3, "percent": 3, "safety": 2}
-"""Number of decimals in a column of the written table, for each unit (last word of the column's name)."""
+"""Number of decimals in a column of the written table, by the unit in the name of the column."""
 
 LETTER_MM, TICK_MM = 4.0, 3.0
 LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
@@ -42,19 +41,18 @@ LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
 
 
 def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, FloatArray]:
-    """Return a table of a tapered strip: size in mm and inch, strain and safety at stations (n,), mm.
+    """Return columns (n,) of size in mm and inch, strain and safety of a tapered strip at stations (n,), mm.
 
-    The result maps names to columns (n,). Stations are measured from the start of the free part. Another
-    column has the distance from the tip of the first tab. The default stations include the tips of both tabs.
-    Safety is the strain limit of the material divided by the strain, and infinite where the strip is not
-    bent.
+    Stations are measured from the start of the free part. The distance from the tip of the tab at the
+    start has its own column. The default stations include the tips of both tabs. Safety is the strain
+    limit of the material divided by the strain, and infinite where the strip is not bent.
     """
     law, size = strip.layout.section, strip.layout.size
     if law is None or size is None:
         raise InputError("a strip of constant thickness has no side view. Set a section law")
     first, last = (tab.length for tab in strip.ends)
     tips = -first, strip.rod.length + last
-    evenly = np.unique([*tips, *np.linspace(0.0, strip.rod.length, ROWS)])
+    evenly = np.unique([*tips, *np.linspace(0.0, strip.rod.length, DEFAULT_STATIONS)])
     s = np.clip(evenly if stations is None else numbers(stations, "stations"), *tips)
     bent = np.clip(s, 0.0, strip.rod.length)
     sizes = size(bent)
@@ -119,10 +117,10 @@ def _label_lines(strip: Strip) -> list[str]:
 
 ENDS = Supports("pinned", "pinned")
 SEARCH_NODES, FINE_NODES = 401, 2401  # number of nodes in the search for the taper, and for the final curve
-MOST_CAMBER = 0.4  # largest camber, as a fraction of the chord; a deeper batten is a bow
+LARGEST_CAMBER = 0.4  # largest camber, as a fraction of the chord; a deeper batten is a bow
 # largest fraction of the length that has the full size; the remaining length is needed for the taper
-MOST_FULL = 0.8
-SETTLED = 1e-7  # accuracy of the camber and of its position, as a fraction of the chord
+LARGEST_FULL_FRACTION = 0.8
+CAMBER_TOLERANCE = 1e-7  # accuracy of the camber and of its position, as a fraction of the chord
 MOST_STEPS = 30
 
 
@@ -169,18 +167,18 @@ class BattenSpec:
     def __post_init__(self) -> None:
         if not (np.isfinite(self.length) and self.length > 0):
             raise InputError(f"the batten's length is {self.length:g}: it must be positive, in mm")
-        if not 0 < self.camber <= MOST_CAMBER:
+        if not 0 < self.camber <= LARGEST_CAMBER:
             raise InputError(
-                f"the camber is {100 * self.camber:g} % of the chord: give 1 to {100 * MOST_CAMBER:g}"
+                f"the camber is {100 * self.camber:g} % of the chord: give 1 to {100 * LARGEST_CAMBER:g}"
             )
         if not 0 < self.place < 1:
             raise InputError(f"the camber's place is {100 * self.place:g} % of the chord: give 1 to 99")
-        if not 0 <= self.full <= MOST_FULL:
+        if not 0 <= self.full <= LARGEST_FULL_FRACTION:
             raise InputError(
                 "The batten has its full size over {percent:g} % of its length. Set {field} to 0 to {most:g} %.",
                 percent=100 * self.full,
                 field=FieldName("full"),
-                most=100 * MOST_FULL,
+                most=100 * LARGEST_FULL_FRACTION,
             )
         if not isinstance(self.stock, ThicknessLaw | RoundLaw):
             raise InputError(f"stock is {self.stock!r}: give a ThicknessLaw or a RoundLaw")
@@ -200,19 +198,16 @@ class BattenSpec:
         except NotConvergedError:
             if self.lying is not None:  # the message already describes the effect of the batten's weight
                 raise
-            raise self._too_thin(0.5 - self.place, self._even_chord, "") from None
+            raise self._place_out_of_reach(0.5 - self.place, self._untapered_chord, "") from None
         thin = self.stock.largest * np.exp(-abs(taper))
         if thin < self.stock.least * (1 - 1e-9):
-            raise self._too_thin(taper, chord, note(" (it needs {thin})", thin=Length(thin)))
-        return Batten(self, _straight_ends(_pressed(self, taper, chord, FINE_NODES).curve))
+            raise self._place_out_of_reach(taper, chord, note(" (it needs {thin})", thin=Length(thin)))
+        return Batten(self, _with_straight_ends(_rod_between_hinges(self, taper, chord, FINE_NODES).curve))
 
-    def _too_thin(self, side: float, chord: float, thin: str) -> InputError:
-        """Return the error that even the largest taper of the stock does not move the largest depth to its
-        position.
-        """
+    def _place_out_of_reach(self, side: float, chord: float, thin: str) -> InputError:
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
-        within = 100 * self._place_of(most, chord)
-        # the position in the message is rounded towards the middle, so that it is possible
+        within = 100 * self._place_for_taper(most, chord)
+        # rounded towards the middle, so that the position is possible
         nearest = (
             note("at least {percent:.3g}", percent=np.ceil(10 * within) / 10)
             if side > 0
@@ -229,39 +224,36 @@ class BattenSpec:
         )
 
     @property
-    def _even_chord(self) -> float:
-        """Estimated ratio of chord to length of an untapered batten with this camber, shaped as half a sine
-        wave.
-        """
+    def _untapered_chord(self) -> float:
+        """Estimated ratio of chord to length of an untapered batten, bent to half a sine wave."""
         return 1 - 2.4 * self.camber**2
 
-    def _place_of(self, taper: float, chord: float) -> float:
-        """Return the position of the largest depth for a taper. The chord is adjusted to the requested depth.
+    def _place_for_taper(self, taper: float, chord: float) -> float:
+        """Return the position of the largest depth, with the chord adjusted to the requested depth.
 
-        The adjustment uses that the depth is proportional to the square root of length minus chord.
+        The depth is assumed to be proportional to the square root of length minus chord.
         """
         for _ in range(MOST_STEPS):
-            depth, place = camber_of(_pressed(self, taper, chord, SEARCH_NODES))
-            if abs(depth - self.camber) < 10 * SETTLED:
+            depth, place = camber_of(_rod_between_hinges(self, taper, chord, SEARCH_NODES))
+            if abs(depth - self.camber) < 10 * CAMBER_TOLERANCE:
                 break
             chord = max(1 - (1 - chord) * (self.camber / depth) ** 2, 0.3)
         return place
 
     def _taper(self) -> tuple[float, float]:
-        """Return the logarithm of the ratio of end size to start size, and the ratio of chord to length."""
         from scipy.optimize import least_squares
 
         def missed(x: FloatArray) -> FloatArray:
-            bow = camber_of(_pressed(self, float(x[0]), float(x[1]), SEARCH_NODES))
+            bow = camber_of(_rod_between_hinges(self, float(x[0]), float(x[1]), SEARCH_NODES))
             return np.array(bow) - (self.camber, self.place)
 
-        # initial guess: the position of the largest depth depends linearly on the taper
-        first = [6.0 * (0.5 - self.place), self._even_chord]
+        # the position of the largest depth depends almost linearly on the taper
+        first = [6.0 * (0.5 - self.place), self._untapered_chord]
         solution = least_squares(
             missed, first, bounds=([-4.0, 0.3], [4.0, 1.0 - 1e-6]), x_scale=[1.0, 0.1], ftol=None, gtol=None,
             xtol=1e-10, max_nfev=MOST_STEPS,
         )  # fmt: skip
-        if np.abs(solution.fun).max() < SETTLED:
+        if np.abs(solution.fun).max() < CAMBER_TOLERANCE:
             return float(solution.x[0]), float(solution.x[1])
         raise NotConvergedError(
             f"no taper has a camber of {100 * self.camber:g} % at {100 * self.place:g} % of the "
@@ -289,7 +281,7 @@ class Batten:
         stock = self.spec.stock
         return StripSpec(
             self.curve, stock.sheet, law=stock, supports=ENDS, ends=(Tab(0.0), Tab(0.0)), label=self.spec.label,
-            smooth=0.0, gravity=None if self.spec.lying is None else _level(self.spec.lying),
+            smooth=0.0, gravity=None if self.spec.lying is None else _gravity_across(self.spec.lying),
         )  # fmt: skip
 
     @cached_property
@@ -310,7 +302,7 @@ class Batten:
         rod, size = self.strip.rod, self.strip.layout.size
         assert size is not None
         side = float(np.sign(rod.position[rod.s.size // 2, 1] - rod.position[0, 1]))
-        down = _level(bulging, side)
+        down = _gravity_across(bulging, side)
         newtons = Profile.interpolate(rod.s, self.spec.stock.weight_per_length(size(rod.s)))
         return camber_of(bend(replace(rod, gravity=down, weight=Weight(alpha=newtons))))
 
@@ -348,11 +340,8 @@ class Batten:
         return _bench_table(self.strip, stations)
 
 
-def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
-    """Return the rod of a batten between hinges at a distance `chord`.
-
-    Its ratio of end size to start size is exp(taper).
-    """
+def _rod_between_hinges(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
+    """Return the rod with the ratio exp(taper) of end size to start size, between hinges `chord` apart."""
     along = np.linspace(0.0, 1.0, nodes)
     tapered = 1 - spec.full
     share = along / tapered if taper > 0 else (along - spec.full) / tapered
@@ -364,7 +353,7 @@ def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
     if spec.lying is None:
         return light
     newtons = Profile.interpolate(light.s, spec.stock.weight_per_length(sizes))
-    heavy = bend(replace(light, gravity=_level(spec.lying), weight=Weight(alpha=newtons)))
+    heavy = bend(replace(light, gravity=_gravity_across(spec.lying), weight=Weight(alpha=newtons)))
     if heavy.position[nodes // 2, 1] <= 0:
         raise NotConvergedError(
             f"the batten does not keep its bulge {spec.lying}, because its weight snaps it over: use "
@@ -373,11 +362,8 @@ def _pressed(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
     return heavy
 
 
-def _level(bulging: Literal["up", "down"], side: float = 1.0) -> Gravity:
-    """Return gravity perpendicular to the chord.
-
-    The batten bulges to the left of its chord if `side` is 1, else to the right.
-    """
+def _gravity_across(bulging: Literal["up", "down"], side: float = 1.0) -> Gravity:
+    """Return gravity perpendicular to the chord of a batten that bulges to the left (`side` 1) or right (-1)."""
     return Gravity(1.0, (0.0, -side if bulging == "up" else side))
 
 
@@ -395,8 +381,8 @@ def camber_of(rod: Rod) -> tuple[float, float]:
     return float(c - b**2 / (4 * a)), float(along[k] - b / (2 * a))
 
 
-def _straight_ends(curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with zero curvature at its hinged ends. The third control points move by micrometres."""
+def _with_straight_ends(curve: PlaneCurve) -> PlaneCurve:
+    """Return the curve with zero curvature at the hinged ends. The third control points move by micrometres."""
     points = np.array(curve.control_points)
     for first, second, third in ((0, 1, 2), (-1, -2, -3)):
         along = points[second] - points[first]

@@ -33,7 +33,6 @@ LEAST_SLACK = 1e-6
 """Least difference between the lengths of bow and cord, as a fraction of the length of the bow."""
 
 SHORTER = (0.02, 0.05, 0.1, 0.2)
-"""Default fractions by which the cord is shortened in a table."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,8 +140,8 @@ def bow(curve: PlaneCurve, sheet: Sheet | str, **fields: Any) -> Bow:
         )
     if curve.length - chord < least:
         raise InputError("The curve is straight, so a cord between its ends is slack. Draw an open arch.")
-    if _is_even(**fields):
-        return Bow(curve, _even_strip(curve, Sheet.of(sheet), **fields))
+    if _has_constant_section(**fields):
+        return Bow(curve, _strip_of_constant_section(curve, Sheet.of(sheet), **fields))
     return Bow(curve, make_strip(curve, sheet, supports=ENDS, **fields))
 
 
@@ -163,20 +162,19 @@ def _chord(rod: Rod) -> FloatArray:
     return np.asarray(rod.position[-1] - rod.position[0])
 
 
-def _is_even(
+def _has_constant_section(
     *,
     law: object = None,
     max_width: float | None = None,
     min_width: float | None = None,
     **_: Any,
 ) -> bool:
-    """Return True if these fields of `StripSpec` define a constant section."""
     if isinstance(law, RoundLaw | ThicknessLaw):
         return law.least == law.largest
     return law is None and max_width is not None and max_width == min_width
 
 
-def _even_strip(
+def _strip_of_constant_section(
     curve: PlaneCurve,
     sheet: Sheet,
     *,
@@ -185,7 +183,6 @@ def _even_strip(
     min_width: float | None = None,  # noqa: ARG001 - equal to max_width
     **fields: Any,
 ) -> Strip:
-    """Return the strip of constant section with the end points and the length of the curve."""
     refuse_unknown(fields, {"ends", "label"}, "a bow of constant section")
     start, end = curve.survey.position[[0, -1]]
     across = (curve.survey.position - start) @ left_of(end - start)

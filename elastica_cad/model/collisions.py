@@ -38,16 +38,12 @@ SHARED_MM = 0.05
 EDGES_TOUCH_MM = 0.1
 """Largest permitted overlap, mm, of strips that meet edge to edge. Such an overlap can be filed off."""
 
-FOOT_STEPS = 3
-"""Number of Newton steps from the nearest station of a curve to its nearest point."""
+NEWTON_STEPS = 3
 
-INSCRIBED = np.sqrt(0.5)
-"""Ratio of the side of an inscribed square to the diameter of its circle.
+INSCRIBED_SQUARE = np.sqrt(0.5)
+"""Ratio of the side of an inscribed square, which replaces a round rod, to the diameter of the circle."""
 
-A round rod is replaced by this square.
-"""
-
-MOUTH = 4.0
+SLOT_EXTENSION = 4.0
 """Distance by which a slot is extended beyond the edge of its strip, in slot widths, because its sides differ
 in length.
 """
@@ -55,7 +51,7 @@ in length.
 RIM_MM = 0.002
 """Largest distance, mm, between a slot and the polygon that represents it."""
 
-SELF_PITCH_SHARE = 0.25
+SELF_PITCH_THICKNESSES = 0.25
 """Distance, in thicknesses, between samples along a strip that may touch itself."""
 
 MOST_SAMPLES = 20_000
@@ -85,9 +81,7 @@ class Collision:
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A bent strip without its tabs: its ruled middle surface, its thickness (mm), and the strip with its
-    slots.
-    """
+    """A bent strip without tabs: ruled middle surface, thickness (mm), and the strip with slots."""
 
     ruled: RuledStrip
     thickness: float
@@ -105,21 +99,27 @@ class Body:
             thinnest = float(size.extremes[0])
             if quantity == "thickness":
                 return cls(ruled, thinnest, strip)
-            width = replace(ruled.width, coefficients=INSCRIBED * ruled.width.coefficients)
-            return cls(replace(ruled, width=width), INSCRIBED * thinnest, strip)
+            width = replace(ruled.width, coefficients=INSCRIBED_SQUARE * ruled.width.coefficients)
+            return cls(replace(ruled, width=width), INSCRIBED_SQUARE * thinnest, strip)
         return cls(ruled, strip_thickness(strip), strip)
 
     def samples(self, inset: float) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
         """Return sample points of edges and faces in the flat pattern, `inset` mm inside the outline.
 
-        The result has arc lengths (n,) and distances across (n,), and the points and tangents (n, 2) of the
+        The result has arc lengths (n,), distances across (n,), and points and tangents (n, 2) of the
         curve.
         """
         length = self.ruled.length
         first, last = min(inset, length / 2), max(length - inset, length / 2)
         widest = self.ruled.width.extremes[1]
-        along, ends = _steps(first, last, EDGE_PITCH_MM), _steps(-1.0, 1.0, 2 * EDGE_PITCH_MM / widest)
-        rows, inner = _steps(first, last, FACE_PITCH_MM), _steps(-1.0, 1.0, 2 * FACE_PITCH_MM / widest)
+        along, ends = (
+            _evenly_spaced(first, last, EDGE_PITCH_MM),
+            _evenly_spaced(-1.0, 1.0, 2 * EDGE_PITCH_MM / widest),
+        )
+        rows, inner = (
+            _evenly_spaced(first, last, FACE_PITCH_MM),
+            _evenly_spaced(-1.0, 1.0, 2 * FACE_PITCH_MM / widest),
+        )
         stations = np.concatenate([along, [first, last], rows])
         which = np.split(np.arange(stations.size), [along.size, along.size + 2])
         grids = zip(which, (np.array([-1.0, 1.0]), ends, inner), strict=True)
@@ -129,9 +129,7 @@ class Body:
         return stations[k], share * reach[k], place[k], tangent[k]
 
     def stations_near(self, points: FloatArray, reach: float) -> tuple[IntArray, FloatArray]:
-        """Return which points (n, 2) in the plane of the curve may be within `reach` mm of it, and the
-        nearest stations.
-        """
+        """Return which points (n, 2) may be within `reach` mm of the curve, and the nearest stations."""
         stations = self.ruled.stations
         line = self.ruled.in_plane(stations)[0]
         i, k = near_pairs(points, line, reach + float(np.diff(stations).max()))
@@ -140,26 +138,27 @@ class Body:
         return i[first], stations[k[first]]
 
     def nearest(self, points: FloatArray, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the arc lengths (n,) of the nearest points of the curve to points (n, 2), with these points
-        and their tangents.
+        """Return the arc lengths (n,), points and tangents of the curve nearest to points (n, 2).
 
         The search starts at the arc lengths `s`.
         """
-        for _ in range(FOOT_STEPS):
+        for _ in range(NEWTON_STEPS):
             place, tangent = self.ruled.in_plane(s)
             s = np.clip(s + ((points - place) * tangent).sum(axis=1), 0.0, self.ruled.length)
         return s, *self.ruled.in_plane(s)
 
     @cached_property
-    def _rims(self) -> list[FloatArray]:
+    def _slot_polygons(self) -> list[FloatArray]:
         """Polygons (k, 2) that represent the slots in the flat pattern."""
-        cuts = (slot_cut(slot, self.strip.width, beyond=MOUTH * slot.width) for slot in self.strip.slots)
+        cuts = (
+            slot_cut(slot, self.strip.width, beyond=SLOT_EXTENSION * slot.width) for slot in self.strip.slots
+        )
         return [cut.points(RIM_MM) for cut in cuts]
 
     def uncut(self, s: FloatArray, across: FloatArray) -> FloatArray:
         """Distances (n,), mm, of points of the flat pattern from the nearest slot; negative inside a slot."""
         away = np.full(s.size, np.inf)
-        for rim in self._rims:
+        for rim in self._slot_polygons:
             (x, y), (dx, dy) = rim.T, (np.roll(rim, -1, axis=0) - rim).T
             left, down = s[:, None] - x, across[:, None] - y
             where = np.clip((left * dx + down * dy) / (dx**2 + dy**2), 0.0, 1.0)
@@ -170,8 +169,7 @@ class Body:
         return away
 
 
-def _steps(low: float, high: float, pitch: float) -> FloatArray:
-    """Return equally spaced numbers (n,) from `low` to `high`, at most `pitch` apart."""
+def _evenly_spaced(low: float, high: float, pitch: float) -> FloatArray:
     return np.linspace(low, high, max(2, int(np.ceil((high - low) / pitch)) + 1))
 
 
@@ -180,34 +178,31 @@ def deepest_collision(first: Body, second: Body, room: float = 0.0) -> Collision
 
     Return None if the overlap is at most `SHARED_MM`.
     """
-    return _deeper(first, second, room, SHARED_MM, is_flush=False)
+    return _deeper_overlap(first, second, room, SHARED_MM, is_flush=False)
 
 
 def _flush_overlap(first: Body, second: Body) -> Collision | None:
-    """Return the deepest overlap, outside slots, of two strips with nearly parallel surfaces.
-
-    Overlaps up to `EDGES_TOUCH_MM`, or up to half the thickness of the thinner strip if that is less, are
-    ignored.
-    """
-    return _deeper(
+    return _deeper_overlap(
         first, second, 0.0, min(EDGES_TOUCH_MM, first.thickness / 2, second.thickness / 2), is_flush=True
     )
 
 
-def _deeper(first: Body, second: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
-    """Return the deepest overlap, with samples of either strip in the other strip."""
+def _deeper_overlap(
+    first: Body, second: Body, room: float, least: float, *, is_flush: bool
+) -> Collision | None:
+    """Return the deepest overlap of the samples of either strip with the other strip."""
     in_second, in_first = (
-        _deepest(a, b, room, least, is_flush=is_flush) for a, b in ((first, second), (second, first))
+        _deepest_sample(a, b, room, least, is_flush=is_flush) for a, b in ((first, second), (second, first))
     )
     if in_first is not None and (in_second is None or in_first.depth > in_second.depth):
         return Collision(in_first.places[::-1], in_first.depth, in_first.position)
     return in_second
 
 
-def _deepest(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
-    """Return the sample of strip `a` that is deepest in strip `b`, or None if no sample is deeper than `least` mm.
+def _deepest_sample(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
+    """Return the sample of strip `a` that is deepest in strip `b`, or None up to the depth `least`, mm.
 
-    The samples are slightly inside both faces; for flush strips they are on the middle surface.
+    The samples are slightly inside both faces. For flush strips they are on the middle surface.
     """
     inset = least if is_flush else min(least / 2, a.thickness / 4, b.thickness / 4)
     heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]
@@ -242,8 +237,8 @@ def _deepest(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> 
 
 
 @dataclass(frozen=True, eq=False)
-class _Meeting:
-    """Overlap of two strips that are side by side, or slotted into each other, or at an angle."""
+class _Overlap:
+    """Overlap of two strips that are side by side, slotted into each other, or at an angle."""
 
     names: tuple[str, str]
     places: Places
@@ -251,7 +246,7 @@ class _Meeting:
     beside_slots: Collision | None = None
 
     def message(self, more: str = "") -> str:
-        """Return a sentence on the overlap; `more` is the part on other pairs of strips."""
+        """Return a sentence on the overlap; `more` is the clause on other pairs of strips."""
         (a, b), (s, r) = self.names, map(Length, self.places)
         if self.beside_slots is not None:
             return note(
@@ -287,19 +282,19 @@ def missing_slots(
     >>> missing_slots([])
     ()
     """
-    meetings = _meetings(placed, joints)
+    meetings = _overlaps(placed, joints)
     if brief:
         return tuple(meeting.message(and_more(meetings, "pair")) for meeting in meetings[:1])
     return tuple(meeting.message() for meeting in meetings)
 
 
-def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meeting]:
-    """Return one overlap for each pair of strips that overlap outside slots."""
+def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overlap]:
+    """Return at most one overlap, outside slots, for each pair of strips."""
     names, bodies = strip_names(placed), [Body.of(strip) for strip in placed]
-    narrower = [replace(body.ruled, width=_within_edges(member.strip.width))
+    narrower = [replace(body.ruled, width=_without_touching_edges(member.strip.width))
                 for body, member in zip(bodies, placed, strict=True)]  # fmt: skip
     meeting = strips_may_meet(narrower, np.array([strip_thickness(member.strip) / 2 for member in placed]))
-    slotted = _rooms(placed, joints)
+    slotted = _clearances_of_slots(placed, joints)
     meetings = []
     clear: set[tuple[float, ...]] = set()
     for i, j in combinations(range(len(placed)), 2):
@@ -313,19 +308,19 @@ def _meetings(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Meetin
             if (hit := deepest_collision(bodies[i], bodies[j], slotted[i, j])) is None:
                 clear.add(alike)
             else:
-                meetings.append(_Meeting(pair, hit.places, beside_slots=hit))
+                meetings.append(_Overlap(pair, hit.places, beside_slots=hit))
         elif meeting[i, j]:
-            if (places := _crossing(strips, (narrower[i], narrower[j]))) is not None:
-                meetings.append(_Meeting(pair, places))
-            elif (hit := _flush_overlap(bodies[i], bodies[j])) is not None and not _slotted(
+            if (places := _crossing_without_slot(strips, (narrower[i], narrower[j]))) is not None:
+                meetings.append(_Overlap(pair, places))
+            elif (hit := _flush_overlap(bodies[i], bodies[j])) is not None and not _has_slot_at(
                 strips, *np.array(hit.places)[:, None]
             ):
-                meetings.append(_Meeting(pair, hit.places, is_flush=True))
+                meetings.append(_Overlap(pair, hit.places, is_flush=True))
     return meetings
 
 
-def _rooms(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int, int], float]:
-    """Return, for each slotted pair, the distance (mm) from its slots beyond which overlaps count.
+def _clearances_of_slots(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int, int], float]:
+    """Return, for each slotted pair, the distance (mm) from the slots beyond which overlaps count.
 
     Slots with `fit="paper"` are too narrow, so the region that an exact slot would remove is not checked.
     """
@@ -339,24 +334,25 @@ def _rooms(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int,
     return rooms
 
 
-def _crossing(strips: tuple[Strip, Strip], surfaces: tuple[RuledStrip, RuledStrip]) -> Places | None:
+def _crossing_without_slot(
+    strips: tuple[Strip, Strip], surfaces: tuple[RuledStrip, RuledStrip]
+) -> Places | None:
     """Return the arc lengths of both strips at their first crossing without a slot, or None."""
     for crossing in strip_crossings(*surfaces):
         _, _, points = crossing.course
         if points.angle.max() < TOUCHING_RAD or crossing.length < strip_thickness(strips[0]):
             continue
-        if not _slotted(strips, points.first[:, 0], points.second[:, 0]):
+        if not _has_slot_at(strips, points.first[:, 0], points.second[:, 0]):
             return float(points.first[:, 0].mean()), float(points.second[:, 0].mean())
     return None
 
 
-def _within_edges(width: Profile) -> Profile:
-    """Return the width, reduced so that strips with the permitted overlap at their edges do not collide."""
+def _without_touching_edges(width: Profile) -> Profile:
+    """Return the width without the overlap that is permitted at edges."""
     return replace(width, coefficients=width.coefficients - 2 * EDGES_TOUCH_MM)
 
 
-def _slotted(strips: tuple[Strip, Strip], first: FloatArray, second: FloatArray) -> bool:
-    """Return True if either strip has a slot at these stations (arc lengths on the first and the second strip)."""
+def _has_slot_at(strips: tuple[Strip, Strip], first: FloatArray, second: FloatArray) -> bool:
     return any(_has_slot(strip, at) for strip, at in zip(strips, (first, second), strict=True))
 
 
@@ -389,7 +385,7 @@ def self_contact(strip: Strip) -> Places | None:
     thickness = strip.layers[-1].high if size is None else float(size.extremes[1])
     start, end = (0.0, 0.0) if strip.is_closed else (tab.length for tab in strip.ends)
     long = rod.length + start + end
-    count = min(MOST_SAMPLES, int(long / (SELF_PITCH_SHARE * thickness)) + 2)
+    count = min(MOST_SAMPLES, int(long / (SELF_PITCH_THICKNESSES * thickness)) + 2)
     s = np.linspace(-start, rod.length + end, count)
     inner = np.clip(s, 0.0, rod.length)
     x, y, angle, turn = (np.interp(inner, rod.s, row) for row in (*rod.position.T, rod.angle, turned))

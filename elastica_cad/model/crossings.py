@@ -28,7 +28,7 @@ from elastica_cad.geometry.splines import SplineFunction
 STATIONS = 400
 """Least number of samples along a strip; interpolation between them is accurate to 1e-5 mm."""
 
-_TABLES = 128  # largest number of curves whose tables are cached
+_CACHED_SPLINES = 128  # largest number of curves whose tables are cached
 _ROUNDING = 1e-12  # allowance for rounding errors, so that strips of zero width can meet
 
 InPlane = tuple[FloatArray, FloatArray]
@@ -78,9 +78,7 @@ class RuledStrip:
         return self.frame.point(p), self.frame.direction(d)
 
     def normal(self, tangent: FloatArray) -> FloatArray:
-        """Unit normals (n, 3) of the surface, to the left of the curve, from tangents (n, 2) in the plane of
-        the curve.
-        """
+        """Unit normals (n, 3), to the left of the curve, for tangents (n, 2) in the plane of the curve."""
         return self.frame.direction(np.column_stack([-tangent[:, 1], tangent[:, 0]]))
 
     @cached_property
@@ -96,7 +94,7 @@ class RuledStrip:
 
     @property
     def _spline(self) -> SplineFunction:
-        return _over_arc_length(self.curve, self.length)
+        return _spline_over_arc_length(self.curve, self.length)
 
 
 def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = None) -> BoolArray:
@@ -126,11 +124,9 @@ def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = Non
     return np.asarray(seen & seen.T)
 
 
-@lru_cache(maxsize=_TABLES)
-def _over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
-    """Cubic Hermite spline of a curve over arc length, from 0 to `length`, with the exact tangents at its
-    nodes.
-    """
+@lru_cache(maxsize=_CACHED_SPLINES)
+def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
+    """Cubic Hermite spline of a curve over arc length, from 0 to `length`, with exact tangents at the nodes."""
     panels = curve.smooth_panels
     each = -(-STATIONS // (panels.size - 1))
     inner = (panels[:-1, None] + np.diff(panels)[:, None] * np.arange(each) / each).ravel()
@@ -143,13 +139,10 @@ def _over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
 
 
 ZERO = 1e-11
-"""Largest absolute value of a function that counts as zero.
-
-For lengths in mm, it is the rounding error in a model of 10 m.
-"""
+"""Largest absolute value of a function that counts as zero: the rounding error, mm, in a model of 10 m."""
 
 ZERO_STEPS = 80
-"""Largest number of steps. A few are enough, because a step gains more than one and a half digits."""
+"""Largest number of steps; usually a few suffice, because a step gains more than one and a half digits."""
 
 
 def _bracketed_zeros(
@@ -187,17 +180,15 @@ PARALLEL_RAD = 2e-8
 HEIGHT_ERROR = 1e-13
 """Newton's method ends if the two heights differ by less than this fraction of the length of the longer strip."""
 
-MOST_STEPS = 30
-"""Largest number of Newton steps. Usually six are enough. Where surfaces touch, a step only halves the error."""
+MOST_NEWTON_STEPS = 30
 
 SAME_HEIGHT = 1e-9
 """Nodes whose heights differ by less than this fraction of the length of the longer strip are merged."""
 
 LEVEL_SLOPE = 1e-12
-"""A curve counts as level if the slope of its height is smaller than this."""
 
 LEAST_SQUARED_SLOPE = 1e-14
-"""If the squared slope of the heights is smaller, the surfaces count as touching, and Newton steps are limited."""
+"""Squared slope of the heights below which the surfaces count as touching and Newton steps are limited."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -215,34 +206,31 @@ class IntersectionPoints:
 
 
 def margins(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> FloatArray:
-    """Distances (n, 4), mm, from the upper and lower edge of the first strip, then of the second.
-
-    They are negative outside the strip.
-    """
+    """Distances (n, 4), mm, from the upper and lower edges of both strips, negative outside a strip."""
     w, x = strips[0].half_width(p.s_a), strips[1].half_width(p.s_b)
     return np.column_stack([w - p.v, w + p.v, x - p.u, x + p.u])
 
 
 def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling, ...]":
-    """Return all intersection curves of the two surfaces, whose rulings are taken as infinitely long."""
+    """Return all intersection curves of the two surfaces, extended along their rulings."""
     n = np.cross(a.axis, b.axis)
     if np.linalg.norm(n) < PARALLEL_RAD:
-        return tuple(_rulings(a, b))
+        return tuple(_ruling_matrix(a, b))
     heights = _Heights(a, b, n)
-    return tuple(Branch(heights, s_a, s_b) for s_a, s_b in _chained(heights))
+    return tuple(Branch(heights, s_a, s_b) for s_a, s_b in _level_set(heights))
 
 
 @dataclass(frozen=True, eq=False)
 class Ruling:
     """Intersection line of two strips with parallel rulings.
 
-    Its parameter q is the distance v along the ruling of the first strip.
+    The parameter q is the distance v along the ruling of the first strip.
     """
 
     strips: tuple[RuledStrip, RuledStrip]
     s_a: float
     s_b: float
-    offset: float  # distance from the curve gamma_a to the curve gamma_b along the ruling z_a
+    offset: float  # distance from gamma_a to gamma_b along the ruling z_a, mm
     sign: float  # +1 if the rulings z_a and z_b have equal directions, -1 if they are opposite
     reach: float
 
@@ -258,7 +246,7 @@ class Ruling:
         return IntersectionPoints(s_a, s_b, q, self.sign * (q - self.offset), on_curves)
 
 
-def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
+def _ruling_matrix(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
     """Return a ruling for every crossing of the two plane curves, in the plane of strip a."""
     sign = float(np.sign(a.axis @ b.axis))
     moved = Frame(a.frame.local(b.frame.origin), a.frame.axes @ b.frame.x_axis, a.frame.axes @ b.frame.y_axis)
@@ -276,7 +264,7 @@ def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
 
 @dataclass(frozen=True, eq=False)
 class _Heights:
-    """Heights of two curves along the direction n, and their points of equal height."""
+    """Heights of two curves along the direction n, and points of equal height."""
 
     a: RuledStrip
     b: RuledStrip
@@ -288,20 +276,18 @@ class _Heights:
         return self.n / np.linalg.norm(self.n)
 
     def along(self, strip: RuledStrip, s: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return heights (n,) of points of a strip's curve above the origin of strip a, and their derivatives
-        (n,) by arc length.
-        """
+        """Return heights (n,) of a curve above the origin of strip a, and derivatives (n,) by arc length."""
         return self.above(strip, strip.in_plane(s))
 
     def above(self, strip: RuledStrip, places: InPlane) -> tuple[FloatArray, FloatArray]:
-        """Return the heights of points of a strip's curve, and their derivatives by arc length."""
-        across, base = self._ways[0 if strip is self.a else 1]
+        """Return heights of the points `places` of a strip's curve, and derivatives by arc length."""
+        across, base = self._height_coefficients[0 if strip is self.a else 1]
         position, tangent = places
         return position @ across + base, tangent @ across
 
     @cached_property
-    def _ways(self) -> tuple[tuple[FloatArray, float], ...]:
-        """For each strip: derivatives of the height along x and y of its frame, and the height of its origin."""
+    def _height_coefficients(self) -> tuple[tuple[FloatArray, float], ...]:
+        """Derivatives of the height along x and y of the frame, and the height of the origin, for each strip."""
         origin = self.a.frame.origin
         return tuple(
             (strip.frame.axes[:2] @ self.up, float((strip.frame.origin - origin) @ self.up))
@@ -311,22 +297,20 @@ class _Heights:
     def common(
         self, s_a: FloatArray, s_b: FloatArray, on_curves: tuple[InPlane, InPlane]
     ) -> IntersectionPoints:
-        """Return the common points of the rulings at arc lengths of equal height, where gamma_a + v z_a =
-        gamma_b + u z_b.
-        """
+        """Return the points gamma_a + v z_a = gamma_b + u z_b at arc lengths of equal height."""
         gap = self.b.frame.point(on_curves[1][0]) - self.a.frame.point(on_curves[0][0])
-        v, u = self._rulings @ gap.T
+        v, u = self._ruling_matrix @ gap.T
         return IntersectionPoints(s_a, s_b, v, u, on_curves)
 
     @cached_property
-    def _rulings(self) -> FloatArray:
-        """Matrix (2, 3) whose product with the vector gamma_b - gamma_a is (v, u)."""
+    def _ruling_matrix(self) -> FloatArray:
+        """Matrix (2, 3) whose product with gamma_b - gamma_a is (v, u)."""
         return np.cross([self.b.axis, self.a.axis], self.n) / (self.n @ self.n)
 
 
 @dataclass(frozen=True, eq=False)
 class Branch:
-    """Connected part of the level set, approximated by nodes (s_a, s_b). Its parameter q counts the nodes."""
+    """Connected part of the level set, approximated by nodes (s_a, s_b). The parameter q counts the nodes."""
 
     heights: _Heights
     s_a: FloatArray
@@ -343,7 +327,7 @@ class Branch:
         s_a, s_b = (np.interp(q, self.nodes, row) for row in (self.s_a, self.s_b))
         on_curves = h.a.in_plane(s_a), h.b.in_plane(s_b)
         tolerance = HEIGHT_ERROR * max(h.a.length, h.b.length)
-        for _ in range(MOST_STEPS):
+        for _ in range(MOST_NEWTON_STEPS):
             (p, f), (r, g) = h.above(h.a, on_curves[0]), h.above(h.b, on_curves[1])
             gap = p - r
             if np.abs(gap).max(initial=0.0) <= tolerance:
@@ -355,13 +339,13 @@ class Branch:
 
 
 IntersectionCurve: TypeAlias = Branch | Ruling
-"""Curve of common points of two surfaces. Between two nodes, its only special points are crossings of edges."""
+"""Curve of common points of two surfaces; only crossings of edges are between two nodes."""
 
 
-def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
+def _level_set(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
     """Return the level set as polylines (s_a, s_b) of maximal length."""
-    first = _monotone(heights, heights.a)
-    second = _monotone(heights, heights.b)
+    first = _monotone_stretches(heights, heights.a)
+    second = _monotone_stretches(heights, heights.b)
     pieces: list[tuple[FloatArray, FloatArray]] = []
     ends: list[list[tuple[str, int, int] | None]] = []
     level: list[tuple[FloatArray, FloatArray]] = []
@@ -369,31 +353,28 @@ def _chained(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
         for m, (s_b, c_b) in enumerate(second):
             low, high = max(c_a.min(), c_b.min()), min(c_a.max(), c_b.max())
             if not low < high:
-                level.extend(_level(s_a, c_a, s_b, c_b))
+                level.extend(_branches_of_constant_height(s_a, c_a, s_b, c_b))
                 continue
             inside = np.concatenate([c_a, c_b])
             room = SAME_HEIGHT * max(heights.a.length, heights.b.length)
             inside = np.sort(inside[(inside > low + room) & (inside < high - room)])
             c = np.concatenate([[low], inside[np.diff(inside, prepend=low) > room], [high]])
-            pieces.append((_inverted(s_a, c_a, c), _inverted(s_b, c_b, c)))
-            ends.append([_joint(k, c_a, m, c_b, bound) for bound in (low, high)])
+            pieces.append((_arc_lengths_at(s_a, c_a, c), _arc_lengths_at(s_b, c_b, c)))
+            ends.append([_extreme_at_end(k, c_a, m, c_b, bound) for bound in (low, high)])
     return [*level, *_joined(pieces, ends, len(first), len(second))]
 
 
-def _level(
+def _branches_of_constant_height(
     s_a: FloatArray, c_a: FloatArray, s_b: FloatArray, c_b: FloatArray
 ) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Yield the branches if a strip has constant height.
-
-    Along such a branch, the arc length on the other strip is constant.
-    """
+    """Yield the branches for a strip of constant height; the arc length on the other strip is then constant."""
     if c_b[0] == c_b[-1] and c_a.min() < c_b[0] < c_a.max():
-        yield np.repeat(_inverted(s_a, c_a, c_b[:1]), s_b.size), s_b
+        yield np.repeat(_arc_lengths_at(s_a, c_a, c_b[:1]), s_b.size), s_b
     if c_a[0] == c_a[-1] and c_b.min() < c_a[0] < c_b.max():
-        yield s_a, np.repeat(_inverted(s_b, c_b, c_a[:1]), s_a.size)
+        yield s_a, np.repeat(_arc_lengths_at(s_b, c_b, c_a[:1]), s_a.size)
 
 
-def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
+def _monotone_stretches(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, FloatArray]]:
     """Return the stretches (arc lengths, heights) between the extremes of the height."""
     s = strip.stations
     height, slope = heights.along(strip, s)
@@ -416,22 +397,22 @@ def _monotone(heights: _Heights, strip: RuledStrip) -> list[tuple[FloatArray, Fl
     return stretches
 
 
-def _inverted(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
-    """Return the arc lengths at given heights of a monotone stretch."""
+def _arc_lengths_at(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
     order = 1 if c[-1] > c[0] else -1
     return np.interp(at, c[::order], s[::order])
 
 
-def _joint(k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float) -> tuple[str, int, int] | None:
-    """Return the extreme of a height that ends a piece at the height `bound`, or None if no other piece
-    starts there.
+def _extreme_at_end(
+    k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float
+) -> tuple[str, int, int] | None:
+    """Return the extreme that ends a piece at the height `bound`, or None if the level set ends there.
 
-    The result names the strip with the extreme ("a" or "b"). It has the number of the stretch that begins
-    there, and the stretch of the other strip.
+    The result is the strip with the extreme ("a" or "b"), the number of the stretch that begins there, and
+    the stretch of the other strip.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:
-        return None  # the level set ends at this point, because the surfaces touch
+        return None  # the level set ends, because the surfaces touch
     if as_a:
         return "a", k if bound == c_a[0] else k + 1, m
     return "b", m if bound == c_b[0] else m + 1, k
@@ -451,10 +432,8 @@ def _joined(
                 homes.setdefault(key, []).append(i)
     left = set(range(len(pieces)))
 
-    def grown(i: int, key: tuple[str, int, int] | None) -> list[tuple[FloatArray, FloatArray]]:
-        """Return the pieces of the chain that ends at the extreme `key` of piece i, in their order along the
-        chain.
-        """
+    def pieces_beyond(i: int, key: tuple[str, int, int] | None) -> list[tuple[FloatArray, FloatArray]]:
+        """Return the pieces of the chain beyond the extreme `key` of piece i, in order along the chain."""
         chain: list[tuple[FloatArray, FloatArray]] = []
         while key is not None:
             after = [j for j in homes.get(key, []) if j != i and j in left]
@@ -472,8 +451,8 @@ def _joined(
     while left:
         i = min(left)
         left.discard(i)
-        before = grown(i, ends[i][0])
-        after = [(s_a[::-1], s_b[::-1]) for s_a, s_b in reversed(grown(i, ends[i][1]))]
+        before = pieces_beyond(i, ends[i][0])
+        after = [(s_a[::-1], s_b[::-1]) for s_a, s_b in reversed(pieces_beyond(i, ends[i][1]))]
         rows = [*before, pieces[i], *after]
         chains.append(tuple(np.concatenate([rows[0][c], *(row[c][1:] for row in rows[1:])]) for c in (0, 1)))
     return [(s_a, s_b) for s_a, s_b in chains]
@@ -531,7 +510,7 @@ class Crossing:
         p = self.locus.at(self.start + x * (self.end - self.start))
         (place, tangent), (_, other) = p.on_curves
         normals = a.normal(tangent), b.normal(other)
-        # this formula (tangent of half the angle between unit vectors) is accurate for every angle
+        # the tangent of half the angle is accurate for every angle
         apart, together = np.linalg.norm([normals[0] - normals[1], normals[0] + normals[1]], axis=2)
         return CrossingPoints(
             np.column_stack([p.s_a, p.v]),
@@ -542,9 +521,7 @@ class Crossing:
 
     @cached_property
     def course(self) -> tuple[FloatArray, FloatArray, CrossingPoints]:
-        """Parameters x (n,) from 0 to 1, with all nodes of the intersection curve, the lengths up to them
-        (mm), and the points.
-        """
+        """Parameters x (n,) of all nodes, from 0 to 1, the lengths up to the nodes (mm), and the points."""
         nodes = (self.locus.nodes - self.start) / (self.end - self.start)
         x = distinct(np.concatenate([np.linspace(0.0, 1.0, LENGTH_POINTS), nodes[(nodes > 0) & (nodes < 1)]]))
         points = self.at(x)
@@ -569,9 +546,7 @@ class Crossing:
         return float(middle)
 
     def evenly(self, start: float, end: float, pitch: float) -> FloatArray:
-        """Return at least 6 parameters x (n,) from `start` to `end`, at nearly equal distances of at most
-        `pitch` mm.
-        """
+        """Return at least 6 parameters x (n,) from `start` to `end`, at most about `pitch` mm apart."""
         x, along, _ = self.course
         if min(start, end) < 0 or max(start, end) > 1:
             x = np.linspace(min(start, end), max(start, end), LENGTH_POINTS)
@@ -582,9 +557,7 @@ class Crossing:
 
     @cached_property
     def room(self) -> FloatArray:
-        """Width, mm, of each strip beyond the crossing (2, 2): a row for each strip, with columns for the
-        start and the end of the crossing.
-        """
+        """Width, mm, of each strip (row) beyond the start and the end (columns) of the crossing."""
         m = margins(self.strips, self.locus.at(np.array([self.start, self.end])))
         return np.array([m[:, :2].min(axis=1), m[:, 2:].min(axis=1)])
 
@@ -605,7 +578,7 @@ class Crossing:
             return None
         i, side = int(outside[0]), int(np.argmin(m[outside[0]]))
         sides, values = np.array([2 * which + side]), (m[[i - 1], side], m[[i], side])
-        root = float(_edges(self.strips, self.locus, (q[[i - 1]], q[[i]]), sides, values)[0])
+        root = float(_edge_crossings(self.strips, self.locus, (q[[i - 1]], q[[i]]), sides, values)[0])
         return (root - self.start) / (self.end - self.start)
 
 
@@ -617,11 +590,13 @@ def strip_crossings(a: RuledStrip, b: RuledStrip) -> tuple[Crossing, ...]:
     """
     crossings = []
     for locus in _intersect_surfaces(a, b):
-        crossings += [Crossing((a, b), locus, *run) for run in _runs((a, b), locus)]
+        crossings += [Crossing((a, b), locus, *run) for run in _ranges_inside_strips((a, b), locus)]
     return tuple(crossings)
 
 
-def _runs(strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve) -> list[tuple[float, float]]:
+def _ranges_inside_strips(
+    strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve
+) -> list[tuple[float, float]]:
     """Return the ranges of the parameter q in which the intersection curve is inside both strips."""
     nodes = locus.nodes
     fine = (nodes[:-1, None] + np.diff(nodes)[:, None] * np.arange(NODE_PARTS) / NODE_PARTS).ravel()
@@ -629,29 +604,29 @@ def _runs(strips: tuple[RuledStrip, RuledStrip], locus: IntersectionCurve) -> li
     m = margins(strips, locus.at(q))
     i, side = np.nonzero(np.sign(m[:-1]) * np.sign(m[1:]) < 0)
     on_edge = q[(m == 0).any(axis=1)]
-    edges = _edges(strips, locus, (q[i], q[i + 1]), side, (m[i, side], m[i + 1, side]))
+    edges = _edge_crossings(strips, locus, (q[i], q[i + 1]), side, (m[i, side], m[i + 1, side]))
     cuts = distinct(np.concatenate([q[[0, -1]], on_edge, edges]))
     inside = margins(strips, locus.at((cuts[:-1] + cuts[1:]) / 2)).min(axis=1) > 0
-    return [(float(cuts[first]), float(cuts[last])) for first, last in _blocks(inside)]
+    return [(float(cuts[first]), float(cuts[last])) for first, last in _runs_of_true(inside)]
 
 
-def _edges(
+def _edge_crossings(
     strips: tuple[RuledStrip, RuledStrip],
     locus: IntersectionCurve,
     between: tuple[FloatArray, FloatArray],
     sides: IntArray,
     values: tuple[FloatArray, FloatArray],
 ) -> FloatArray:
-    """Return the parameters at which the intersection curve crosses edges, one in each of n intervals.
+    """Return the parameter in each of n intervals at which the intersection curve crosses an edge.
 
-    `sides` (n,) selects the edge (column of `margins`), `between` has the ends of the
-    intervals, and `values` the margins at these ends.
+    `sides` (n,) selects the edge (column of `margins`), `between` has the ends of the intervals, and
+    `values` has the margins at these ends.
     """
     rows = np.arange(sides.size)
     return _bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)
 
 
-def _blocks(flags: BoolArray) -> list[tuple[int, int]]:
-    """Return the first index, and the last index plus 1, of each sequence of True."""
+def _runs_of_true(flags: BoolArray) -> list[tuple[int, int]]:
+    """Return the start and end index of each run of True."""
     steps = np.diff(np.concatenate([[0], flags.astype(int), [0]]))
     return list(zip(np.flatnonzero(steps > 0).tolist(), np.flatnonzero(steps < 0).tolist(), strict=True))

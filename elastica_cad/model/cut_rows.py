@@ -143,7 +143,7 @@ class CutList:
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(CSV_COLUMNS)
         for rows, empty in ((self.rows, ONLY_PRINTED), (self.printed, ONLY_CUT)):
-            writer.writerows(map(_cell, row) for row in _texts(rows, CSV_COLUMNS, empty))
+            writer.writerows(map(_without_formula, row) for row in _texts(rows, CSV_COLUMNS, empty))
         return stream.getvalue()
 
     def in_files(self, files: Mapping[str, str]) -> "CutList":
@@ -177,8 +177,7 @@ def _texts(
     return [["" if name in empty else text.format(row) for name, text in columns.items()] for row in rows]
 
 
-def _cell(text: str) -> str:
-    """Return the text, preceded by an apostrophe if a spreadsheet would treat it as a formula."""
+def _without_formula(text: str) -> str:
     return f"'{text}" if text[:1] in tuple("=+-@\t\r") else text
 
 
@@ -211,7 +210,7 @@ def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | No
                 piece.mass,
                 f"{piece.file_stem}.dxf",
                 "" if piece.sheet.grain == "none" else piece.sheet.grain,
-                _like(piece, shapes, first_names),
+                _equal_piece(piece, shapes, first_names),
                 hex_color(sheet_color(piece.sheet)),
             )
         )
@@ -219,7 +218,7 @@ def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | No
 
 
 def _printed(blocks: Sequence[EndFixture]) -> Iterator[CutListRow]:
-    """Yield a row for each printed block. Equal blocks have one row, with the file of the first."""
+    """Yield a row for each group of equal printed blocks, with the file of one block of the group."""
     stems = distinct(file_word(block.label) for block in blocks)
     same: dict[object, list[int]] = {}
     for k, block in enumerate(blocks):
@@ -233,10 +232,10 @@ def _printed(blocks: Sequence[EndFixture]) -> Iterator[CutListRow]:
         )  # fmt: skip
 
 
-def _like(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
-    """Return the name of the first earlier piece with the same shape, or register this piece and return ""."""
+def _equal_piece(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
+    """Return the name of an earlier piece with the same shape, or register this piece and return ""."""
     outer = piece.drawing.on(CUT_OUTER)
-    # skip pieces whose shape is not determined by the drawing alone
+    # the drawing alone does not determine the shape of these pieces
     if len(outer) != 1 or piece.worked is not None:
         return ""
     shape = FlatShape((Layer(piece.sheet, outer[0], piece.drawing.on(CUT_INNER)),))

@@ -144,10 +144,11 @@ def _require_holdable(strip: Strip, name: str | None = None) -> None:
 LEAST_WALL_MM = 0.8
 """Least thickness of a printed wall, mm: two lines of a 0.4 mm nozzle."""
 
-GROOVE_SHARE = 0.16, 0.075
-"""Width and depth of engraved strokes as fractions of the height of the letters. A 0.4 mm nozzle prints the width
-at a
-height of 4 mm; the depth is then two fine layers."""
+GROOVE_FRACTIONS = 0.16, 0.075
+"""Width and depth of engraved strokes as fractions of the height of the letters.
+
+A 0.4 mm nozzle prints the width at a height of 4 mm; the depth is then two fine layers.
+"""
 
 MOST_EXTENDED_MM = 150.0
 """Largest height, mm, by which blocks are extended to a floor below them. Few printers hold taller blocks."""
@@ -158,7 +159,7 @@ LABEL_MM = 4.0
 LEVEL = 1e-6
 """Tolerance for heights (mm), and for components of unit vectors."""
 
-BEYOND_MM = 1.0
+CUT_EXTENSION_MM = 1.0
 """Distance, mm, by which cutting bodies of holes and pockets extend beyond the faces of the block."""
 
 
@@ -311,7 +312,7 @@ class EndFixture(EqualByValue):
     @property
     def size(self) -> tuple[float, float, float]:
         """Length along the tab, width and height of the block with its foot, mm."""
-        up, along, height = self._up
+        up, along, height = self._floor_directions
         corners = np.concatenate([prism.outline.points(1.0) for prism in self.solid.added])
         return float(np.ptp(corners @ along)), self.across, float((corners @ up).max() - height)
 
@@ -326,23 +327,19 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def _profile(self) -> Frame:
-        """Frame in which profiles are drawn: x points out of the strip, y away from its upper side, and z
-        across the strip.
-        """
+        """Frame of profiles: x points out of the strip, y away from the upper side, and z across the strip."""
         return Frame(self.tab.frame.origin, self.tab.frame.x_axis, self.tab.frame.z_axis)
 
     @cached_property
-    def _core(self) -> FloatArray:
+    def _block_corners(self) -> FloatArray:
         """Corners (4, 2) of the block around the pocket, in the frame of the profiles."""
         half = self.tab.thickness / 2 + self.clearance + self.wall
         back = self.tab.length + self.clearance + self.wall
         return np.array([(0.0, -half), (back, -half), (back, half), (0.0, half)])
 
     @cached_property
-    def _up(self) -> tuple[FloatArray, FloatArray, float]:
-        """Unit vectors (2,) normal to the floor and along it, and the height of the floor, in the frame of
-        the profiles.
-        """
+    def _floor_directions(self) -> tuple[FloatArray, FloatArray, float]:
+        """Unit vectors (2,) normal to the floor and along it, and the height of the floor, in profiles."""
         n = self.ground.z_axis
         up = np.array([n @ self._profile.x_axis, n @ self._profile.y_axis])
         up = up / np.hypot(*up)
@@ -350,15 +347,14 @@ class EndFixture(EqualByValue):
 
     @property
     def lowest(self) -> float:
-        """Height of the lowest corner of the block over the floor, mm, before the block is extended to the
-        floor."""
-        up, _, height = self._up
-        return float((self._core @ up).min() - height)
+        """Height of the lowest corner of the block, mm, before the block is extended to the floor."""
+        up, _, height = self._floor_directions
+        return float((self._block_corners @ up).min() - height)
 
     @property
     def lowest_height(self) -> float:
         """Least z in space, mm, of the block around the pocket."""
-        return float(self._profile.point(self._core)[:, 2].min())
+        return float(self._profile.point(self._block_corners)[:, 2].min())
 
     @property
     def seat(self) -> TabSeat:
@@ -372,8 +368,8 @@ class EndFixture(EqualByValue):
 
         The joint "tab" of the body is at the end of the free part of the strip.
         """
-        up, along, height = self._up
-        core = self._core
+        up, along, height = self._floor_directions
+        core = self._block_corners
         grounded = core - np.outer(core @ up - height, up)
         body = convex_corners(np.concatenate([core, grounded]))
         added = [self._prism(body, self.across)]
@@ -388,15 +384,14 @@ class EndFixture(EqualByValue):
             )
             middles = (span[0] + self.foot / 2, span[1] - self.foot / 2)
             removed += [self._screw_hole(x) for x in middles if self.screw]
-        return PrismSolid(tuple(added), (*removed, *self._letters()), {"tab": self.tab.frame})
+        return PrismSolid(tuple(added), (*removed, *self._letter_grooves()), {"tab": self.tab.frame})
 
     def _prism(self, corners: FloatArray, across: float) -> FlatSolid:
-        """Return a prism with this profile, symmetric about the middle plane of the strip."""
         return FlatSolid(_polygon(corners), (), across, self._profile.shifted(z=-across / 2))
 
     def _pocket(self) -> FlatSolid:
         half = self.tab.thickness / 2 + self.clearance
-        back, front = self.tab.length + self.clearance, -BEYOND_MM
+        back, front = self.tab.length + self.clearance, -CUT_EXTENSION_MM
         shift, turn = self.lean
         cos, sin = np.cos(turn), np.sin(turn)
         corners = np.array([(front, -half), (back, -half), (back, half), (front, half)])
@@ -405,8 +400,7 @@ class EndFixture(EqualByValue):
         return self._prism(leaned, self.tab.width + 2 * self.clearance)
 
     def _clamp_holes(self, body: FloatArray) -> list[FlatSolid]:
-        """Return the holes of the tab through the whole block."""
-        low, high = body[:, 1].min() - BEYOND_MM, body[:, 1].max() + BEYOND_MM
+        low, high = body[:, 1].min() - CUT_EXTENSION_MM, body[:, 1].max() + CUT_EXTENSION_MM
         frame = self.tab.frame.shifted(z=float(low))
         return [
             FlatSolid(Path.circle((hole.at, hole.across), hole.diameter / 2), (), float(high - low), frame)
@@ -414,30 +408,31 @@ class EndFixture(EqualByValue):
         ]
 
     def _tip_hole(self, body: FloatArray) -> list[FlatSolid]:
-        """Return the hole for the screw of a T-slot, from the tip of the tab along the tab out of the block."""
+        """Return the hole for the screw of a T-slot, from the tip of the tab out of the block."""
         slot, tab = self.tab.t_slot, self.tab.frame
         if slot is None:
             return []
-        tip, back = self.tab.length, float(body[:, 0].max()) + 2 * self.foot + BEYOND_MM
+        tip, back = self.tab.length, float(body[:, 0].max()) + 2 * self.foot + CUT_EXTENSION_MM
         frame = Frame(tab.point((tip, 0.0, 0.0)), tab.y_axis, tab.z_axis)
         return [FlatSolid(Path.circle((0.0, 0.0), slot.screw / 2), (), back - tip, frame)]
 
     def _screw_hole(self, along: float) -> FlatSolid:
-        up, level, height = self._up
-        x, y = along * level + (height - BEYOND_MM) * up
+        up, level, height = self._floor_directions
+        x, y = along * level + (height - CUT_EXTENSION_MM) * up
         z_axis = self._profile.direction(up)
         frame = Frame(
             self._profile.point((x, y, 0.0)), np.cross(self._profile.z_axis, z_axis), self._profile.z_axis
         )
         if frame.z_axis @ z_axis < 0:
             frame = Frame(frame.origin, -frame.x_axis, frame.y_axis)
-        return FlatSolid(Path.circle((0.0, 0.0), self.screw / 2), (), self.foot_height + 2 * BEYOND_MM, frame)
+        return FlatSolid(
+            Path.circle((0.0, 0.0), self.screw / 2), (), self.foot_height + 2 * CUT_EXTENSION_MM, frame
+        )
 
-    def _letters(self) -> list[FlatSolid]:
-        """Return the engraved text as grooves in a side face, along the tab."""
+    def _letter_grooves(self) -> list[FlatSolid]:
         if not self.engrave:
             return []
-        (_, low), (long, high) = self._core[0], self._core[2]
+        (_, low), (long, high) = self._block_corners[0], self._block_corners[2]
         tab = self.tab.frame
         side = Frame(tab.point((0.0, self.across / 2, 0.0)), tab.x_axis, -tab.z_axis)
         text = centred_text(self.engrave, (long / 2, 0.0), min(LABEL_MM, 0.7 * (high - low)), 0.85 * long)
@@ -449,7 +444,7 @@ def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSo
 
     Every line or arc of a stroke is a separate groove with a flat bottom; grooves that meet overlap.
     """
-    width, depth = (share * height for share in GROOVE_SHARE)
+    width, depth = (share * height for share in GROOVE_FRACTIONS)
     frame = side.shifted(z=-depth)
     return [
         FlatSolid(_groove(segment, width), (), 2 * depth, frame)
@@ -459,9 +454,7 @@ def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSo
 
 
 def _groove(middle: Segment, width: float) -> Path:
-    """Return the outline of a groove along a line or an arc, or a round hole if the groove is shorter than
-    wide.
-    """
+    """Return the outline of a groove along a line or arc, or a round hole if the width exceeds the length."""
     if middle.length <= width:
         return Path.circle(middle.at(0.5), width / 2)
     ends, along = middle.at(np.array([0.0, 1.0])), middle.tangent_at(np.array([0.0, 1.0]))
@@ -540,12 +533,12 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     pairs = [
         Listed([blocks[i].tab.name, blocks[j].tab.name])
         for i, j in combinations(range(len(blocks)), 2)
-        if _reach_into(edges[i], parts[j]) or _reach_into(edges[j], parts[i])
+        if _is_inside_any(edges[i], parts[j]) or _is_inside_any(edges[j], parts[i])
     ]
     crossed = [
         note("{strip} would pass through the printed block of {tab}", strip=name, tab=blocks[k].tab.name)
         for name, strip in zip(strip_names(placed), placed, strict=True)
-        for k in _crossed(strip, blocks, parts)
+        for k in _crossed_blocks(strip, blocks, parts)
     ]
     messages = []
     if pairs:
@@ -562,8 +555,10 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     return tuple(messages)
 
 
-def _crossed(placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Sequence["_Prism"]]) -> list[int]:
-    """Return the indices of the blocks that a strip runs through, except the blocks that hold it."""
+def _crossed_blocks(
+    placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Sequence["_Prism"]]
+) -> list[int]:
+    """Return the indices of the blocks that a strip runs through, except the blocks that hold this strip."""
     tab_keys = {PlacedTab.of(placed.strip, end, placed.frame).key for end in ENDS}
     rod, frame = placed.strip.rod, placed.frame
     s = np.linspace(0.0, rod.length, int(rod.length / PITCH_MM) + 2)
@@ -577,21 +572,18 @@ def _crossed(placed: Placed, blocks: Sequence[EndFixture], parts: Sequence[Seque
         near = (middle > corners.min(axis=0) - half.max()) & (middle < corners.max(axis=0) + half.max())
         places, wide = middle[near.all(axis=1)], half[near.all(axis=1)]
         points = places[:, None] + np.multiply.outer(wide, across)[..., None] * frame.z_axis
-        return _reach_into(points.reshape(-1, 3), its)
+        return _is_inside_any(points.reshape(-1, 3), its)
 
     return [k for k, block in enumerate(blocks) if block.tab.key not in tab_keys and crosses(parts[k])]
 
 
-def _reach_into(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
-    """Return True if any of the points (n, 3) is deeper than `TOUCHING_MM` in one of the parts."""
+def _is_inside_any(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
     return any(bool((part.depths(part.near(points)) > TOUCHING_MM).any()) for part in parts)
 
 
 @dataclass(frozen=True, eq=False)
 class _Prism:
-    """Convex prism in space: sample points (n, 3) along its edges, and for each of its k faces a point and a
-    normal.
-    """
+    """Convex prism: sample points (n, 3) along the edges, and a point and a normal for each of the k faces."""
 
     edges: FloatArray
     faces: FloatArray
@@ -617,6 +609,6 @@ class _Prism:
         return np.asarray(points[inside.all(axis=1)])
 
     def depths(self, points: FloatArray) -> FloatArray:
-        """Return the depths (n,), mm, of points (n, 3) below the surface of the prism; negative outside."""
+        """Return the depths (n,), mm, of points (n, 3) below the surface; negative outside."""
         heights = (self.faces * self.outward).sum(axis=1)
         return np.asarray((heights - points @ self.outward.T).min(axis=1))

@@ -1,6 +1,4 @@
-"""Slotted frames, whose rails hold tabs and are joined by ribs, and feet (gussets) that hold tabs at their
-angle.
-"""
+"""Slotted frames, whose rails hold tabs and are joined by ribs, and feet (gussets) for tabs."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -37,30 +35,26 @@ from elastica_cad.strip.uncuttable_parts import (
 SHOULDER_MM = 5.0
 """Width, mm, of the shoulder beside a rib's tongue; the shoulder rests against the rail."""
 
-SLOT_ROOM_MM = 3.0
+SLOT_SPACING_MM = 3.0
 """Least distance, mm, between slots of ribs and slots of tabs. Some sheets need a larger distance."""
 
 LABEL_MM = 6.0
 """Height of the name of a rib, mm, if the rib is large enough."""
 
 MOST_RIBS = 200
-"""Largest number of ribs of a frame."""
 
 STEP_MM = 2.5
 """Step, mm, on each side of a tongue.
 
-The tongue is narrower in the first of two rails. The step rests against this rail and keeps its distance from
-the second rail.
+The tongue is narrower in the rail near the strips. The step rests against this rail and keeps the distance
+to the outer rail.
 """
 
-ON_SIDE_MM = 1e-6
+SIDE_TOLERANCE_MM = 1e-6
 """Rounding error, mm, of the distance between a side of the rib and a point on it."""
 
 PARALLEL_SINE = 0.1
-"""Rails count as parallel if the sine of the angle between them is smaller.
-
-Their ribs are perpendicular to the first rail.
-"""
+"""Sine of the angle between rails below which they count as parallel, with ribs perpendicular to a rail."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,9 +193,9 @@ def slotted_frame(
     options = PlateOptions(play, clearance, border=border, shop=shop, ignore_limits=ignore_limits)
     rails = [_RailPlan.of(placed, end, sheet, options) for end in ENDS]
     outer = [] if gap is None else [_RailPlan.of(placed, end, sheet, options, behind) for end in ENDS]
-    across = _across(rails)
-    room = max(SLOT_ROOM_MM, limits_or_default(shop).bridge_for(sheet))
-    stations = _stations([*rails, *outer], across, ribs, sheet.thickness + 2 * (room + clearance))
+    across = _normal_of_ribs(rails)
+    room = max(SLOT_SPACING_MM, limits_or_default(shop).bridge_for(sheet))
+    stations = _stations_of_ribs([*rails, *outer], across, ribs, sheet.thickness + 2 * (room + clearance))
     plans = [
         _RibPlan(f"rib-{n}", station, across, tuple(rail.seat(station, across) for rail in rails))
         for n, station in enumerate(stations, start=1)
@@ -222,8 +216,6 @@ def slotted_frame(
 
 @dataclass
 class _RailPlan:
-    """A rail before its outline is drawn."""
-
     name: str
     frame: Frame
     slots: list[TabSlot]
@@ -244,9 +236,7 @@ class _RailPlan:
         return cls(name, frame, through_slots(tabs, frame, sheet, replace(options, name=name)))
 
     def seat(self, station: float, across: FloatArray) -> "_Seat":
-        """Return the position at which a rib with normal `across` (3,) meets the middle of the rail's upper
-        face.
-        """
+        """Return the position of a rib with normal `across` (3,) in the middle of the rail's upper face."""
         centers = self.frame.point([slot.corners.mean(axis=0) for slot in self.slots])
         n = self.frame.z_axis
         along = np.cross(n, across)
@@ -257,7 +247,6 @@ class _RailPlan:
         return _Seat(station * across + side * along + height * n, along, n)
 
     def tongue_slot(self, name: str, seat: "_Seat", size: tuple[float, float], thickness: float) -> TabSlot:
-        """Return the slot for a rib's tongue; `size` is its length along the rib and its width."""
         center = self.frame.local(seat.point)[:2]
         u = (self.frame.axes @ seat.along)[:2]
         v = np.array([-u[1], u[0]])
@@ -266,17 +255,14 @@ class _RailPlan:
         return TabSlot(corners, name, thickness)
 
     def reach(self, across: FloatArray) -> FloatArray:
-        """Return the start and end (n, 2), mm, of n slots along a direction (3,)."""
+        """Return the start and end (n, 2), mm, of n slots along the direction `across` (3,)."""
         corners = self.frame.point(np.array([slot.corners for slot in self.slots])) @ across
         return np.column_stack([corners.min(axis=1), corners.max(axis=1)])
 
 
 @dataclass(frozen=True, eq=False)
 class _Seat:
-    """Position of a rib in a rail.
-
-    It has a point on the upper face of the rail, the direction of the rib, and the normal of the face.
-    """
+    """Point on the upper face of a rail, direction of the rib there, and normal of the face."""
 
     point: FloatArray
     along: FloatArray
@@ -285,8 +271,6 @@ class _Seat:
 
 @dataclass(frozen=True, eq=False)
 class _RibPlan:
-    """A rib before its outline is drawn."""
-
     name: str
     station: float
     across: FloatArray
@@ -295,7 +279,7 @@ class _RibPlan:
     def rib(self, sheet: Sheet, tongue: float, depth: float, *, behind: float, step: float) -> Rib:
         """Return the rib behind all rails.
 
-        If there are two rails at each end, its tongues are narrower in the first of them.
+        With two rails at each end, the tongues are narrower in the inner rail.
         """
         x_axis = self.seats[0].along
         frame = Frame(self.seats[0].point, x_axis, np.cross(self.across, x_axis))
@@ -315,7 +299,7 @@ class _RibPlan:
             for base in bases:
                 drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
             if drawn is not None and self_crossing(drawn, closed=True) is None:
-                # the label is on the part of the rib behind the first tongue
+                # the label is on the part of the rib behind the tongue at the start
                 label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
                 return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
         raise InputError(
@@ -324,7 +308,7 @@ class _RibPlan:
 
 
 class _Corner:
-    """Local coordinates of a rib at one of its rails: towards the other rail, and behind the rail's face."""
+    """Local coordinates of a rib at a rail: towards the other rail, and behind the face of the rail."""
 
     def __init__(self, frame: Frame, seat: _Seat, other: _Seat) -> None:
         self.frame, self.seat = frame, seat
@@ -336,7 +320,7 @@ class _Corner:
         return self.frame.local(point)[:2]
 
 
-def _across(rails: Sequence[_RailPlan]) -> FloatArray:
+def _normal_of_ribs(rails: Sequence[_RailPlan]) -> FloatArray:
     """Return the normal of the ribs, which is perpendicular to the normals of both rails."""
     a, b = rails
     normal = np.cross(a.frame.z_axis, b.frame.z_axis)
@@ -346,12 +330,8 @@ def _across(rails: Sequence[_RailPlan]) -> FloatArray:
     return normal if normal @ a.frame.x_axis >= 0 else -normal
 
 
-def _stations(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: float) -> list[float]:
-    """Return the stations of the ribs.
-
-    One rib is before the first tab, one is behind the last tab, and the others are evenly distributed to gaps
-    between tabs.
-    """
+def _stations_of_ribs(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: float) -> list[float]:
+    """Return the stations of ribs before and behind all tabs, and in gaps between tabs."""
     reach = np.concatenate([rail.reach(across) for rail in rails])
     reach = reach[np.argsort(reach[:, 0])]
     first, last = float(reach[:, 0].min()), float(reach[:, 1].max())
@@ -369,19 +349,17 @@ def _stations(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: 
 def _with_tongue(
     loop: FloatArray, base: FloatArray, heights: tuple[float, float], step: float
 ) -> FloatArray | None:
-    """Add an outward tongue to an anticlockwise loop.
+    """Return the anticlockwise loop with an outward tongue, or None if `base` is not on a side.
 
-    `base` contains two points on a side of the loop, the ends of the tongue.
-
-    `heights` are two distances from the side. Beyond the first, the tongue is narrower by `step` on both
-    sides; at the second, it ends. Return None if the points are not on a side.
+    `base` contains the two ends of the tongue on a side of the loop. `heights` are the distances from this
+    side at which the tongue becomes narrower by `step` on both sides, and at which the tongue ends.
     """
     low, high = heights
     for i, (p, q) in enumerate(zip(loop, np.roll(loop, -1, axis=0), strict=True)):
         side = (q - p) / np.hypot(*(q - p))
         outward = np.array([side[1], -side[0]])
         off, along = (base - p) @ outward, (base - p) @ side
-        if np.abs(off).max() < ON_SIDE_MM and along.min() > 0 and along.max() < np.hypot(*(q - p)):
+        if np.abs(off).max() < SIDE_TOLERANCE_MM and along.min() > 0 and along.max() < np.hypot(*(q - p)):
             a, b = base[np.argsort(along)]
             rise, inset = (high * outward, step * side)
             stepped = [a + low * outward, a + low * outward + inset] if step else []
@@ -444,14 +422,11 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
             corners = np.array([corner, corner + reach * np.array([1.0, 0.0]), beside])
             outline = Path.polygon(corners if side > 0 else corners[::-1])
             name = f"foot-{slot.name.replace(':', '-')}{called}"
-            yield Rib(name, plate.sheet, profile, outline, _label(name, corners))
+            yield Rib(name, plate.sheet, profile, outline, _label_in_triangle(name, corners))
 
 
 def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
-    """Yield the feet with a different name for each shape.
-
-    Feet of equal shape keep the same name, because equal strips have equal feet.
-    """
+    """Yield the feet with a different name for each shape, because equal strips have equal feet."""
     shapes: list[tuple[str, FloatArray]] = []
     places: list[int] = []
     for foot in feet:
@@ -468,11 +443,10 @@ def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
     names = distinct(name for name, _ in shapes)
     for foot, place in zip(feet, places, strict=True):
         name, (own_name, corners) = names[place], shapes[place]
-        yield foot if name == own_name else replace(foot, name=name, label=_label(name, corners))
+        yield foot if name == own_name else replace(foot, name=name, label=_label_in_triangle(name, corners))
 
 
-def _label(name: str, corners: np.ndarray) -> Text:
-    """Return the name in the middle of a triangle, as large as possible."""
+def _label_in_triangle(name: str, corners: np.ndarray) -> Text:
     sides = np.roll(corners, -1, axis=0) - corners
     (ux, uy), (vx, vy) = sides[:2]
     # radius of the inscribed circle of the triangle

@@ -17,8 +17,8 @@ from elastica_cad.strip.strip import Placed, require_placed
 from elastica_cad.strip.tab_seats import WALL_PLACES, TabSeat
 
 
-def _seat_between(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSeat:
-    """Return the seat of a tab between the two walls of a slot, each (n, 2), in the plane of the strip's curve."""
+def _seat_between_walls(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSeat:
+    """Return the seat of a tab between the two walls (n, 2) of a slot, in the plane of the strip's curve."""
     # use the points of a wall up to the tip of the tab, or the nearest point if all are beyond the tip
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
     left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))
@@ -26,11 +26,11 @@ def _seat_between(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSea
 
 
 def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
-    """Return the number of each slot with a tab, the tab, and the walls of the slot; the first wall has the first
-    corners.
+    """Return the number of each slot with a tab, the tab, and the two walls of the slot.
 
-    The two walls are arrays (2, n, 2) of points in the plane of the curve: distance along the tab, and
-    distance to its left. At these points, vertical lines of the walls meet the plane.
+    The walls are arrays (2, n, 2) of points in the plane of the curve: distance along the tab, and
+    distance to the left of the tab. At these points, vertical lines of the walls meet the plane. Wall 0 is
+    between the corners 0 and 1 of the slot.
     """
     through = [(k, slot.tab) for k, slot in enumerate(plate.slots) if slot.tab is not None]
     if not through:
@@ -72,7 +72,7 @@ def _seated(holders: Iterable[object]) -> Iterator[tuple[PlacedTab, TabSeat]]:
             yield holder.tab, holder.seat
     for plate in plates_with_play(holders):
         for _, tab, walls in slot_walls(plate):
-            yield tab, _seat_between(walls, tab, plate)
+            yield tab, _seat_between_walls(walls, tab, plate)
 
 
 def require_holders(holders: object) -> tuple[object, ...]:
@@ -135,7 +135,7 @@ def seat_of(seats: Mapping[Key, TabSeat], member: Placed, end: StripEnd) -> TabS
 
 
 NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
-"""Smaller play, in mm and degrees, is reported as no play."""
+"""Play in mm and degrees below which no play is reported."""
 
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:

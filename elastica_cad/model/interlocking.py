@@ -23,8 +23,7 @@ from elastica_cad.strip.pieces import cut_key
 from elastica_cad.strip.slots import Relief, Slot
 from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_placed, strip_names
 
-MOST_STEPS = 30
-"""Largest number of Newton steps, all with the derivatives at the centre line."""
+MOST_NEWTON_STEPS = 30
 
 CLOSE_MM = 1e-6
 """Accuracy, mm, of the points at which faces meet; it equals the accuracy of files."""
@@ -74,9 +73,9 @@ def _bent_slot_width(
     error = np.full(len(rows), np.inf)
     # limit of the coordinates, because they would grow without limit if the faces do not meet
     farthest = ruled.length + other.length
-    for _ in range(MOST_STEPS):
-        here = _on_face(ruled, rows + x[:, :1] * across, z[:, :1])
-        there = _on_face(other, mates + x[:, 1:], z[:, 1:])
+    for _ in range(MOST_NEWTON_STEPS):
+        here = _points_at_height(ruled, rows + x[:, :1] * across, z[:, :1])
+        there = _points_at_height(other, mates + x[:, 1:], z[:, 1:])
         error = np.abs(here - there).max(axis=1)
         if not (error > CLOSE_MM).any():
             break
@@ -86,12 +85,7 @@ def _bent_slot_width(
     return np.asarray(2 * reach.reshape(4, -1).max(axis=0), dtype=float)
 
 
-def _on_face(strip: RuledStrip, flat: FloatArray, height: FloatArray) -> FloatArray:
-    """Map points (n, 2) of the flat pattern of a strip to the bent strip.
-
-    `height` (n, 1) is the distance of the results (n, 3) from the middle surface, to the left of the
-    curve.
-    """
+def _points_at_height(strip: RuledStrip, flat: FloatArray, height: FloatArray) -> FloatArray:
     points, tangents = strip.in_plane(flat[:, 0])
     left = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     return strip.frame.point(points + height * left) + flat[:, 1:] * strip.axis
@@ -101,23 +95,19 @@ Fit = Literal["exact", "paper"]
 Member = TypeVar("Member")
 
 SHALLOW_RAD = np.radians(15.0)
-"""Smaller angles between two strips, rad, cause a warning, because slots are then over 7 sheet thicknesses
-wide.
-"""
+"""Angle between two strips, rad, below which a warning is added: slots are over 7 sheet thicknesses wide."""
 
 TOUCHING_RAD = np.radians(1.0)
-"""Strips at a smaller angle, rad, count as touching, because slots would be over 100 sheet thicknesses wide."""
+"""Angle between two strips, rad, below which they touch: slots would be over 100 sheet thicknesses wide."""
 
-FORCED_SHARE = 0.5
-"""The preferred side is used unless the other side makes slots shorter by more than this fraction of the
-crossing.
-"""
+OTHER_SIDE_FRACTION = 0.5
+"""Fraction of the crossing by which slots must become shorter for the side that is not preferred."""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
 """Decimals to which positions (mm) and unit vectors of pairs are compared, because copies differ by rounding."""
 
 PITCH_MM = 1.5
-"""Largest distance, mm, between points along the centre line of a slot, which may be curved."""
+"""Largest distance, mm, between points along the centre line of a slot."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,11 +138,10 @@ class Joint:
 def slot_width(
     angle: FloatArray, *, own: float, other: float, clearance: float, fit: Fit = "exact"
 ) -> FloatArray:
-    """Return the width, mm, of a slot in a sheet of thickness `own` for a sheet of thickness `other` at the
-    angle phi (rad).
+    """Return the width, mm, of a slot in a sheet of thickness `own` for a sheet of thickness `other`.
 
-    The width is other / sin(phi) + own |cot(phi)| + clearance. The second term is needed because the slot is
-    cut perpendicular to the sheet. `fit="paper"` omits it (paper, section 9.1).
+    At the angle phi (rad), the width is other / sin(phi) + own |cot(phi)| + clearance. The second term is
+    needed because the slot is cut perpendicular to the sheet. `fit="paper"` omits it (paper, section 9.1).
     """
     angle = numbers(angle, "slot angle")
     for what, size in (("own", own), ("other", other), ("clearance", clearance)):
@@ -227,33 +216,24 @@ def interlock(
     slotted = (
         _with_slots(*each, drawn) for each in zip(placed, map(tuple, slots), strip_names(placed), strict=True)
     )
-    return InterlockedStrips(tuple(slotted), tuple(joints), _reports(names, joints))
+    return InterlockedStrips(tuple(slotted), tuple(joints), _messages(names, joints))
 
 
 _joined: WeakKeyDictionary[Placed, WeakKeyDictionary[Placed, tuple[object, tuple[Joint, ...]]]]
 _joined = WeakKeyDictionary()
-"""Cache of the joints of each pair of placed strips with their options.
-
-Only joints of changed strips are computed again.
-"""
+"""Cache of the joints of each pair of placed strips with their options."""
 
 _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDictionary()
-"""Cache of slotted strips.
-
-An unchanged strip is returned as the same object, so that its results are not computed again.
-"""
+"""Cache of slotted strips. An unchanged strip stays the same object, so that its results are kept."""
 
 
 def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[Hashable, Strip]) -> Placed:
-    """Return the placed strip with additional slots.
-
-    It shares the layers of a strip in `drawn` that has the same cut.
-    """
+    """Return the placed strip with additional slots and the layers of a strip in `drawn` with the same cut."""
     known, slotted = _slotted.get(placed, (None, placed))
     if known != slots:
         strip = replace(placed.strip, slots=(*placed.strip.slots, *slots)) if slots else placed.strip
         first = drawn.setdefault(cut_key(strip), strip)
-        _refuse_faults(first, name)
+        _refuse_meeting_slots(first, name)
         slotted = placed.with_strip(strip.cut_as(first)) if slots else placed
         _slotted[placed] = slots, slotted
     return slotted
@@ -287,10 +267,7 @@ class _Cutter:
     relief: Relief
     above: FloatArray | None
     crossed: dict[Hashable, tuple[list[Joint], Frame]] = field(default_factory=dict)
-    """Cache of the joints of pairs of strips, with the frame of the first strip.
-
-    Equal pairs with the same relative placement have a common entry.
-    """
+    """Cache of joints with the frame of the earlier strip, common to equal pairs."""
 
     def joints(
         self, members: tuple[int, int], placed: tuple[Placed, Placed], ruled: tuple[RuledStrip, RuledStrip]
@@ -318,7 +295,7 @@ class _Cutter:
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
         """Return the joint moved to an equal pair of strips, with the indices `members`.
 
-        `frames` contains the frame of the first strip of the joint's pair, and of the equal pair.
+        `frames` contains the frames of the earlier strip of the joint's pair and of the equal pair.
         """
         first, second = (
             replace(slot, mate=self.strips[mate].label)
@@ -328,10 +305,7 @@ class _Cutter:
         return replace(joint, members=members, slots=(first, second), position=position)
 
     def joint(self, members: tuple[int, int], crossing: Crossing) -> Joint:
-        """Return the joint of a crossing.
-
-        Each slot is from the middle of the crossing to the edge of its strip.
-        """
+        """Return the joint with slots from the middle of the crossing to the edges of both strips."""
         names = [self.names[i] for i in members]
         points = crossing.course[2]
         low, high = float(points.angle.min()), float(points.angle.max())
@@ -339,7 +313,7 @@ class _Cutter:
             s = float(points.first[int(points.angle.argmin()), 0])
             raise InputError(self._touch(names, s))
         slots, middle = [], np.zeros(3)
-        for which, end in enumerate(self._ends(members, crossing)):
+        for which, end in enumerate(self._cut_ends(members, crossing)):
             last = crossing.beyond(which, end)
             p = crossing.at(crossing.evenly(crossing.middle, float(end if last is None else last), PITCH_MM))
             rows, mates = _turned((p.first, p.second), which)
@@ -364,11 +338,11 @@ class _Cutter:
             middle = p.position[0]
         return Joint(members, (slots[0], slots[1]), (low, high), middle, self.fit)
 
-    def _ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
-        """Return the ends of the crossing (0 or 1) from which the first and the second strip are cut.
+    def _cut_ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
+        """Return, for both strips, the end (0 or 1) of the crossing from which the strip is cut.
 
-        If both ends are possible, the slot of the earlier strip opens towards `above`, by default the direction of
-        its rulings.
+        If both ends are possible, the slot of the earlier strip opens towards `above`, by default the
+        direction of its rulings.
         """
         costs = []
         for ends in ((0, 1), (1, 0)):
@@ -386,7 +360,7 @@ class _Cutter:
                 names_2=names[1],
                 s=Length(s),
             )
-        if abs(costs[0] - costs[1]) > FORCED_SHARE:
+        if abs(costs[0] - costs[1]) > OTHER_SIDE_FRACTION:
             return ((0, 1), (1, 0))[int(np.argmin(costs))]
         up = crossing.strips[0].axis if self.above is None else self.above
         heights = crossing.course[2].position @ up
@@ -433,7 +407,7 @@ def _turned(pair: tuple[Member, Member], which: int) -> tuple[Member, Member]:
     return pair if which == 0 else (pair[1], pair[0])
 
 
-def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
+def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
     """Return messages on small angles between strips and on the order of assembly."""
     shallow: dict[tuple[int, int], list[Joint]] = {}
     for joint in joints:
@@ -452,11 +426,11 @@ def _reports(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
             "are up to {width} wide: increase the angle for a better hold",
             a=a, b=b, degrees=degrees, places=places, width=Length(width),
         ))  # fmt: skip
-    order = _assembly(names, joints) if joints else note("no strips cross, so no slots were cut")
+    order = _order_message(names, joints) if joints else note("no strips cross, so no slots were cut")
     return (*messages, order)
 
 
-def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
+def _order_message(names: Sequence[str], joints: list[Joint]) -> str:
     """Return the message on the order of assembly and on strips that must be threaded in."""
     sides: dict[int, set[str]] = {}
     for joint in joints:
@@ -471,8 +445,7 @@ def _assembly(names: Sequence[str], joints: list[Joint]) -> str:
     return text
 
 
-def _refuse_faults(strip: Strip, name: str) -> None:
-    """Raise InputError with the name of the part if slots meet. To find out, the outline is drawn."""
+def _refuse_meeting_slots(strip: Strip, name: str) -> None:
     try:
         whole = strip.outline.closed
     except InputError as error:

@@ -11,8 +11,7 @@ from elastica_cad.strip.drawing import Drawing
 from elastica_cad.strip.pieces import Piece
 from elastica_cad.strip.strip import Strip
 
-APART_MM = 5.0
-"""Distance between the plies in the pattern, mm."""
+PLY_SPACING_MM = 5.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +46,7 @@ class LeafStack:
 
         Marks across each ply show the ends of the next plies.
         """
-        pitch = float(np.ptp(self.strip.outline.bounds[:, 1])) + APART_MM
+        pitch = float(np.ptp(self.strip.outline.bounds[:, 1])) + PLY_SPACING_MM
         moved = [
             path.transformed(np.array([[1, 0, 0], [0, 1, -i * pitch], [0, 0, 1]]))
             for i, path in enumerate(self.strip.drawings())

@@ -36,9 +36,7 @@ from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_plac
 from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 LEAST_SPREAD = 0.2
-"""Slots support a plate without tipping if the ratio of their spreads, across to along their main direction,
-is at least this.
-"""
+"""Least ratio of the spreads of slots, across to along their main direction, for a plate that does not tip."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,7 +99,7 @@ def stand(
     one_plate = replace(options, name=name or "base")
     ways: tuple[tuple[str, Callable[[], tuple[BasePlate | Rib, ...]]], ...] = (
         ("stands on one plate", partial(end_plates, placed, sheet, together=True, **vars(one_plate))),
-        ("held by two plates", partial(_plates_apart, placed, sheet, options)),
+        ("held by two plates", partial(_stable_facing_plates, placed, sheet, options)),
         (
             "held by a slotted frame",
             lambda: slotted_frame(placed, sheet, shop=shop, ignore_limits=ignore_limits).parts,
@@ -127,12 +125,14 @@ def stand(
     )
 
 
-def _plates_apart(placed: Sequence[Placed], sheet: Sheet, options: RingOptions) -> tuple[BasePlate, ...]:
-    """Return two facing plates. The strips are arranged around them, and determine their distance."""
+def _stable_facing_plates(
+    placed: Sequence[Placed], sheet: Sheet, options: RingOptions
+) -> tuple[BasePlate, ...]:
+    """Return two facing plates for strips that are arranged around them."""
     plates = facing_plates(placed, sheet, options)
     for plate in plates:
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
-        # spreads of the slot centres along their principal directions; a single slot has one
+        # singular values are the spreads along the principal directions
         spreads = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)
         if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
             raise InputError("{name}: the slots are in one row, so the plate would tip", name=plate.name)
@@ -141,8 +141,7 @@ def _plates_apart(placed: Sequence[Placed], sheet: Sheet, options: RingOptions) 
 
 Triple: TypeAlias = tuple[float, float, float]
 
-MOST_PLACED = 100_000
-"""Largest number of strips of a model."""
+MOST_STRIPS = 100_000
 
 
 def mirror(
@@ -201,9 +200,9 @@ def repeat(
 
 def _require_count(count: int, of: int) -> None:
     require_declared(repeat, {"count": count}, "pattern")
-    if count * of > MOST_PLACED:
+    if count * of > MOST_STRIPS:
         raise InputError(
-            f"a pattern of {of} strips, {quoted(count)} times, is too large: make at most {MOST_PLACED} strips"
+            f"a pattern of {of} strips, {quoted(count)} times, is too large: make at most {MOST_STRIPS} strips"
         )
 
 
@@ -380,19 +379,17 @@ class Model:
         return replace(self, placed=placed)
 
 
-LARGEST = 0.15
+LARGEST_LOG_CHANGE = 0.15
 """Largest change of the logarithm of a width in a round of corrections."""
 
-WIDENED, GENTLER = 1.1, 0.7
-"""Largest factor by which a strip is widened in a round to keep its joints.
+LARGEST_WIDENING, REDUCED_CHANGE = 1.1, 0.7
+"""Largest factor by which a strip is widened in a round, and factor on larger changes of width.
 
-If more were needed, its largest change of width is multiplied by the second factor instead.
-
-A much wider strip does not help, because its shoulders beside the tabs are wider too.
+A much wider strip does not help, because the shoulders beside its tabs are wider too.
 """
 
 ROUNDS, MOST_ROUNDS = 2, 10
-"""Usual and largest number of rounds. More than usual are needed if joints are lost."""
+"""Usual and largest number of rounds. Lost joints need more than the usual number."""
 
 
 def interlock_compensated(model: Model, which: Container[str], **options: Any) -> Model:
@@ -412,7 +409,7 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
         Options of `Model.interlock`, whose errors are passed on.
     """
     first = locked = model.interlock(**options)
-    wider, largest, left = [1.0] * len(model.strips), [LARGEST] * len(model.strips), ROUNDS
+    wider, largest, left = [1.0] * len(model.strips), [LARGEST_LOG_CHANGE] * len(model.strips), ROUNDS
     for _ in range(MOST_ROUNDS):
         # cut the slots again, because slots of the previous round may not reach the new edges
         known: dict[Any, Strip] = {}
@@ -425,13 +422,13 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
                 known[alike] = compensate_widths(cut, largest=largest[k])
             strips[k] = _widened(replace(drawn, correction=known[alike].correction), wider[k])
         locked = model.with_strips(strips).interlock(**options)
-        lost = _lost(first, locked)
+        lost = _lost_joints(first, locked)
         left = ROUNDS if lost else left - 1
         if not left:
             break
-        for k, narrower in _narrowed(lost, model, locked).items():
-            if narrower > WIDENED:
-                largest[k] *= GENTLER
+        for k, narrower in _width_ratios(lost, model, locked).items():
+            if narrower > LARGEST_WIDENING:
+                largest[k] *= REDUCED_CHANGE
             else:
                 wider[k] *= narrower
     messages = tuple(
@@ -452,8 +449,8 @@ def _widened(strip: Strip, scale: float) -> Strip:
     return replace(strip, max_width=scale * strip.max_width)
 
 
-def _lost(before: Model, after: Model) -> list[tuple[int, float]]:
-    """Return the lost joints: for each, the index of the strip, and the arc length on it, mm.
+def _lost_joints(before: Model, after: Model) -> list[tuple[int, float]]:
+    """Return the index of the strip and the arc length, mm, of each lost joint.
 
     If two strips have several joints, each remaining joint is matched with the nearest previous joint.
     """
@@ -465,7 +462,7 @@ def _lost(before: Model, after: Model) -> list[tuple[int, float]]:
     return [place for members, places in gone for place in zip(members, places, strict=True)]
 
 
-def _narrowed(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:
+def _width_ratios(lost: list[tuple[int, float]], before: Model, after: Model) -> dict[int, float]:
     """Return, for each strip that lost joints, the largest ratio of old to new width at these joints."""
     scales: dict[int, float] = {}
     for k, at in lost:

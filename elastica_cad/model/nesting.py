@@ -17,13 +17,11 @@ from elastica_cad.refusals import Length, note
 from elastica_cad.strip.drawing import SHEET, Drawing, LayeredPath
 from elastica_cad.strip.pieces import Piece
 
-SLACK_MM = 1e-9
+FIT_TOLERANCE_MM = 1e-9
 """Tolerance, mm, so that a piece fits in a row of its exact size."""
 
 _TIE_DECIMALS = 6
-"""Decimals, mm, to which sizes are compared, so that rounding errors do not change the order of pieces of
-equal size.
-"""
+"""Decimals, mm, to which sizes are compared, so that rounding errors do not change the order."""
 
 LEAST_GAP_MM = 0.01
 """Least distance, mm, between tool paths, because touching loops cannot be offset by the kerf."""
@@ -89,9 +87,7 @@ Sawn: TypeAlias = tuple[str, float]
 
 @dataclass(frozen=True)
 class _Box:
-    """A piece to be placed: its index, its sizes with margin along and across the rows, and True if it is
-    rotated by 90 degrees.
-    """
+    """Box of a piece with margin: index, sizes along and across the rows, and True if rotated by 90 degrees."""
 
     piece: int
     long: float
@@ -101,9 +97,7 @@ class _Box:
 
 @dataclass
 class _Row:
-    """Row of boxes: the number of its sheet, its start and width across the sheet, and the total length of
-    its boxes.
-    """
+    """Row of boxes: number of the sheet, start and width across the sheet, and total length of the boxes."""
 
     sheet: int
     start: float
@@ -197,12 +191,14 @@ def saw_rods(pieces: Iterable[Piece], stock: float, saw: float = 2.0) -> tuple[t
     lengths: list[Sawn] = []
     for piece in pieces:
         length = piece.size[0]
-        whole = int((length - SLACK_MM) // stock)
+        whole = int((length - FIT_TOLERANCE_MM) // stock)
         parts = [stock] * whole + [length - whole * stock]
         lengths += [(piece.name, part) for part in parts] * piece.count
     rods: list[list[Sawn]] = []
     for name, length in sorted(lengths, key=lambda sawn: -_rounded(sawn[1])):
-        fits = (rod for rod in rods if sum(used + saw for _, used in rod) + length <= stock + SLACK_MM)
+        fits = (
+            rod for rod in rods if sum(used + saw for _, used in rod) + length <= stock + FIT_TOLERANCE_MM
+        )
         rod = next(fits, None)
         if rod is None:
             rods.append(rod := [])
@@ -211,27 +207,21 @@ def saw_rods(pieces: Iterable[Piece], stock: float, saw: float = 2.0) -> tuple[t
 
 
 def widened_by(sheet: Sheet, kerf: float | None) -> float:
-    """Return by how much the tool path around a piece is wider than the piece, mm.
-
-    `kerf` None is the kerf of the sheet.
-    """
+    """Return the kerf, by default of the sheet: the extra width of the tool path around a piece, mm."""
     return max(sheet.kerf if kerf is None else kerf, 0.0)
 
 
 def _nested_group(
     sheet: Sheet, pieces: Sequence[Piece], size: tuple[float, float], margin: float, name: str
 ) -> list[NestedSheet]:
-    """Return all sheets of a material.
-
-    Rows along either side of the sheet are tried, and the better result is used.
-    """
+    """Return all sheets of a material, with rows along the side of the sheet that gives the better result."""
     best: tuple[tuple[float, float], bool, list[_Place]] | None = None
     for upright in (False, True):
         room = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
         boxes = [_boxes(i, piece, margin, room, upright) for i, piece in enumerate(pieces)]
         if not all(boxes):
             continue
-        places = _packed(boxes, pieces, room)
+        places = _pack(boxes, pieces, room)
         count = max(place.sheet for place in places)
         last = _rounded(max(place.y + place.box.wide for place in places if place.sheet == count) * room[0])
         if best is None or (count, last) < best[0]:
@@ -261,13 +251,13 @@ def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], u
     turns = {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))
     for turned in turns:
         long, wide = (y, x) if turned != upright else (x, y)
-        if long <= room[0] + SLACK_MM and wide <= room[1] + SLACK_MM:
+        if long <= room[0] + FIT_TOLERANCE_MM and wide <= room[1] + FIT_TOLERANCE_MM:
             boxes.append(_Box(index, long, wide, turned))
     return sorted(boxes, key=lambda box: _rounded(box.wide))
 
 
-def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float, float]) -> list[_Place]:
-    """Place boxes in the order of decreasing width, each in the row that fits it best, or in a new row."""
+def _pack(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float, float]) -> list[_Place]:
+    """Return the places of boxes by decreasing width, each in the row of best fit or in a new row."""
     queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
     queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
     shortest = min(box.long for ways in boxes for box in ways)
@@ -286,13 +276,13 @@ def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float,
             )
             for row in rows
             for box in ways
-            if box.wide <= row.wide + SLACK_MM and row.taken + box.long <= room[0] + SLACK_MM
+            if box.wide <= row.wide + FIT_TOLERANCE_MM and row.taken + box.long <= room[0] + FIT_TOLERANCE_MM
         ]
         if fits:
             *_, row, box = min(fits, key=lambda fit: fit[:4])
         else:
             box = ways[0]
-            roomy = (i for i, end in enumerate(ends) if end + box.wide <= room[1] + SLACK_MM)
+            roomy = (i for i, end in enumerate(ends) if end + box.wide <= room[1] + FIT_TOLERANCE_MM)
             number = next(roomy, len(ends))
             ends += [0.0] * (number == len(ends))
             row = _Row(number, ends[number], box.wide)
@@ -300,13 +290,12 @@ def _packed(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float,
             ends[number] += box.wide
         places.append(_Place(box, row.sheet, row.taken, row.start))
         row.taken += box.long
-        if row.taken + shortest > room[0] + SLACK_MM:
+        if row.taken + shortest > room[0] + FIT_TOLERANCE_MM:
             rows.remove(row)
     return places
 
 
 def _rounded(size: float) -> float:
-    """Return the size, rounded so that equal sizes compare equal."""
     return round(size, _TIE_DECIMALS)
 
 
@@ -324,7 +313,7 @@ def _drawing(
     for place in sorted(places, key=lambda place: place.box.piece):
         piece = pieces[place.box.piece]
         x, y = (place.y, place.x) if upright else (place.x, place.y)
-        laid.append(piece.drawing.transformed(_matrix(piece, place.box.turned, x + margin, y + margin)))
+        laid.append(piece.drawing.transformed(_placement(piece, place.box.turned, x + margin, y + margin)))
     merged = Drawing.merged(f"{name}-{sheet.name}", laid)
     rows = max(place.y + place.box.wide for place in places)
     return NestedSheet(
@@ -340,10 +329,8 @@ def _drawing(
     )
 
 
-def _matrix(piece: Piece, turned: bool, x: float, y: float) -> np.ndarray:
-    """Return the matrix that optionally rotates a piece by 90 degrees, and moves the corner of its bounding
-    box to (x, y).
-    """
+def _placement(piece: Piece, turned: bool, x: float, y: float) -> np.ndarray:
+    """Return the map that optionally rotates a piece by 90 degrees, with its lower left corner at (x, y)."""
     (x0, y0), (_, y1) = piece.bounds
     if turned:
         return np.array([[0.0, -1.0, x + y1], [1.0, 0.0, y - x0], [0.0, 0.0, 1.0]])

@@ -12,8 +12,8 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Arc, Line, Segment
 from elastica_cad.refusals import FieldName, Length, note
 
-SECOND_PLATES = ("-outer", "-lower")
-"""Ends of the names of second plates."""
+PAIR_SUFFIXES = ("-outer", "-lower")
+"""Ends of the names of the outer or lower plate of a pair."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class PlateHoles:
 
     def is_in(self, name: str) -> bool:
         """Return True if the plate of this name has the holes."""
-        for ending in SECOND_PLATES:
+        for ending in PAIR_SUFFIXES:
             name = name.removesuffix(ending)
         return self.side is None or name.endswith(f"-{self.side}")
 
@@ -93,7 +93,9 @@ class PlateHoles:
             inner = float(np.ptp(opening.bounds[:, 0])) / 2
             reach = circle + self.screw / 2 if self.screws and circle - self.screw / 2 < inner else 0.0
             hub = max(round_hole, reach)
-            windows = _windows(center, inner, hub + self.bridge / 2 if hub else 0.0, self.bridge / 2)
+            windows = _openings_beside_bar(
+                center, inner, hub + self.bridge / 2 if hub else 0.0, self.bridge / 2
+            )
         return None, (*holes, *windows)
 
     def bulb_and_border(self, border: float) -> float:
@@ -101,8 +103,8 @@ class PlateHoles:
         return (self.bulb or 0.0) + self.screw + 2 * border
 
 
-def _windows(center: FloatArray, outer: float, hub: float, half: float) -> tuple[Path, ...]:
-    """Return both parts of a round opening beside a bar along x with a hub, or none if the hub fills the opening.
+def _openings_beside_bar(center: FloatArray, outer: float, hub: float, half: float) -> tuple[Path, ...]:
+    """Return both parts of a round opening beside a bar along x with a hub, unless the hub fills it.
 
     `half` is half of the width of the bar, mm; `outer` and `hub` are radii, mm.
     """

@@ -44,10 +44,10 @@ from elastica_cad.strip.uncuttable_parts import accept_faults, find_strip_faults
 LEAN_ROUNDS = 6
 """Largest number of rounds in which slots are moved; three are usually enough."""
 
-CLEAR = 1e-6
-"""Least relative difference between two distances of ends from which the direction of a strip is determined."""
+LEAST_RELATIVE_DIFFERENCE = 1e-6
+"""Least relative difference between two distances of ends that determines the direction of a strip."""
 
-LEANED_MM = 0.03
+SETTLED_MM = 0.03
 """Largest movement of slots, mm, in the last round of moving them. Each round reduces the movement to a tenth."""
 
 
@@ -128,10 +128,7 @@ def ring_pair(
 def _add_second(
     placed: Sequence[Placed], first: Plate, options: PlateOptions, gap: float
 ) -> tuple[Plate, Plate]:
-    """Return the plate and a second plate of the same type, `gap` mm behind it.
-
-    Slots are moved to compensate the loads.
-    """
+    """Return the plate and a plate of the same type, `gap` mm behind it, with slots moved against the loads."""
     tabs = [slot.tab for slot in first.slots if slot.tab is not None]
     short = [tab for tab in tabs if tab.length < needed_length(tab, first, gap)]
     if short:
@@ -139,11 +136,11 @@ def _add_second(
             "{name}: the tab of {name_2} does not reach through the second plate: {cures}",
             name=first.name, name_2=short[0].name, cures=_cures_of_short_tabs(placed, first, tabs, gap),
         )  # fmt: skip
-    return lean_pair(placed, (first, _second(first, options, gap)))
+    return lean_pair(placed, (first, _plate_behind(first, options, gap)))
 
 
-def _second(first: Plate, options: PlateOptions, gap: float) -> Plate:
-    """Return a second plate, `gap` mm behind the first, with slots for the same tabs and tongues."""
+def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
+    """Return a plate, `gap` mm behind `first`, with slots for the same tabs and tongues."""
     sheet, ground = first.sheet, first.frame.shifted(z=-first.sheet.thickness - gap)
     named = replace(options, name=first.name)
     slots = [
@@ -172,20 +169,20 @@ def _cures_of_short_tabs(
     return sentences(cures, note(", or ")) or note("hold the strips by single plates")
 
 
-WIDTHS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
+TESTED_WIDTHS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 """Widths of tabs that are tested, as fractions of the width of the narrowest tab."""
 
 
 def fitting_width(
     placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, *, keep: bool = True
 ) -> float | None:
-    """Return the largest tested width of tabs, mm, with which two plates can replace each of the plates, or None.
+    """Return the largest tested width of tabs, mm, for which two plates can replace each plate, or None.
 
-    All tabs get this length and at most this width. With `keep`, their widths are tested first; the result is
-    then infinite.
+    All tabs get the given length and at most this width. With `keep`, their present widths are tested
+    before others; the result is then infinite.
     """
     narrowest = min(slot.tab.width for plate in plates for slot in plate.slots if slot.tab is not None)
-    for fraction in WIDTHS:
+    for fraction in TESTED_WIDTHS:
         width = np.inf if keep and fraction == 1 else float(np.floor(fraction * narrowest))
         try:
             sized = with_tabs(placed, length, width)
@@ -238,7 +235,7 @@ def pair_with_tabs(placed: Sequence[Placed], first: Plate, gap: float) -> tuple[
         inner = plate_with(slots, first.sheet, first.frame, options, type(first))
         held = [slot.tab for slot in slots if slot.tab is not None]
         accept_faults(shoulder_faults(held, first.frame, options), options.ignore_limits)
-        return lean_pair(placed, (inner, _second(inner, options, gap)))
+        return lean_pair(placed, (inner, _plate_behind(inner, options, gap)))
     except (InputError, NotConvergedError):
         return ()
 
@@ -250,12 +247,12 @@ def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Pl
     slots and corrected widths. Each plate is made again around its moved slots.
     """
     for _ in range(LEAN_ROUNDS):
-        leans = _leans(placed, tab_seats(plates))
-        first, second = (replace(plate, slots=_moved(plate, leans)) for plate in plates)
+        leans = _displacements(placed, tab_seats(plates))
+        first, second = (replace(plate, slots=_moved_slots(plate, leans)) for plate in plates)
         old, new = (np.array([slot.corners for plate in pair for slot in plate.slots])
                     for pair in (plates, (first, second)))  # fmt: skip
         plates = first, second
-        if np.abs(new - old).max(initial=0.0) <= LEANED_MM:
+        if np.abs(new - old).max(initial=0.0) <= SETTLED_MM:
             break
     first, second = (_around_moved(plate) for plate in plates)
     return first, second
@@ -267,11 +264,8 @@ def _around_moved(plate: Plate) -> Plate:
     return plate_with(plate.slots, plate.sheet, plate.frame, plate.options, type(plate), moved=True)
 
 
-def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
-    """Return the shift and rotation of the holder of each tab, by the position of the tab.
-
-    Equal ends are computed once.
-    """
+def _displacements(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
+    """Return the shift and rotation of the holder of each tab, by the position of the tab."""
     leans, known = dict[Key, Lean](), dict[Hashable, Lean]()
     for member in placed:
         cut = cut_key(member.strip)
@@ -287,7 +281,7 @@ def _leans(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, 
     return leans
 
 
-def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
+def _moved_slots(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
     """Return the slots of a plate, moved within the plate by the shift and rotation for each tab."""
     slots, walls = list(plate.slots), slot_walls(plate)
     # slots move in the direction to the left of the curve, -z of the tab, projected on the plate
@@ -299,7 +293,7 @@ def _moved(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
 
 
 def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatArray, lean: Lean) -> TabSlot:
-    """Return a slot with its two walls, (n, 2) each, moved.
+    """Return a slot whose two walls, (n, 2) each, are moved.
 
     `into` and `left` are the directions (2,) along the tab and to its left, projected on the plate.
     """
@@ -314,9 +308,7 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
 
 
 LEVEL_GAIN_MM = 0.5
-"""A plate is not perpendicular to the mean direction of the tabs if another plane is nearer to the tabs by at
-least this, mm.
-"""
+"""Least gain of distance to the tabs, mm, for a plane that is not perpendicular to their mean direction."""
 
 
 def end_plates(
@@ -380,15 +372,12 @@ def end_plates(
     return tuple(plates)
 
 
-UPRIGHT = 0.9
+UPRIGHT_COSINE = 0.9
 """Least cosine between the mean direction of tabs and the vertical for a lower and an upper plate."""
 
 
 def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
-    """Return the tabs at the start and at the end.
-
-    The first strip defines which end of the others is the start.
-    """
+    """Return the tabs at the start and at the end, where strip 0 defines which end is the start."""
     tabs = tabs_to_hold(placed)
     pairs = [*zip(tabs[::2], tabs[1::2], strict=True)]
     opposite = _opposite(np.array([[tab.frame.origin for tab in pair] for pair in pairs]))
@@ -400,15 +389,15 @@ def _names_of_ends(name: str, tabs_at: Mapping[StripEnd, Sequence[PlacedTab]]) -
     """Return the names of the plates at both ends: bottom and top if the tabs point up and down."""
     outs = [np.mean([tab.frame.x_axis for tab in tabs_at[end]], axis=0) for end in ENDS]
     heights = [float(np.mean([tab.frame.origin[2] for tab in tabs_at[end]])) for end in ENDS]
-    upright = all(abs(out[2]) >= UPRIGHT * np.linalg.norm(out) for out in outs)
+    upright = all(abs(out[2]) >= UPRIGHT_COSINE * np.linalg.norm(out) for out in outs)
     return end_names(name, (heights[0], heights[1]) if upright else (0.0, 0.0))
 
 
 def _opposite(ends: FloatArray) -> BoolArray:
-    """Return True for each strip that is directed opposite to the first, from starts and ends (n, 2, 3).
+    """Return True for each strip directed opposite to strip 0, from starts and ends (n, 2, 3).
 
-    Directions are determined strip by strip. Each strip is compared with the nearest strip of known
-    direction. Its direction is chosen so that its ends are near the corresponding ends of that strip.
+    Each strip is compared with the nearest strip of known direction, and corresponding ends are near each
+    other.
     """
     apart = np.linalg.norm(ends[:, None, :, None] - ends[None, :, None, :], axis=-1)
     alike, turned = apart[:, :, 0, 0] + apart[:, :, 1, 1], apart[:, :, 0, 1] + apart[:, :, 1, 0]
@@ -417,7 +406,7 @@ def _opposite(ends: FloatArray) -> BoolArray:
     while not known.all():
         steps = np.where(known[:, None] & ~known, np.minimum(alike, turned), np.inf)
         old, new = np.unravel_index(np.argmin(steps), steps.shape)
-        opposite[new] = opposite[old] ^ (turned[old, new] < (1 - CLEAR) * alike[old, new])
+        opposite[new] = opposite[old] ^ (turned[old, new] < (1 - LEAST_RELATIVE_DIFFERENCE) * alike[old, new])
         known[new] = True
     return opposite
 
@@ -432,7 +421,7 @@ def facing_plates(placed: Sequence[Placed], sheet: Sheet, options: PlateOptions)
         [tab for tab, upward in zip(tabs, is_upward, strict=True) if upward == side] for side in (False, True)
     ]
     groups = sorted((side for side in sides if side), key=lambda side: min(tab.tip[2] for tab in side))
-    words = ("bottom", "top") if abs(axes[0][2]) >= UPRIGHT else ("low", "high")
+    words = ("bottom", "top") if abs(axes[0][2]) >= UPRIGHT_COSINE else ("low", "high")
     called = (replace(options, name=f"{options.name}-{word}") for word in words)
     return tuple(
         _plate(side, sheet, plate_options) for side, plate_options in zip(groups, called, strict=False)

@@ -43,7 +43,7 @@ FLATTEST_RAD = np.radians(15.0)
 At smaller angles, slots would be over four plate thicknesses wide.
 """
 
-LEAST_OPENING_SHARE = 0.4
+LEAST_OPENING_FRACTION = 0.4
 """Least radius of the opening of a round plate, as a fraction of the plate's radius."""
 
 LABEL_MM = 4.0
@@ -192,8 +192,8 @@ class BasePlate:
     options: PlateOptions | None = None
 
     @property
-    def _inner(self) -> tuple[Path, ...]:
-        """All loops that are cut inside the outline: the slots, the opening and the holes."""
+    def _inner_loops(self) -> tuple[Path, ...]:
+        """All loops inside the outline: slots, opening and holes."""
         opening = () if self.opening is None else (self.opening,)
         return (*(slot.path for slot in self.slots), *opening, *self.holes)
 
@@ -209,7 +209,7 @@ class BasePlate:
         faults = (
             *find_slot_faults(self.name, widths),
             *find_plate_faults(
-                self.name, self.sheet, self.outline, self._inner, options.shop, called, drilled
+                self.name, self.sheet, self.outline, self._inner_loops, options.shop, called, drilled
             ),
         )
         return replace(self, warnings=accept_faults(faults, options.ignore_limits), options=options)
@@ -218,13 +218,13 @@ class BasePlate:
     def solid(self) -> FlatSolid:
         """Body of the plate in space, on the negative side of its frame."""
         thickness = self.sheet.thickness
-        return FlatSolid(self.outline, self._inner, thickness, self.frame.shifted(z=-thickness))
+        return FlatSolid(self.outline, self._inner_loops, thickness, self.frame.shifted(z=-thickness))
 
     @cached_property
     def drawing(self) -> Drawing:
         """Cutting pattern seen from above, with the name of its tab at every slot."""
-        paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
-        texts = (*(self._label(slot) for slot in self.slots), *self._name())
+        paths = [LayeredPath(CUT_INNER, path) for path in self._inner_loops]
+        texts = (*(self._slot_label(slot) for slot in self.slots), *self._engraved_name())
         return Drawing(self.name, (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
 
     @property
@@ -232,21 +232,18 @@ class BasePlate:
         """The plate as a piece to be cut."""
         return Piece(self.name, self.drawing, self.sheet)
 
-    def _name(self) -> tuple[Text, ...]:
-        """Return the name of the plate as an engraved text.
-
-        It is between opening and slots, and distinguishes the rings of a pair.
-        """
+    def _engraved_name(self) -> tuple[Text, ...]:
+        """Return the engraved name between opening and slots, to distinguish the rings of a pair."""
         loops = [self.opening, *self.holes] if self.opening is not None else [*self.holes]
         if not loops:
             return ()
-        center = _middle([slot.corners for slot in self.slots])
+        center = _mean_center([slot.corners for slot in self.slots])
         inner = max(float(np.hypot(*(loop.points(0.1) - center).T).max()) for loop in loops)
         free, _ = around([slot.corners for slot in self.slots], center, CLEAR_MM)
         return _rim_text(self.name, inner + CLEAR_MM, free, center)
 
-    def _label(self, slot: TabSlot) -> Text:
-        """Return the name of the tab as a text above its slot, or below the slot if another slot is above."""
+    def _slot_label(self, slot: TabSlot) -> Text:
+        """Return the name of the tab above the slot, or below the slot if another slot is above."""
         a, b, c, _ = slot.corners
         along, off = (b - a) / np.hypot(*(b - a)), (c - b) / np.hypot(*(c - b))
         if along[0] < -1e-9 or (abs(along[0]) <= 1e-9 and along[1] < 0):
@@ -259,7 +256,7 @@ class BasePlate:
         room = [1.0, 1.0]
         if others.size:
             labels = np.concatenate([boxes, boxes[:, ::-1] + height * off], axis=1)
-            room = _gaps(labels[:, None], others).min(axis=1).tolist()
+            room = _least_distances(labels[:, None], others).min(axis=1).tolist()
         start = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0]
         angle = float(np.arctan2(along[1], along[0]))
         return Text((float(start[0]), float(start[1])), name, height, angle, ENGRAVE)
@@ -292,7 +289,7 @@ def base_plate(
     tabs = tabs_to_hold(placed, ends)
     if not tabs:
         raise InputError("{name} has no strip to hold: give other strips or ends", name=name)
-    standing = [tab for tab in tabs if _stands_in(tab, ground)]
+    standing = [tab for tab in tabs if _passes_through(tab, ground)]
     if not standing:
         heights = [float(ground.local(tab.tip)[2]) for tab in tabs]
         raise InputError(
@@ -337,19 +334,18 @@ def plate_with(
     """
     loops = [slot.corners for slot in slots]
     outline, opening = _outline(np.concatenate(loops), options.border, options.shape), None
-    center = np.zeros(2) if kind is Ring else _middle(loops)
+    center = np.zeros(2) if kind is Ring else _mean_center(loops)
     if kind is Ring:
-        outline, opening = _round(loops, center, options.border)
+        outline, opening = _round_rim_and_opening(loops, center, options.border)
     elif options.shape == "ring":
-        rim, hole = _round(loops, center, options.border)
+        rim, hole = _round_rim_and_opening(loops, center, options.border)
         outline, opening = (outline, None) if hole is None else (rim, hole)
     opening, holes = _with_holes(options, center, opening)
     plate = kind(sheet, frame, outline, tuple(slots), options.name, opening=opening, holes=holes)
     return plate.checked(options, moved=moved)
 
 
-def _middle(loops: Sequence[FloatArray]) -> FloatArray:
-    """Return the mean (2,) of the centres of slots."""
+def _mean_center(loops: Sequence[FloatArray]) -> FloatArray:
     return np.asarray(np.mean([loop.mean(axis=0) for loop in loops], axis=0), dtype=float)
 
 
@@ -362,12 +358,12 @@ def _with_holes(
     return options.holes.cut(center, opening, options.border)
 
 
-def _round(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[Path, Path | None]:
-    """Return a round rim and opening, `border` mm from all loops (4, 2); the opening is None if it would be
-    too small.
-    """
+def _round_rim_and_opening(
+    loops: Sequence[FloatArray], center: FloatArray, border: float
+) -> tuple[Path, Path | None]:
+    """Return a round rim and opening, `border` mm from all loops (4, 2); None if the opening is small."""
     inner, outer = around(loops, center, border)
-    opening = Path.circle(center, inner) if inner > LEAST_OPENING_SHARE * outer else None
+    opening = Path.circle(center, inner) if inner > LEAST_OPENING_FRACTION * outer else None
     return Path.circle(center, outer), opening
 
 
@@ -381,8 +377,8 @@ def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tu
     return float(away.min()) - border, float(away.max()) + border
 
 
-def _stands_in(tab: PlacedTab, ground: Frame) -> bool:
-    """Return True if the tab starts on or above the upper face of a plate and ends below it."""
+def _passes_through(tab: PlacedTab, ground: Frame) -> bool:
+    """Return True if the tab starts on or above the upper face of a plate and ends below this face."""
     (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
     return bool(start > -tab.thickness and tip < -BELOW_MM)
 
@@ -419,7 +415,7 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
     corners = np.array([slot.corners for slot in slots]).reshape(-1, 4, 2)
     boxes = boxes_about(corners)
     near = np.argwhere(np.tril(boxes_meet(boxes[:, None], boxes[None]), -1))
-    met = near[_gaps(*corners[near.T]) <= 0]
+    met = near[_least_distances(*corners[near.T]) <= 0]
     for i, j in met[:1].tolist():
         x, y = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
         raise InputError(
@@ -436,9 +432,9 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
 def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[str]) -> None:
     """Raise InputError if a hole meets another cut of the plate or the edge.
 
-    `called` are the names of the slots and the opening, `drilled` those of the holes.
+    `called` are the names of the slots and the opening, `drilled` are the names of the holes.
     """
-    loops, names = [path.closed_points(FLAT_MM) for path in plate._inner], (*called, *drilled)
+    loops, names = [path.closed_points(FLAT_MM) for path in plate._inner_loops], (*called, *drilled)
     edge = plate.outline.closed_points(FLAT_MM)
     for k, hole in enumerate(loops[len(called) :], start=len(called)):
         inside = encloses(edge[:-1], hole[0]) and polylines_cross(hole, edge) is None
@@ -464,36 +460,32 @@ def _overlap_error(name: str, hole: str, other: str) -> InputError:
 
 
 def _overlap(p: FloatArray, q: FloatArray) -> bool:
-    """Return True if the areas in two closed polylines (n, 2) overlap."""
     if not boxes_meet(box_about(p), box_about(q)):
         return False
     return polylines_cross(p, q) is not None or encloses(p[:-1], q[0]) or encloses(q[:-1], p[0])
 
 
-def _gaps(first: FloatArray, others: FloatArray) -> FloatArray:
+def _least_distances(first: FloatArray, others: FloatArray) -> FloatArray:
     """Return lower bounds (...,) of the distance, mm, between pairs of rectangles (..., 4, 2).
 
     The bound is exact where a side of one rectangle faces the other rectangle.
     """
-    sides, theirs = _across(first), _across(others)
+    sides, theirs = _side_normals(first), _side_normals(others)
     return np.asarray(
-        np.maximum(_apart(first @ sides, others @ sides), _apart(first @ theirs, others @ theirs)),
+        np.maximum(_larger_gap(first @ sides, others @ sides), _larger_gap(first @ theirs, others @ theirs)),
         dtype=float,
     )
 
 
-def _across(rectangles: FloatArray) -> FloatArray:
-    """Return the unit normals of the first two sides of rectangles (..., 4, 2), as columns of (..., 2, 2)."""
+def _side_normals(rectangles: FloatArray) -> FloatArray:
+    """Return the unit normals of two adjacent sides of rectangles (..., 4, 2), as columns of (..., 2, 2)."""
     sides = rectangles[..., 1:3, :] - rectangles[..., :2, :]
     normals = np.stack([-sides[..., 1], sides[..., 0]], axis=-2)
     return np.asarray(normals / np.hypot(normals[..., 0, :], normals[..., 1, :])[..., None, :], dtype=float)
 
 
-def _apart(p: FloatArray, q: FloatArray) -> FloatArray:
-    """Return the larger of the gaps between pairs of rectangles along two directions.
-
-    `p` and `q` (..., 4, 2) are the coordinates of their corners along these directions.
-    """
+def _larger_gap(p: FloatArray, q: FloatArray) -> FloatArray:
+    """Return the larger gap between pairs of rectangles with corners (..., 4, 2) along two directions."""
     gaps = np.maximum(q.min(axis=-2) - p.max(axis=-2), p.min(axis=-2) - q.max(axis=-2))
     return np.asarray(gaps.max(axis=-1), dtype=float)
 
@@ -515,7 +507,7 @@ LYING_RAD = np.radians(5.0)
 CLEAR_MM = 0.5
 """Distance, mm, of a name from slots and from the rim."""
 
-TAILS = 1 / 3
+DESCENDER_DEPTH = 1 / 3
 """Depth of letters such as g below the base line, as a fraction of their height."""
 
 SAME_LEVEL_MM = 1.0
@@ -551,15 +543,13 @@ class Ring(BasePlate):
 
     @cached_property
     def drawing(self) -> Drawing:
-        """Cutting pattern, seen from the strips, with the name of the ring near the rim if the ring is wide
-        enough.
-        """
-        paths = [LayeredPath(CUT_INNER, path) for path in self._inner]
+        """Cutting pattern, seen from the strips, with the name of the ring if there is room near the rim."""
+        paths = [LayeredPath(CUT_INNER, path) for path in self._inner_loops]
         paths += [LayeredPath(ENGRAVE, seat) for seat in self.seats]
         paths.append(LayeredPath(CUT_OUTER, self.outline))
-        return Drawing(self.name, tuple(paths), self._name())
+        return Drawing(self.name, tuple(paths), self._engraved_name())
 
-    def _name(self) -> tuple[Text, ...]:
+    def _engraved_name(self) -> tuple[Text, ...]:
         loops = [slot.corners for slot in self.slots] + [seat.points(0.1) for seat in self.seats]
         inner = max(float(np.hypot(*loop.T).max()) for loop in loops) + CLEAR_MM
         return _rim_text(self.name, inner, self.radii[1] - CLEAR_MM)
@@ -571,13 +561,10 @@ Plate = TypeVar("Plate", bound=BasePlate)
 def _rim_text(
     name: str, inner: float, outer: float, center: Sequence[float] | FloatArray = (0.0, 0.0)
 ) -> tuple[Text, ...]:
-    """Return the name as the largest text that fits between two radii above the centre.
-
-    The tuple is empty if no legible text fits.
-    """
+    """Return the name as the largest legible text between two radii above the centre, or no text."""
     largest = min(LABEL_MM, 0.4 * (outer - inner))
     for height in np.linspace(largest, LEAST_LABEL_MM, 12).tolist() if largest > LEAST_LABEL_MM else ():
-        half, below = text_width(name, height) / 2, height * TAILS
+        half, below = text_width(name, height) / 2, height * DESCENDER_DEPTH
         # height at which the upper corners of the name are on the outer circle
         most = float(np.sqrt(max(outer**2 - half**2, 0.0))) - height
         if most >= inner + below:
@@ -629,7 +616,7 @@ def ring_plate(
         raise InputError("{name}: a ring cannot hold strips without tabs: give the strips tabs", name=name)
     height, rise = float(first.frame.origin[2]), float(first.frame.x_axis[2])
     if abs(rise) >= np.sin(FLATTEST_RAD):
-        frame = _facing(height, up=rise < 0)
+        frame = _level_frame(height, up=rise < 0)
         slots = [tab_slot(tab, frame, sheet.thickness, ring_options) for tab in tabs]
         return plate_with(slots, sheet, frame, ring_options, Ring)
     if abs(rise) > np.sin(LYING_RAD):
@@ -644,8 +631,8 @@ def ring_plate(
             flat=flat,
         )
     below = middle > height
-    frame = _facing(height + (-0.5 if below else 0.5) * first.thickness, up=below)
-    seats = [_seat(tab, frame) for tab in tabs]
+    frame = _level_frame(height + (-0.5 if below else 0.5) * first.thickness, up=below)
+    seats = [_seat_corners(tab, frame) for tab in tabs]
     _refuse_meeting_seats(seats, len(tabs), name)
     holes = tuple(
         Path.circle(frame.local(tab.frame.point((hole.at, hole.across, 0.0)))[:2], hole.diameter / 2)
@@ -654,7 +641,7 @@ def ring_plate(
     )
     loops = tuple(Path.polygon(seat) for seat in seats)
     seated = tuple(tab.name for tab in tabs)
-    outline, opening = _round(seats, np.zeros(2), ring_options.border)
+    outline, opening = _round_rim_and_opening(seats, np.zeros(2), ring_options.border)
     opening, further = _with_holes(ring_options, np.zeros(2), opening)
     _refuse_holes_in_seats(name, further, seats)
     ring = Ring(sheet, frame, outline, (), name, (), opening, (*holes, *further), seats=loops, seated=seated)
@@ -676,12 +663,11 @@ def end_names(name: str, heights: tuple[float, float]) -> dict[StripEnd, str]:
     }
 
 
-def _facing(height: float, *, up: bool) -> Frame:
-    """Return the plane perpendicular to the z axis at a height, with its normal up or down."""
+def _level_frame(height: float, *, up: bool) -> Frame:
     return Frame((0.0, 0.0, height), (1.0, 0.0, 0.0), (0.0, 1.0 if up else -1.0, 0.0))
 
 
-def _seat(tab: PlacedTab, frame: Frame) -> FloatArray:
+def _seat_corners(tab: PlacedTab, frame: Frame) -> FloatArray:
     """Return the corners (4, 2), in the frame of the ring, of a tab that is flat on the ring."""
     half = tab.width / 2
     corners = [(0.0, -half, 0.0), (tab.length, -half, 0.0), (tab.length, half, 0.0), (0.0, half, 0.0)]
@@ -689,7 +675,7 @@ def _seat(tab: PlacedTab, frame: Frame) -> FloatArray:
 
 
 def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) -> None:
-    """Raise InputError if a tab extends beyond its sector, which is the full turn divided by `count`."""
+    """Raise InputError if a tab extends beyond its sector of 1 / `count` turns."""
     seat = seats[0]
     out = seat.mean(axis=0)
     out = out / max(float(np.hypot(*out)), 1e-300)
@@ -704,9 +690,7 @@ def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) ->
 
 
 def needed_length(tab: PlacedTab, first: BasePlate, gap: float) -> float:
-    """Return the length, in whole mm, that a tab needs to pass through a plate and a second plate `gap` mm
-    behind it.
-    """
+    """Return the length, in whole mm, of a tab through a plate and a plate `gap` mm behind it."""
     back = first.frame.shifted(z=-2 * first.sheet.thickness - gap)
     missing = float(back.local(tab.tip)[2] / -(back.z_axis @ tab.frame.x_axis))
     return float(np.ceil(tab.length + missing))

@@ -35,18 +35,16 @@ from elastica_cad.strip.uncuttable_parts import (
 WIDTH_MM = 1e-5
 """Largest error of a width, mm."""
 
-PARALLEL = 1e-12
-"""Bounds whose slopes differ by less than this rounding error belong to equal planes, and do not cross."""
+SLOPE_TOLERANCE = 1e-12
+"""Difference between the slopes of bounds below which the bounds belong to equal planes and do not cross."""
 
 END_MM = 1e-9
-"""A kink of the width nearer than this, mm, to an end counts as being at the end."""
+"""Distance, mm, from an end below which a kink of the width counts as being at the end."""
 
 
 @dataclass(frozen=True, eq=False)
 class _Bound:
-    """Function that returns the distance along the ruling from a point gamma of a plane curve to a plane: a +
-    <b, gamma>.
-    """
+    """Distance a + <b, gamma> along the ruling from a point gamma of a plane curve to a plane."""
 
     a: float
     b: FloatArray
@@ -101,21 +99,20 @@ def touching_widths(
     widths = []
     for i, (curve, frame) in enumerate(pairs):
         around = {(i - 1) % count, (i + 1) % count} if closed else {i - 1, i + 1} & set(range(count))
-        bounds = [_bound((curve, frame), pairs[j], gap, (names[i], names[j])) for j in sorted(around)]
-        widths.append(_width(curve, bounds, gap, names[i]))
+        bounds = [
+            _bisector_bound((curve, frame), pairs[j], gap, (names[i], names[j])) for j in sorted(around)
+        ]
+        widths.append(_width_within(curve, bounds, gap, names[i]))
     return tuple(widths)
 
 
-def _bound(
+def _bisector_bound(
     placed_curve: tuple[PlaneCurve, Frame],
     other: tuple[PlaneCurve, Frame],
     gap: float,
     names: tuple[str, str],
 ) -> _Bound:
-    """Return the plane that bounds the first strip, in the coordinates of this strip.
-
-    The plane is midway between both strips, moved towards the first strip by the gap.
-    """
+    """Return the plane midway between both strips, moved by `gap`, in the coordinates of the placed curve."""
     frame, opposite = placed_curve[1], other[1]
     middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (placed_curve, other)]
     z, r = frame.z_axis, opposite.z_axis
@@ -124,7 +121,7 @@ def _bound(
     # normal of the plane midway between the facing sides of both strips
     normal = z - r
     pace = float(normal @ z)
-    if not (np.any(z) and np.any(r)) or pace < PARALLEL:
+    if not (np.any(z) and np.any(r)) or pace < SLOPE_TOLERANCE:
         raise InputError(
             f"{names[0]} and {names[1]} are in the same plane, so no plane passes between them: move one of them"
         )
@@ -135,13 +132,13 @@ def _bound(
     )
 
 
-def _width(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -> Profile:
+def _width_within(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -> Profile:
     """Return twice the smaller of the bounds, with a kink where the bounds cross."""
     breaks = [(b.s, max(b.continuity, 0)) for b in curve.breaks]
     if len(bounds) == 2:
         first, two = bounds
         a, b = first.a - two.a, first.b - two.b
-        if np.hypot(*b) > PARALLEL:
+        if np.hypot(*b) > SLOPE_TOLERANCE:
             breaks += [(r.s, 0) for r in line_crossings(curve, a, b) if r.kind == "crossing"]
     inside = {s: c for s, c in sorted(breaks, reverse=True) if END_MM < s < curve.length - END_MM}
 
@@ -170,7 +167,7 @@ def _width(curve: PlaneCurve, bounds: Sequence[_Bound], gap: float, name: str) -
 MOST_STRIPS = 1000
 """Largest number of strips; a sphere of 1 m would have strips 3 mm wide."""
 
-BEYOND_MM = 2.0
+TAB_END_MM = 2.0
 """Length, mm, by which a tab extends beyond the second of two rings."""
 
 TAB_GAP_MM = 0.5
@@ -179,7 +176,7 @@ TAB_GAP_MM = 0.5
 TRIED_RINGS = 60
 """Number of ring sizes that are tried if the requested ring cannot be made."""
 
-BRIDGE_FACTOR = 1.02
+BRIDGE_ALLOWANCE = 1.02
 """Factor on the least width of material between slots, as an allowance for rounding errors."""
 
 
@@ -280,8 +277,6 @@ def revolve(
 
 @dataclass(frozen=True)
 class _Request:
-    """Options of `revolve`, without the meridian."""
-
     strips: int
     sheet: Sheet
     ends: tuple[Tab, Tab] | None
@@ -323,7 +318,8 @@ class _Request:
     def _tabs(self, meridian: Meridian) -> tuple[Tab, Tab]:
         """Return straight tabs, narrower than the space between the planes to both neighbours.
 
-        If a tab would be too narrow for the workshop, as at a pole, it has the width of the strip's end.
+        If a tab would be too narrow for the workshop, as at a pole, the tab has the width of the strip's
+        end.
         """
         ends = meridian.curve.sample(2)
         outward = ends.angle + np.array([np.pi, 0.0])
@@ -331,7 +327,7 @@ class _Request:
         lengths, through = np.full(2, RING_TAB_LENGTH), 0.0 if self.rings is None else self.rings.thickness
         if self.rings is not None and self.gap is not None:
             through += self.gap + self.rings.thickness
-            needed = through / np.maximum(steep, np.sin(FLATTEST_RAD)) + BEYOND_MM
+            needed = through / np.maximum(steep, np.sin(FLATTEST_RAD)) + TAB_END_MM
             lengths = np.where(
                 steep > np.sin(FLATTEST_RAD), np.maximum(needed, RING_TAB_LENGTH), RING_TAB_LENGTH
             )
@@ -341,7 +337,9 @@ class _Request:
             # a bridge is measured along the sides of its slots, at half the angle between the slots
             gap = (
                 2 * PLAY
-                + BRIDGE_FACTOR * self.shop.bridge_for(self.rings) / float(np.cos(np.pi / self.strips)) ** 2
+                + BRIDGE_ALLOWANCE
+                * self.shop.bridge_for(self.rings)
+                / float(np.cos(np.pi / self.strips)) ** 2
             )
             inner = [
                 slot_reach(float(r), float(angle), through, self.sheet.thickness)
@@ -357,9 +355,7 @@ class _Request:
 
 
 def _smallest_ring(meridian: Meridian, request: _Request) -> int | None:
-    """Return the smallest distance of a ring from the axis, in whole mm, at which strips and rings can be
-    made, or None.
-    """
+    """Return the least distance of a ring from the axis for which all parts can be made, in whole mm."""
 
     def works(ring: int) -> bool:
         try:

@@ -33,7 +33,6 @@ GAPS_MM = (GAP_MM, 15.0, 10.0, 6.0)
 """Distances of two plates, mm, in the order in which they are tested."""
 
 FEET_MM = 10.0
-"""Suggested size of feet, mm."""
 
 
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
@@ -49,22 +48,20 @@ def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
         rocking = [place for place in held if np.ptp(place[2].turning) > 2 * ROCKING_RAD]
         if rocking:
             strip, end, seat = max(rocking, key=lambda row: float(np.ptp(row[2].turning)))
-            toward, away = _tipping(strip, end, seat)
+            toward, away = _tipping_angles(strip, end, seat)
             messages.append(note(
                 "{strip}{more}: in the {holder}, the tab at the {end} of the strip can tip by {toward:.0f} "
                 "degrees towards the other end and by {away:.0f} degrees in the opposite direction. The tab "
                 "does not keep the drawn angle; {shape}. {cure}",
                 strip=names[id(strip)], more=and_more(rocking), holder=holder, end=end, toward=toward, away=away,
-                shape=_shape(strip, tab_seats(holders)), severity="warning",
-                cure=_cure(strip, end, placed, holders, two_plates),
+                shape=_deviation_sentence(strip, tab_seats(holders)), severity="warning",
+                cure=_suggestions(strip, end, placed, holders, two_plates),
             ))  # fmt: skip
     return tuple(messages)
 
 
-def _tipping(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
-    """Return the angles, degrees, by which a strip can tip in a seat: towards its other end, and away from
-    its other end.
-    """
+def _tipping_angles(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float]:
+    """Return the angles, degrees, by which a strip can tip towards and away from the other end."""
     here, other = (
         PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
     )
@@ -74,20 +71,20 @@ def _tipping(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float, float
     return (left, right) if lies_right else (right, left)
 
 
-def _shape(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
+def _deviation_sentence(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
     """Return a sentence on how a strip in its seats differs from its design."""
     try:
-        strayed = member.strip.held(*(seat_of(seats, member, end) for end in ENDS)).deviation
+        largest = member.strip.held(*(seat_of(seats, member, end) for end in ENDS)).deviation
     except NotConvergedError:
         return note("no stable shape of the strip was found with its tabs in the slots")
     return note(
         "the strip then deviates by up to {far:.2g} ({percent:.2g} % of its length)",
-        far=Length(strayed),
-        percent=100 * strayed / member.strip.rod.length,
+        far=Length(largest),
+        percent=100 * largest / member.strip.rod.length,
     )
 
 
-def _cure(
+def _suggestions(
     member: Placed,
     end: StripEnd,
     placed: Sequence[Placed],
@@ -137,7 +134,7 @@ def _blocks_fit(tab: PlacedTab, placed: Sequence[Placed]) -> bool:
 
 
 def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
-    """Return the widest gap and the tabs with which two plates can replace each plate, or an empty text."""
+    """Return the widest gap and the tabs for which two plates can replace each plate, or an empty text."""
     plates = [
         plate for plate in plates_with_play(holders) if any(slot.tab is not None for slot in plate.slots)
     ]
@@ -157,13 +154,13 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
         needed = (needed_length(slot.tab, plate, gap) for plate in plates for slot in plate.slots if slot.tab)
         length = max(longest, *needed)
         width = fitting_width(placed, plates, gap, length, keep=keep)
-        if width is not None and not _rocks(with_tabs(placed, length, width), plates, gap):
+        if width is not None and not _any_tab_rocks(with_tabs(placed, length, width), plates, gap):
             return _pair_text(gap, length, width)
     return ""
 
 
 def _pair_text(gap: float, length: float, width: float) -> str:
-    """Return the suggestion of two plates with tabs of a length and, if it is finite, a width."""
+    """Return the suggestion of two plates with tabs of a length and, if finite, a width."""
     if width == np.inf:
         return note(
             "two plates ({field} = {gap:g}) and tabs {length:.0f} long",
@@ -175,7 +172,6 @@ def _pair_text(gap: float, length: float, width: float) -> str:
     )  # fmt: skip
 
 
-def _rocks(placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float) -> bool:
-    """Return True if a tab rocks in two plates."""
+def _any_tab_rocks(placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float) -> bool:
     pairs = [plate for first in plates for plate in pair_with_tabs(placed, first, gap)]
     return any(np.ptp(seat.turning) > 2 * ROCKING_RAD for seat in tab_seats(pairs).values())

@@ -199,9 +199,7 @@ class _RoundBoundary:
     def skin(
         self, pieces: list[tuple[FloatArray, FloatArray]], share: float, frame: Frame, *, outward: bool
     ) -> list[list[int]]:
-        """Add the faces at the fraction `share` of the radius, and return the edges of the circle per
-        station.
-        """
+        """Add the faces at the fraction `share` of the radius, and return the edges of each circle."""
         around, cosines, sines = _half_turn()
         z = frame.z_axis
 
