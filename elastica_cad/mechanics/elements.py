@@ -196,6 +196,12 @@ NEAR_SHARE = 0.05
 AT_END_SHARE = 1e-6
 """Distance from an end, as a fraction of the length, below which a position counts as at the end."""
 
+AT_JOINT_SHARE = 2e-3
+"""Distance, as a fraction of the length, below which an element is moved to the joint of a straight free end.
+
+Positions are often given to a millimetre.
+"""
+
 _NEWTON_STEPS = 20  # largest number of Newton steps from the nearest sample of a curve to its nearest point
 
 
@@ -218,34 +224,39 @@ class PlacedElement:
     units: FloatArray
 
     @classmethod
-    def on(cls, element: Element | PointForce, drawn: PlaneCurve, curve: PlaneCurve) -> "PlacedElement":
+    def on(
+        cls, element: Element | PointForce, drawn: PlaneCurve, curve: PlaneCurve, joints: Sequence[float] = ()
+    ) -> "PlacedElement":
         """Convert the position of an element from the `drawn` curve to the realizable `curve`.
 
-        Rails and pins keep their point in the plane. Ties and loads keep their fraction of the length.
+        Rails and pins keep their point in the plane. Ties and loads keep their fraction of the length. Positions
+        near one of the `joints`, mm, where straight free ends begin, are moved to it.
         """
-        if isinstance(element, Tie):
-            s = np.array([_station(at, drawn, element) for at in (element.start, element.end)])
+        assert isinstance(element, Rail | Pin | Tie | PointForce)
+        places = (element.start, element.end) if isinstance(element, Tie) else (element.at,)
+        s = np.array([_station(at, drawn, element) for at in places])
+        if isinstance(element, Tie | PointForce):
             s *= curve.length / drawn.length
-            ends = curve.at(s).position
-            chord = ends[1] - ends[0]
-            size = float(np.hypot(*chord))
-            if size <= AT_END_SHARE * curve.length:
-                raise InputError(
-                    "The tie from {start} to {end} has no length. Move one of its ends.",
-                    start=Length(s[0]), end=Length(s[1]),
-                )  # fmt: skip
-            return cls(element, s, np.array([[chord, -chord]]) / size)
-        if isinstance(element, PointForce):
-            s = np.array([_station(element.at, drawn, element)]) * (curve.length / drawn.length)
-            return cls(element, s, np.array([[element.force]]))
-        assert isinstance(element, Rail | Pin)
-        s = np.array([_station(element.at, drawn, element)])
-        if curve is not drawn:
+        elif curve is not drawn:
             s = np.array([_nearest_arc_length(curve, drawn.at(s).position[0])])
+        for joint in joints:
+            s = np.where(np.abs(s - joint) <= AT_JOINT_SHARE * curve.length, joint, s)
+        if isinstance(element, PointForce):
+            return cls(element, s, np.array([[element.force]]))
         if isinstance(element, Pin):
             return cls(element, s, np.eye(2)[:, None, :])
-        angle = curve.at(s).angle
-        return cls(element, s, left_of(np.column_stack([np.cos(angle), np.sin(angle)]))[None])
+        if isinstance(element, Rail):
+            angle = curve.at(s).angle
+            return cls(element, s, left_of(np.column_stack([np.cos(angle), np.sin(angle)]))[None])
+        ends = curve.at(s).position
+        chord = ends[1] - ends[0]
+        size = float(np.hypot(*chord))
+        if size <= AT_END_SHARE * curve.length:
+            raise InputError(
+                "The tie from {start} to {end} has no length. Move one of its ends.",
+                start=Length(s[0]), end=Length(s[1]),
+            )  # fmt: skip
+        return cls(element, s, np.array([[chord, -chord]]) / size)
 
     @property
     def unknowns(self) -> int:
@@ -254,10 +265,14 @@ class PlacedElement:
 
 
 def place_elements(
-    elements: Iterable[Element | PointForce], drawn: PlaneCurve, curve: PlaneCurve, supports: Supports
+    elements: Iterable[Element | PointForce],
+    drawn: PlaneCurve,
+    curve: PlaneCurve,
+    supports: Supports,
+    joints: Sequence[float] = (),
 ) -> tuple[PlacedElement, ...]:
     """Return the elements on the realizable curve; refuse elements at points that the ends already hold."""
-    placed = tuple(PlacedElement.on(element, drawn, curve) for element in elements)
+    placed = tuple(PlacedElement.on(element, drawn, curve, joints) for element in elements)
     near = AT_END_SHARE * curve.length
     held = [s for s, end in zip((0.0, curve.length), supports.ends, strict=True) if end.x and end.y]
     for placed_element in placed:

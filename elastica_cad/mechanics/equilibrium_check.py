@@ -41,6 +41,12 @@ from elastica_cad.mechanics.theorem1 import (
     examine_curvature,
     lengths,
 )
+from elastica_cad.mechanics.unbent_ends import (
+    MEANT_SHARE,
+    StraightenedTails,
+    find_free_tails,
+    without_bend_at,
+)
 from elastica_cad.refusals import Length, Listed, note
 
 MOST_POINTS = 400
@@ -114,11 +120,14 @@ def examine(
     tolerance: float = 1e-4,
     *,
     heavy: bool = False,
+    stations: Sequence[float] = (),
 ) -> EquilibriumCheck:
     """Check the conditions of Theorem 1: curvature, ends without bending, and a line through the inflections.
 
     With weight (`heavy`) no line is needed (paper, section 5), but the other conditions remain. A curve that was
-    fitted to points is compared with other fits; if their results differ, the result is `undecided`.
+    fitted to points is compared with other fits; if their results differ, the result is `undecided`. `stations`
+    are the arc lengths, mm, of elements and forces on a strip without weight. Between a free end and the first of
+    them the strip carries no moment, so its tail there must be straight.
     """
     judge = partial(
         _examine_curve,
@@ -126,6 +135,7 @@ def examine(
         natural_curvature=natural_curvature,
         tolerance=tolerance,
         heavy=heavy,
+        stations=stations,
     )
     check = judge(curve)
     undecided = _compare_fits(check, curve, judge)
@@ -139,7 +149,14 @@ def _examine_curve(
     tolerance: float,
     *,
     heavy: bool,
+    stations: Sequence[float],
 ) -> EquilibriumCheck:
+    tails = find_free_tails(curve, supports, natural_curvature, stations)
+    if tails:
+        made = StraightenedTails.of(curve, tails, tolerance * curve.length)
+        check = examine_curvature(made.curve, supports, tails=[tail.end for tail in tails])
+        check = replace(check, moved=made.moved)
+        return replace(check, realizable=False, reasons=made.reasons) if made.reasons else check
     check = examine_curvature(curve, supports, natural_curvature)
     check = _with_unbent_ends(check, supports, natural_curvature, tolerance)
     if heavy or check.any_stiffness or not check.zeros:
@@ -149,11 +166,6 @@ def _examine_curve(
 
 # largest curvature of an unbent end, as a fraction of the largest curvature of the curve
 UNBENT_SHARE = 1e-12
-
-MEANT_SHARE = 0.01
-"""An end that is free to turn is unbent if a curvature zero is at most this fraction of the length away,
-because drawings are not more accurate.
-"""
 
 
 def _with_unbent_ends(
@@ -173,7 +185,7 @@ def _with_unbent_ends(
     if not ends.size:
         return check
     try:
-        unbent = _unbent(excess, ends)
+        unbent = without_bend_at(excess, ends)
     except NotConvergedError:
         return check
     again = examine_curvature(unbent, supports, natural_curvature)
@@ -219,14 +231,6 @@ def _ends_near_zeros(check: EquilibriumCheck) -> set[float]:
     (start, end), near = check.curve.domain, MEANT_SHARE * check.length
     inner = [z.s for z in check.zeros if z.kind != "end"]
     return {start for s in inner if s < near} | {end for s in inner if s > check.length - near}
-
-
-def _unbent(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
-
-    curve = excess.curve
-    constraints: list[Constraint] = [CurvatureAt(ends, excess.rest_at(ends), curve.length)]
-    constraints += [EndPositions.of(curve), EndTangents.of(curve), SmoothJoints.of(curve)]
-    return least_norm_newton(curve, constraints, tolerance=1e-12)[0].drawn_as(curve.provenance)
 
 
 _SAME_PLACE_SHARE = 1e-6

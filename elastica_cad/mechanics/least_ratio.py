@@ -26,7 +26,6 @@ from elastica_cad.mechanics.elements import (
     require_elements,
     weight_with_loads,
 )
-from elastica_cad.mechanics.equilibrium_check import examine
 from elastica_cad.mechanics.laminated_section import BoundedBacking, LaminatedSection
 from elastica_cad.mechanics.loads import (
     ExcessCurvature,
@@ -335,7 +334,7 @@ def optimal_rod(
         least_stiffness, law, section, check, between, forces,
     )  # fmt: skip
     if check is None:
-        check = examine(curve, supports, natural_curvature, tolerance, heavy=not request.needs_line)
+        check = request.examined(tolerance)
     require_record(check, EquilibriumCheck, "check", "what check_equilibrium answers")
     return rod_of_request(replace(request, known_check=check))
 

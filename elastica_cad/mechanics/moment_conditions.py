@@ -171,12 +171,20 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     base = np.where(from_left[:, None], vanishing[:-1], vanishing[1:])
     step = np.where(from_left[:, None, None], panels.from_left, panels.from_right)
     rows = base[:, None, :] + step @ b[1:-1]
-    rows /= panels.curvature[..., None]
+    rows /= np.where(panels.flat[:, None], 1.0, panels.curvature)[..., None]
+    _continue_on_tails(rows, panels)
     return MomentRows(
         loaded=False, stiffness=rows,
         force=np.broadcast_to(b[1:-1, None], (count, order, 2, size)),
         edge_moment=edge_moment, start_force=b[0], end_force=b[-1],
     )  # fmt: skip
+
+
+def _continue_on_tails(stiffness: FloatArray, panels: Panels) -> None:
+    """Set the stiffness (N, p, m) of straight tails to its value where the bent part begins."""
+    bent = np.flatnonzero(~panels.flat)
+    ends = PanelFunction.through(stiffness[bent[[0, -1]]]).at(np.arange(2), np.array([-1.0, 1.0]))
+    stiffness[: bent[0]], stiffness[bent[-1] + 1 :] = ends
 
 
 def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
@@ -214,7 +222,7 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     lever = local @ G
     kernel = integral * (lever[:, :, None] - lever[:, None, :])
     matrix = -kernel * load.own[:, None, :]
-    matrix[:, np.arange(order), np.arange(order)] += panels.curvature
+    matrix[:, np.arange(order), np.arange(order)] += np.where(panels.flat[:, None], 1.0, panels.curvature)
     known = np.zeros((count, order, size))
     known[~zero, :, 0] = 1.0
     known[..., 1:3] = local
@@ -246,6 +254,7 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
         state = before
     edge_moment[0] = state[0]
     stiffness = stiffness @ near
+    _continue_on_tails(stiffness, panels)
     weight = weight @ near
     force = near[:, None, 1:3, :] + np.einsum("k,nij,njm->nikm", G, integral, weight)
     return MomentRows(
@@ -604,7 +613,20 @@ class RodRequest(EqualByValue):
         """Result of the check of Theorem 1; under forces between the ends, inflections need not be on a line."""
         if self.known_check is not None:
             return self.known_check
-        return examine(self.curve_to_bend, self.supports, self.natural_curvature, heavy=not self.needs_line)
+        return self.examined()
+
+    def examined(self, tolerance: float = 1e-4) -> EquilibriumCheck:
+        """Check the curve; `tolerance` is the largest automatic move, as a fraction of the length."""
+        curve = self.curve_to_bend
+        placed = [
+            PlacedElement.on(element, self.drawn or curve, curve)
+            for elements in ((self.between, self.point_forces) if self.gravity is None else ())
+            for element in elements
+        ]
+        return examine(
+            curve, self.supports, self.natural_curvature, tolerance, heavy=not self.needs_line,
+            stations=[s for element in placed for s in element.s.tolist()],
+        )  # fmt: skip
 
     @property
     def needs_line(self) -> bool:
@@ -619,12 +641,16 @@ class RodRequest(EqualByValue):
     @cached_property
     def elements(self) -> tuple[PlacedElement, ...]:
         """Elements between the ends with their positions on the checked curve."""
-        return place_elements(self.between, self.drawn or self.curve, self.check.curve, self.supports)
+        return self._placed(self.between)
 
     @cached_property
     def forces(self) -> tuple[PlacedElement, ...]:
         """Point forces with their positions on the checked curve."""
-        return place_elements(self.point_forces, self.drawn or self.curve, self.check.curve, self.supports)
+        return self._placed(self.point_forces)
+
+    def _placed(self, elements: Sequence[Element | PointForce]) -> tuple[PlacedElement, ...]:
+        joints = [zero.s for zero in self.check.zeros if zero.kind == "flat"]
+        return place_elements(elements, self.drawn or self.curve, self.check.curve, self.supports, joints)
 
     def units_on(self, panels: Panels) -> FloatArray:
         """Return the forces (N + 1, 2, u) at the ends of panels for the value 1 of each unknown force."""
@@ -678,7 +704,9 @@ class ConditionedRows:
         t = np.array([z.t for z in self.check.zeros])
         at = np.abs(self.panels.edges - t[:, None]).argmin(axis=1)
         rows = [self.rows.edge_moment[at]]
-        inner = (at > 0) & (at < self.panels.count)
+        # beyond the joint of a straight tail, the stiffness is continued
+        flat = np.array([zero.kind == "flat" for zero in self.check.zeros], dtype=bool)
+        inner = (at > 0) & (at < self.panels.count) & ~flat
         if self.request.elements and inner.any():
             tangent = np.asarray(self.check.curve.evaluate(t[inner], 1))
             across = left_of(tangent) / np.hypot(tangent[:, :1], tangent[:, 1:])

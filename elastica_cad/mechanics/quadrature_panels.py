@@ -68,6 +68,8 @@ class Panels:
         Positions of the ends of panels, mm.
     zero_left, zero_right : (N,) bool arrays
         True if the excess curvature is zero at this end of the panel; never at both ends.
+    flat : (N,) bool array
+        True on the straight tails of a strip, which carry no moment.
     t, s, curvature : (N, p) arrays
         Parameters, arc lengths (mm) and excess curvature (1/mm) at the nodes. The excess curvature is the curvature
         minus the natural curvature. In a panel with a zero it is integrated from the zero, so that its relative
@@ -83,6 +85,7 @@ class Panels:
     edge_position: FloatArray
     zero_left: BoolArray
     zero_right: BoolArray
+    flat: BoolArray
     t: FloatArray
     s: FloatArray
     curvature: FloatArray
@@ -117,6 +120,7 @@ def cut_into_panels(
     natural_curvature: NaturalCurvature = 0.0,
     law: MaterialLaw | None = None,
     orders: Sequence[int] | None = None,
+    flats: Sequence[tuple[float, float]] = (),
 ) -> Panels:
     """Return panels on which the curve, and moments divided by its curvature, are polynomials within rounding.
 
@@ -135,6 +139,8 @@ def cut_into_panels(
         Material law whose effective curvature replaces kappa - kappa_0; add cuts where it is not smooth.
     orders : sequence of int, optional
         Orders of the zeros: 2 if kappa - kappa_0 does not change its sign there; by default 1.
+    flats : sequence of (float, float)
+        Parameters between which kappa - kappa_0 is zero. They are at the ends of the curve.
     """
     excess = ExcessCurvature(curve, natural_curvature)
     low, high = curve.domain
@@ -166,7 +172,7 @@ def cut_into_panels(
     done: list[_Nodes] = []
     count = 0
     while True:
-        nodes, tail = _evaluated(excess, cut, poles, order, law)
+        nodes, tail = _evaluated(excess, cut, poles, order, law, flats)
         # if cutting a panel does not reduce the last coefficients, they are rounding errors
         settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < narrow
@@ -240,6 +246,7 @@ class _Nodes:
     left: FloatArray
     zero_left: BoolArray
     zero_right: BoolArray
+    flat: BoolArray
     t: FloatArray
     velocity: FloatArray
     stretch: FloatArray
@@ -247,7 +254,7 @@ class _Nodes:
 
     def chosen(self, which: BoolArray | IntArray) -> "_Nodes":
         return _Nodes(
-            self.left[which], self.zero_left[which], self.zero_right[which], self.t[which],
+            self.left[which], self.zero_left[which], self.zero_right[which], self.flat[which], self.t[which],
             self.velocity[which], self.stretch[which], self.curvature[which],
         )  # fmt: skip
 
@@ -260,7 +267,12 @@ class _Nodes:
 
 
 def _evaluated(
-    excess: ExcessCurvature, cut: _Cut, zeros: FloatArray, orders: IntArray, law: MaterialLaw | None
+    excess: ExcessCurvature,
+    cut: _Cut,
+    zeros: FloatArray,
+    orders: IntArray,
+    law: MaterialLaw | None,
+    flats: Sequence[tuple[float, float]],
 ) -> tuple[_Nodes, FloatArray]:
     """Return the panels with values at their nodes, and the relative size of their last Legendre coefficients.
 
@@ -288,10 +300,14 @@ def _evaluated(
         kappa[beside] = np.where(cut.zero_left[beside, None], growth @ LEFT.T, -(growth @ RIGHT.T))
     if law is not None:
         kappa = law.effective_curvature(kappa)
+    middle = cut.left + half[:, 0]
+    flat = np.zeros(middle.shape, dtype=bool)
+    for low, high in flats:
+        flat |= (low < middle) & (middle < high)
+    kappa[flat] = 0.0
     functions = np.empty((2, *t.shape))
     functions[0], functions[1] = stretch, 1.0
     if zeros.size:
-        middle = cut.left + half[:, 0]
         pole = np.abs(zeros[:, None] - middle).argmin(axis=0)
         functions[1] = (from_left + (cut.left - zeros[pole])[:, None]) ** orders[pole, None]
     if beside.size:
@@ -300,8 +316,9 @@ def _evaluated(
         )
     with np.errstate(divide="ignore", invalid="ignore"):
         functions[1] /= kappa
+        functions[1, flat] = 1.0
         tails = np.abs(functions @ _LAST.T).max(axis=-1) / np.abs(functions).max(axis=-1)
-    nodes = _Nodes(cut.left, cut.zero_left, cut.zero_right, t, velocity, stretch, kappa)
+    nodes = _Nodes(cut.left, cut.zero_left, cut.zero_right, flat, t, velocity, stretch, kappa)
     return nodes, np.asarray(tails.max(axis=0))
 
 
@@ -313,7 +330,7 @@ def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
     from_ends = in_panels(_FROM_ENDS, nodes.velocity)
     return Panels(
         edges=edges, edge_s=edge_s, edge_position=curve.evaluate(edges),
-        zero_left=nodes.zero_left, zero_right=nodes.zero_right, t=nodes.t,
+        zero_left=nodes.zero_left, zero_right=nodes.zero_right, flat=nodes.flat, t=nodes.t,
         s=edge_s[:-1, None] + nodes.stretch @ LEFT.T, curvature=nodes.curvature, stretch=nodes.stretch,
         from_left=from_ends[:, :ORDER], from_right=from_ends[:, ORDER:],
     )  # fmt: skip
@@ -381,8 +398,14 @@ class CutCurve:
         check = self.check
         return cut_into_panels(
             check.curve, [z.t for z in check.zeros], cuts=list(self.cuts),
-            natural_curvature=self.natural_curvature, law=self.law,
+            natural_curvature=self.natural_curvature, law=self.law, flats=self._tails,
         )  # fmt: skip
+
+    @property
+    def _tails(self) -> list[tuple[float, float]]:
+        """Parameters of the ends of straight tails that carry no moment."""
+        (low, high), joints = self.check.curve.domain, [z for z in self.check.zeros if z.kind == "flat"]
+        return [(zero.t, high) if zero.before else (low, zero.t) for zero in joints]
 
     def for_weight(self, gravity: Gravity) -> "CutCurve":
         """Return the curve with more cuts for a strip with weight.

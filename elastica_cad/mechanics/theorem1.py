@@ -167,7 +167,8 @@ class EquilibriumCheck:
     curve : PlaneCurve
         Curve of this check: the drawn curve, or the moved curve.
     zeros : tuple of CurvatureZero
-        All zeros of kappa - kappa_0 of `curve`; the moment must be zero there.
+        All zeros of kappa - kappa_0 of `curve`; the moment must be zero there. A straight tail without moment
+        has its zero where the bent part begins, of the kind "flat".
     bent_beforehand : bool
         True if the strip is not flat before it is bent.
     undecided : Undecided or None
@@ -655,9 +656,16 @@ _DIP_SHARE = 0.01
 
 
 def examine_curvature(
-    curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature = 0.0
+    curve: PlaneCurve,
+    supports: Supports,
+    natural_curvature: NaturalCurvature = 0.0,
+    *,
+    tails: Sequence[int] = (),
 ) -> EquilibriumCheck:
-    """Check the curvature of a curve for zeros of kappa - kappa_0, jumps, straight pieces and kinks."""
+    """Check the curvature of a curve for zeros of kappa - kappa_0, jumps, straight pieces and kinks.
+
+    `tails` are the ends, 0 or 1, at which a straight piece is free of moment. An element acts where it begins.
+    """
     require_bendable(curve)
     excess = ExcessCurvature(curve, natural_curvature)
     largest = float(np.abs(excess.survey).max())
@@ -668,6 +676,7 @@ def examine_curvature(
     jumps = tuple(z.s for z in zeros if z.kind == "jump")
     touches = [z.s for z in zeros if z.kind == "touch"]
     points = tuple(z for z in zeros if z.kind in ("crossing", "end"))
+    joints = tuple(_joint_of(flats[-end], end) for end in tails if flats)
     check = EquilibriumCheck(
         realizable=True,
         reasons=(),
@@ -677,7 +686,7 @@ def examine_curvature(
         inflections=tuple((z.s + z.s_end) / 2 for z in zeros if z.changes_sign),
         jumps=jumps,
         flats=tuple((z.s, z.s_end) for z in flats),
-        zeros=points,
+        zeros=tuple(sorted((*points, *joints), key=lambda z: z.s)),
         bent_beforehand=excess.is_bent_beforehand,
     )
     if (
@@ -689,9 +698,13 @@ def examine_curvature(
     gentle = [z.s for z, slope in zip(points, _smaller_slopes(excess, points), strict=True)
               if slope <= GENTLE_SHARE * largest / curve.length]  # fmt: skip
     gentle += faint_places(excess, largest, zeros)
+    bent_joints, gentle_joints = _faulty_joints(excess, joints, largest)
+    gentle += gentle_joints
+    loaded = [flat for k, flat in enumerate(flats) if k not in {end * (len(flats) - 1) for end in tails}]
     reasons = [
         *_pinned_end_reasons(excess, supports, zeros),
-        *_straight_part_reasons(excess, supports, flats, largest),
+        *_straight_part_reasons(excess, supports, loaded, largest),
+        *bent_joints,
         *_jump_reasons(jumps),
         *_touch_reasons(sorted([*touches, *gentle])),
     ]
@@ -832,8 +845,8 @@ def _straight_part_reasons(
                 "turn, so it carries no moment. Such an end is not computed, even with a tie or support at "
                 "{places}. Clamp this end, or let the curve end at {places}." if excess.is_bent_beforehand else
                 "The piece from {start} to {end} is straight and has an end that is free to turn, so it carries "
-                "no moment. Such an end is not computed, even with a tie or support at {places}. Clamp this end, "
-                "or let the curve end at {places}.",
+                "no moment. Let this end be free, with a tie, pin or rail at {places}, or let the curve end at "
+                "{places}.",
                 start=Length(round(flat.s, 6)), end=Length(flat.s_end), places=lengths(s for s, _, _ in joints),
             )  # fmt: skip
             continue
@@ -855,6 +868,34 @@ def _straight_part_reasons(
                 why=opening,
                 places=at,
             )
+
+
+def _joint_of(tail: CurvatureZero, end: int) -> CurvatureZero:
+    """Return the point at which a straight tail meets the bent part of a strip."""
+    t, s = (tail.t, tail.s) if end else (tail.t_end, tail.s_end)
+    return CurvatureZero(s, t, "flat", s, t, *((tail.before, 0) if end else (0, tail.after)))
+
+
+def _faulty_joints(
+    excess: ExcessCurvature, joints: Sequence[CurvatureZero], largest: float
+) -> tuple[list[str], list[float]]:
+    """Return the messages about bent joints, and the arc lengths of joints where also the slope is 0."""
+    bent, gentle = list[str](), []
+    for joint in joints:
+        t, left = np.array(joint.t), joint.after == 0
+        kappa, slope = float(excess.at(t, left=left)), float(excess.slope_at(t, left=left))
+        if abs(kappa) > PINNED_SHARE * largest:
+            bent.append(
+                note(
+                    "The strip carries no moment at {s}, where its straight free end begins, so the curvature "
+                    "must decrease to 0 there, but it jumps to {curvature:.3g} 1/mm. Draw the curve with less "
+                    "and less bend towards {s}.",
+                    s=Length(round(joint.s, 6)), curvature=kappa,
+                )
+            )  # fmt: skip
+        elif abs(slope) <= GENTLE_SHARE * largest / excess.curve.length:
+            gentle.append(joint.s)
+    return bent, gentle
 
 
 def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
@@ -897,17 +938,14 @@ def _warn_of_widths(
         return
     sizes = zip(breaks, *curvature_jumps(curve, breaks), strict=True)
     visible = [(b, jump, kink) for b, jump, kink in sizes if jump > STEP_SHARE or kink > KINK_SHARE]
-    kinks = [b.s for b, _, _ in visible if b.continuity == 2]
-    sharp = any(jump > STEP_SHARE or kink > SHARP_SHARE for b, jump, kink in visible if b.continuity == 2)
     straight = [end for flat in flats for end in (flat.s, flat.s_end)]
     if curve.seam is not None:  # on a closed curve, start and end are the same point
         straight += [end - curve.length for end in straight]
     near = AT_END_SHARE * curve.length
-    steps = [
-        b.s
-        for b, _, _ in visible
-        if b.continuity == 1 and b.s not in jumps and not any(abs(b.s - end) <= near for end in straight)
-    ]
+    visible = [bend for bend in visible if not any(abs(bend[0].s - end) <= near for end in straight)]
+    kinks = [b.s for b, _, _ in visible if b.continuity == 2]
+    sharp = any(jump > STEP_SHARE or kink > SHARP_SHARE for b, jump, kink in visible if b.continuity == 2)
+    steps = [b.s for b, _, _ in visible if b.continuity == 1 and b.s not in jumps]
     if steps:
         yield Refusal(
             "kinks",

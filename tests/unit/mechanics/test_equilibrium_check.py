@@ -386,4 +386,4 @@ def test_a_straight_end_that_is_free_is_refused_for_its_own_reason(flip):
     supports = Supports("pinned" if flip else "free", "clamped")
     (reason,) = check_equilibrium(curve, supports=supports).reasons
     assert reason.startswith("The piece from 0 mm to 20 mm is straight and has an end that is free to turn")
-    assert reason.endswith("Clamp this end, or let the curve end at 20 mm.")
+    assert reason.endswith("with a tie, pin or rail at 20 mm, or let the curve end at 20 mm.")

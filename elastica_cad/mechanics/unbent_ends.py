@@ -1,0 +1,183 @@
+"""Ends of a curve that carry no moment: almost unbent ends made exactly unbent, and straight tails.
+
+A strip without weight carries no moment between a free end and the first element or force. This tail is straight.
+"""
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+
+import numpy as np
+
+from elastica_cad._types import FloatArray
+from elastica_cad.errors import NotConvergedError
+from elastica_cad.geometry.control_point_constraints import (
+    Constraint,
+    CurvatureAt,
+    EndPositions,
+    EndTangents,
+    SmoothJoints,
+    least_norm_newton,
+)
+from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
+from elastica_cad.mechanics.elements import AT_JOINT_SHARE
+from elastica_cad.mechanics.loads import ExcessCurvature, NaturalCurvature, Supports
+from elastica_cad.mechanics.theorem1 import AT_END_SHARE
+from elastica_cad.refusals import Length, Refusal, note
+
+MEANT_SHARE = 0.01
+"""An end without moment is unbent if a curvature zero is at most this fraction of the length away, because
+drawings are not more accurate.
+"""
+
+
+def without_bend_at(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
+    """Return the curve without bending at the parameters `ends`, with the same end positions and tangents.
+
+    Raises
+    ------
+    NotConvergedError
+        No such curve is near.
+    """
+    curve = excess.curve
+    constraints: list[Constraint] = [CurvatureAt(ends, excess.rest_at(ends), curve.length)]
+    constraints += [EndPositions.of(curve), EndTangents.of(curve), SmoothJoints.of(curve)]
+    return least_norm_newton(curve, constraints, tolerance=1e-12)[0].drawn_as(curve.provenance)
+
+
+@dataclass(frozen=True)
+class FreeTail:
+    """Part of a curve between a free end and the first element or force.
+
+    Attributes
+    ----------
+    end : int
+        0 at the start of the curve, 1 at its end.
+    station : float
+        Arc length of the element or force, mm.
+    straight : float or None
+        Arc length, mm, at which a straight piece at the free end stops; None without such a piece.
+    t, length : float
+        Parameter of the curve at which the tail begins, and length of the tail, mm.
+    """
+
+    end: int
+    station: float
+    straight: float | None
+    t: float
+    length: float
+
+
+def find_free_tails(
+    curve: PlaneCurve, supports: Supports, natural_curvature: NaturalCurvature, stations: Sequence[float]
+) -> list[FreeTail]:
+    """Return the tails of a strip that is cut flat, for elements and forces at arc lengths `stations`, mm.
+
+    The tail ends at a nearby end of a straight piece, or knot at which the curvature has a kink.
+    """
+    prebent = ExcessCurvature(curve, natural_curvature).is_bent_beforehand
+    if not stations or prebent or curve.is_closed or curve.is_straight:
+        return []
+    near, tails = AT_END_SHARE * curve.length, list[FreeTail]()
+    flats = [zero for zero in curve.curvature_zeros if zero.kind == "flat"]
+    for end, support in enumerate(supports.ends):
+        free_end, station = (curve.length, max(stations)) if end else (0.0, min(stations))
+        if support.x or support.y or support.angle or abs(station - free_end) <= near:
+            continue
+        joints = [(knot.s, knot.t) for knot in curve.breaks if knot.continuity <= 2]
+        straight = None
+        for flat in flats:
+            if flat.s - near <= free_end <= flat.s_end + near:
+                joints.append((flat.s, flat.t) if end else (flat.s_end, flat.t_end))
+                straight = joints[-1][0]
+        near_joints = [joint for joint in joints if abs(joint[0] - station) <= AT_JOINT_SHARE * curve.length]
+        drawn_at = (station, float(curve.parameter(np.array(station))))
+        _, t = min(near_joints, key=lambda joint: abs(joint[0] - station), default=drawn_at)
+        length = abs(float(curve.arc_length(np.array(t))) - free_end)
+        tails.append(FreeTail(end, station, straight, t, length))
+    return tails if sum(tail.length for tail in tails) < curve.length - near else []
+
+
+@dataclass(frozen=True, eq=False)
+class StraightenedTails:
+    """Curve with exactly straight tails, and its distance from the drawn curve.
+
+    Attributes
+    ----------
+    curve : PlaneCurve
+    moved : float
+        Largest distance, mm, by which the curve was moved.
+    reasons : tuple of Refusal
+        Reasons why the drawn tails are impossible.
+    """
+
+    curve: PlaneCurve
+    moved: float
+    reasons: tuple[Refusal, ...]
+
+    @classmethod
+    def of(cls, drawn: PlaneCurve, tails: Sequence[FreeTail], allowed: float) -> "StraightenedTails":
+        """Return the curve with straight tails along its tangents; `allowed` is the largest move, mm."""
+        low, high = drawn.domain
+        for tail in tails:
+            low, high = (low, tail.t) if tail.end else (tail.t, high)
+        bent = drawn.trimmed(low, high)
+        excess, joints = ExcessCurvature(bent, 0.0), np.array([bent.domain[tail.end] for tail in tails])
+        reach = MEANT_SHARE * drawn.length
+        almost = joints[np.abs(excess.at(joints)) <= reach * np.abs(excess.slope_at(joints))]
+        with suppress(NotConvergedError):
+            bent = without_bend_at(excess, almost) if almost.size else bent
+        t = np.linspace(low, high, 1001)
+        moved = float(np.hypot(*(np.asarray(bent.evaluate(t)) - drawn.evaluate(t)).T).max())
+        curve, reasons = bent, list[Refusal]()
+        for tail in tails:
+            curve = _with_tail(curve, tail)
+            along = np.linspace(0.0, tail.length, 201)
+            before, after = (line.length - along if tail.end else along for line in (drawn, curve))
+            off = float(np.hypot(*(drawn.at(before).position - curve.at(after).position).T).max())
+            moved = max(moved, off)
+            reasons += _reasons(tail, off, allowed, AT_JOINT_SHARE * drawn.length)
+        if moved > allowed and not reasons:
+            return cls(drawn, 0.0, ())
+        return cls(curve.drawn_as(drawn.provenance), moved, tuple(reasons))
+
+
+def _with_tail(curve: PlaneCurve, tail: FreeTail) -> PlaneCurve:
+    """Return the curve with a straight piece before its start or after its end."""
+    curve = clamp_ends(curve)
+    p, t = curve.degree, curve.domain[tail.end]
+    velocity = np.asarray(curve.evaluate(np.array(t), 1))
+    sign, size = (1 if tail.end else -1), float(np.hypot(*velocity))
+    steps = np.linspace(0.0, sign * tail.length / size, p + 1)[1:, None]
+    line, knots = curve.control_points[-tail.end] + steps * velocity, np.full(p + 1, t + steps[-1, 0])
+    weights = np.ones(len(curve.control_points)) if curve.weights is None else curve.weights
+    added = np.full(p, weights[-tail.end])
+    if tail.end:
+        parts = [curve.knots[:-1], knots], [curve.control_points, line], [weights, added]
+    else:
+        parts = [knots, curve.knots[1:]], [line[::-1], curve.control_points], [added, weights]
+    knots, points, weights = map(np.concatenate, parts)
+    return PlaneCurve(knots, points, p, None if curve.weights is None else weights)
+
+
+def _reasons(tail: FreeTail, off: float, allowed: float, reach: float) -> Iterator[Refusal]:
+    straight = None if tail.straight is None else Length(round(tail.straight, 6))
+    inside = tail.straight is not None and (tail.straight - tail.station) * (1 - 2 * tail.end) > reach
+    if inside:
+        yield note(
+            "The curve is straight as far as {straight}, but the element or load at {station} would bend it "
+            "there. Move the element or load to {straight}.",
+            straight=straight, station=Length(tail.station),
+        )  # fmt: skip
+    elif off > allowed:
+        yield note(
+            "The {end} is free, so the strip is straight between this end and the first element or load, at "
+            "{station}. The curve there is up to {off} from a straight line (allowed: {allowed}). Draw this part "
+            "straight."
+            if straight is None else
+            "The {end} is free, so the strip is straight between this end and the first element or load, at "
+            "{station}. The curve there is up to {off} from a straight line (allowed: {allowed}). Draw this part "
+            "straight, or move the element or load to {straight}.",
+            end=note("end" if tail.end else "start"), station=Length(round(tail.station, 6)),
+            off=Length(float(f"{off:.2g}")), allowed=Length(float(f"{allowed:.2g}")), straight=straight,
+        )  # fmt: skip
