@@ -70,23 +70,21 @@ def pre_bend_message(strip: Strip) -> str:
     same = rest[at] * rod.curvature[at] > 0
     ways = (
         (
-            "Before assembly, bend the strip to a radius of {radius} along its whole length. Bend it to the "
-            "same side to which it curves at {s} from the start after assembly. The widths are designed for "
+            "Before assembly, bend the strip to a radius of {radius} along its whole length. The inner face of "
+            "this bend is also the inner face at {s} from the start after assembly. The widths are designed for "
             "this pre-bending.",
-            "Before assembly, bend the strip to a radius of {radius} along its whole length. Bend it to the "
-            "side opposite to the one it curves to at {s} from the start after assembly. The widths are "
-            "designed for this pre-bending.",
+            "Before assembly, bend the strip to a radius of {radius} along its whole length. The inner face of "
+            "this bend is the outer face at {s} from the start after assembly. The widths are designed for this "
+            "pre-bending.",
         )
         if even
         else (
-            "Before assembly, bend the strip; the smallest radius is {radius}, at {s} from the start. "
-            "There, bend it to the same side to which it curves after assembly. {field} in the report or "
-            "the properties lists the curvature along the strip. The widths are designed for this "
-            "pre-bending.",
-            "Before assembly, bend the strip; the smallest radius is {radius}, at {s} from the start. "
-            "There, bend it to the side opposite to the one it curves to after assembly. {field} in the "
-            "report or the properties lists the curvature along the strip. The widths are designed for this "
-            "pre-bending.",
+            "Before assembly, bend the strip; the smallest radius is {radius}, at {s} from the start. There, the "
+            "inner face of this bend is also the inner face after assembly. {field} in the report or the "
+            "properties lists the curvature along the strip. The widths are designed for this pre-bending.",
+            "Before assembly, bend the strip; the smallest radius is {radius}, at {s} from the start. There, the "
+            "inner face of this bend is the outer face after assembly. {field} in the report or the properties "
+            "lists the curvature along the strip. The widths are designed for this pre-bending.",
         )
     )
     radius = Length(1 / abs(rest[at]))

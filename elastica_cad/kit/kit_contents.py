@@ -23,10 +23,10 @@ from elastica_cad.model.held_tabs import hold_each, holder_plays
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces, saw_rods, widened_by
 from elastica_cad.model.rocking import rocking_tabs
-from elastica_cad.refusals import FieldName, Length, Listed, note
+from elastica_cad.refusals import FieldName, Length, Listed, note, sentences
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
-from elastica_cad.strip.outline import ENDS, StripEnd
+from elastica_cad.strip.outline import StripEnd
 from elastica_cad.strip.pieces import Piece, strip_pieces
 from elastica_cad.strip.strip import Strip, distinct_names
 from elastica_cad.strip.strip_spec import StripSpec
@@ -265,6 +265,10 @@ def _bar_messages(spec: KitSpec) -> list[str]:
     ]
 
 
+END_NAMES: Mapping[StripEnd, str] = {"start": note("start (1)"), "end": note("end (2)")}
+"""Names of the ends, with the numbers that are engraved on strips and slots."""
+
+
 def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:
     """Return a note on the strips with ends that no plate, ring or block holds."""
     if not unheld:
@@ -273,9 +277,9 @@ def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -
     (first, ends), *_ = unheld.items()
     return [
         note(
-            "{name}{more}: nothing holds end {ends}, so the shape of the strip is unknown. Add a holder "
+            "{name}{more}: nothing holds its {ends}, so the shape of the strip is unknown. Add a holder "
             "(stand, fixtures), or hold this end at its position on the assembly sheet.",
-            name=names[first], more=and_more([*unheld]), ends=" & ".join(str(1 + ENDS.index(end)) for end in ends),
+            name=names[first], more=and_more([*unheld]), ends=sentences([END_NAMES[end] for end in ends], " & "),
         )
     ]  # fmt: skip
 

@@ -334,7 +334,8 @@ def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
         ),
         *(f"To buy: {item}{_sawn(item)}." for item in listed.stock),
         *_block_lines(contents, report["files"]),
-        "Ends are numbered: end 1 is where a strip's label begins, end 2 where it ends; slot A:1 takes end 1 of A."
+        "The start (1) of a strip is where its label begins, and its end (2) where it ends. Slot A:1 takes the "
+        "start of A."
         if not contents.spec.cutting.service
         else "Nothing is written on the parts: write the name of its file on each when they arrive.",
     ]

@@ -73,7 +73,10 @@ class NestedSheet(Drawing):
         """Sentence on the direction of the grain; empty for sheets without grain."""
         if self.sheet is None or self.sheet.grain == "none":
             return ""
-        return note("the grain runs along x, the side of {side:g}", side=Length(self.sheet_size[0]))
+        return note(
+            "the grain runs along x, parallel to the edge of the sheet that is {side:g} long",
+            side=Length(self.sheet_size[0]),
+        )
 
     @property
     def counts(self) -> dict[str, int]:

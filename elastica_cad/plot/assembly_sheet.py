@@ -190,10 +190,10 @@ def _tables(
     sentences = [*_plate_sentences(holders, pairs)]
     rows = [*_step_rows(steps, len(sentences) + 1)]
     yield Table("Order of assembly", (), [(f"{k}   {text}",) for k, text in enumerate(sentences, 1)])
-    head = ("step", "strip", "cut as", "end 1", "end 2", "locks into")
+    head = ("step", "strip", "cut as", "start (1)", "end (2)", "locks into")
     yield Table("" if sentences else "Order of assembly", head, rows)
     yield Table("", (), [(text,) for text in _closing_sentences(holders)])
-    head = ("strip", "end 1 at (x, y, z)", "angle", "end 2 at (x, y, z)", "angle", "distance")
+    head = ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance")
     title = "Positions in the blocks (mm; degrees from the line between the ends)"
     yield Table(title, head, [*_block_rows(model, holders)])
     head = ("strip", "element", "place (x, y, z), mm", "angle, degrees", "force, N", "length, mm")
@@ -247,7 +247,7 @@ def _closing_sentences(holders: Sequence[Holder]) -> Iterator[str]:
     if any(plate.glued for plate in plates):
         yield "Glue each foot into the angle of its plate and the tab whose name it has."
     if holders:
-        yield "End 1 is at the start of a strip's label. Each slot and block has the name of its end, such as A:1."
+        yield "A strip starts (1) where its label starts. Each slot and block has the name of its end, such as A:1."
     # the plates next to the strips are before their second plates
     sides = {tuple(np.sign(plate.frame.z_axis).tolist()): plate for plate in reversed(plates)}
     if len(sides) == 2:

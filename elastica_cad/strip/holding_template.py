@@ -309,13 +309,13 @@ def holding_template(strip: Strip) -> Drawing:
     low = min(path.path.bounds[0, 1] for path in paths) - 3 * LETTERS_MM
     left = float(min(first.position[0], last.position[0]))
     drawn_text = [
-        f"{engravable(strip.label or 'strip')}: its first letter points to end 1",
+        f"{engravable(strip.label or 'strip')}: its first letter points to its start (1)",
         f"bend lines {distance_between(ends):.1f} mm apart, tips {distance_of_tips(ends):.1f} mm",
         *(
-            f"end {name}: "
+            f"{name}: "
             + (f"{abs(end.tilt):.1f} degrees from the line" if end.support.angle else "free to turn")
             + "".join(f", hole at x {x:z.1f}, y {y:z.1f}" for x, y in holes)
-            for name, end, holes in zip((1, 2), ends, hole_places(ends), strict=True)
+            for name, end, holes in zip(("start (1)", "end (2)"), ends, hole_places(ends), strict=True)
         ),
         *map(str, elements),
         *(["mm; x along the line from its start"] if first.holes or last.holes or elements else []),

@@ -16,8 +16,9 @@ from tests.freecad.features import change, new
 UPRIGHT = App.Rotation(App.Vector(1, 0, 0), 90)
 BAD = [(0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0)]
 EVEN = (
-    "Before assembly, bend the strip to a radius of 250 mm along its whole length. Bend it to the same side to "
-    "which it curves at 94.4 mm from the start after assembly. The widths are designed for this pre-bending."
+    "Before assembly, bend the strip to a radius of 250 mm along its whole length. The inner face of this "
+    "bend is also the inner face at 94.4 mm from the start after assembly. The widths are designed for "
+    "this pre-bending."
 )
 
 

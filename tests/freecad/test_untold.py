@@ -15,7 +15,7 @@ _spec.loader.exec_module(launching)
 @pytest.mark.campaign
 def test_what_is_easily_overlooked_is_told(tmp_path):
     found = launching.run_window("untold.py", tmp_path)
-    bend = "Before assembly, bend the strip to a radius of 250 mm along its whole length. Bend it to the same side "
+    bend = "Before assembly, bend the strip to a radius of 250 mm along its whole length. The inner face of "
     verdict, reason, *_ = found["blank"].splitlines()
     assert verdict == "A pre-bent strip takes this curve. There are remarks."
     assert reason.startswith(bend)

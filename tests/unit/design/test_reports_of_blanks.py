@@ -42,7 +42,7 @@ def test_a_flat_blank_is_not_told():
 
 
 @pytest.mark.parametrize(
-    ("rest", "way"), [(0.004, "to the same side to"), (-0.004, "to the side opposite to")]
+    ("rest", "way"), [(0.004, "is also the inner face at"), (-0.004, "is the outer face at")]
 )
 def test_an_even_blank_is_told_by_its_radius_and_by_how_the_strip_stands(rest, way):
     assert report_blank(made(rest)) == {"s": [0.0, 100.0], "curvature": [rest, rest]}
@@ -57,7 +57,8 @@ def test_a_blank_that_varies_is_listed_along_the_strip():
     assert np.interp([0, 25, 50, 75, 100], record["s"], record["curvature"]) == pytest.approx(
         [0, -0.004, -0.008, -0.002, 0.004], abs=1e-4
     )
-    assert "125 mm, at 50 mm from the start. There, bend it to the side opposite" in pre_bend_message(found)
+    there = "125 mm, at 50 mm from the start. There, the inner face of this bend is the outer face after"
+    assert there in pre_bend_message(found)
 
 
 def test_kits_tell_which_parts_are_bent_beforehand(tmp_path):

@@ -91,7 +91,7 @@ def test_the_holding_template_shows_where_the_ends_and_the_screws_are(arch):
     }
     lettered = [text.text for text in drawing.texts]
     assert "bend lines 380.0 mm apart, tips 500.0 mm" in lettered
-    assert "end 2: 0.0 degrees from the line, hole at x 400.0, y 0.0, hole at x 420.0, y 0.0" in lettered
+    assert "end (2): 0.0 degrees from the line, hole at x 400.0, y 0.0, hole at x 420.0, y 0.0" in lettered
 
 
 def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
@@ -104,7 +104,7 @@ def test_an_end_that_no_part_of_a_model_holds_is_told_and_has_no_figure():
     spec = KitSpec(holders=(HolderSpec("base", ec.Sheet.named("mdf-3")),))
     kit = kit_contents(model, spec, effects=True)
     assert kit.held == {}
-    assert any("nothing holds end 2" in note for note in kit.notes)
+    assert any("nothing holds its end (2)" in note for note in kit.notes)
     assert not any("nothing holds" in note for note in kit_contents(model, KitSpec(), effects=True).notes)
 
 

@@ -180,7 +180,10 @@ def test_equal_shapes_are_told_whatever_is_engraved():
     assert "same_shape_as" in listed.csv
 
 
-@pytest.mark.parametrize(("sheet", "told"), [(CARD, "the grain runs along x, the side of 300 mm"), (MDF, "")])
+@pytest.mark.parametrize(
+    ("sheet", "told"),
+    [(CARD, "the grain runs along x, parallel to the edge of the sheet that is 300 mm long"), (MDF, "")],
+)
 def test_nests_say_where_the_grain_runs(sheet, told):
     (nest,) = nest_pieces([plate("g", 120, 30, sheet)], sheet_size=(300, 200))
     assert nest.grain == told
