@@ -125,12 +125,12 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
       elastica bend --straight 120 --sheet spring-steel-0.5 --max-width 10 --to 60 0 --steps 20   a spring's force
 
     Writes NAME-bent.csv (points, angle, curvature and stiffness along the strip), NAME-bent.json (the curves, for
-    `elastica`) and NAME-bent.png. With --sheet and --max-width it also writes NAME-travel.csv and NAME-travel.png:
-    forces and moments at the ends, energy, strain, stress and safety at every step, and all shapes. The strip is
-    then that of `elastica strip`; --set sets its other keys, such as --set style.kind=perforated. A report sets
-    sheet, law, widths and supports, and options replace them. --rail, --pin and --tie replace all rails, pins and
-    ties of the strip, and --point-force and --point-mass its loads. A rail or pin at a point beside the strip moves
-    the strip there.
+    `elastica`) and NAME-bent.png. With --sheet and --max-width it also writes NAME-travel.csv: forces and moments
+    at the ends, energy, strain, stress and safety at every step. NAME-travel.png shows all shapes, if there is
+    more than one step. The strip is then that of `elastica strip`; --set sets its other keys, such as --set
+    style.kind=perforated. A report sets sheet, law, widths and supports, and options replace them. --rail, --pin
+    and --tie replace all rails, pins and ties of the strip, and --point-force and --point-mass its loads. A rail
+    or pin at a point beside the strip moves the strip there.
     """
     if (curve is None) == (chosen["straight"] is None):
         raise InputError(
@@ -512,11 +512,11 @@ def _write_files(
         from elastica_cad.plot.strip_pictures import rod as draw_rod
         from elastica_cad.plot.strip_pictures import travel as draw_travel
 
-        wish = None if rod.shape is None else rod.curve
-        files.append(File(f"{name}.png", lambda path: save_figure(draw_rod(shapes[-1], wish=wish), path)))
+        design = None if rod.shape is None else rod
+        files.append(File(f"{name}.png", lambda path: save_figure(draw_rod(shapes[-1], design=design), path)))
     if moved is not None:
         files.append(File(f"{travelled}.csv", lambda path: write_text(path, moved.csv())))
-        if can_draw():
+        if can_draw() and shapes[1:]:
             files.append(File(f"{travelled}.png", lambda path: save_figure(draw_travel(moved), path)))
     return write_files(files, output, force=force)
 

@@ -6,8 +6,11 @@ from elastica_cad._values import require_record
 from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.model.bows import Bow
 from elastica_cad.plot.canvas import INK, Figure, new_page
-from elastica_cad.plot.strip_pictures import FAINT, FIRST, LINE, NUMBERED, WIDE, finish_axes
+from elastica_cad.plot.strip_pictures import FAINT, FIRST, LAST, LINE, NUMBERED, WIDE, blend, finish_axes
 from elastica_cad.strip.travel import Travel
+
+SAME_CORD_SHARE = 1e-6
+"""Shortening of the cord, as a fraction of its length, up to which the shape is that of the bow itself."""
 
 
 def bow(bow: Bow, shorter: Travel) -> Figure:
@@ -27,10 +30,18 @@ def bow(bow: Bow, shorter: Travel) -> Figure:
     width, height = np.maximum(high - low, 0.3 * np.max(high - low))
     panel = NUMBERED._replace(height=float(np.clip(1.1 * WIDE * height / width, 2.2, 5.2)))
     figure, (axes,) = new_page([panel])
-    for k, shape in enumerate(shorter.rods):
-        axes.plot(*shape.position.T, color=FIRST, linewidth=1.0, label="" if k else "shorter cords")
+    cords, colors = np.hypot(*shorter.end.T), blend(FIRST, LAST, len(shorter.rods))
+    lines = [
+        axes.plot(*shape.position.T, color=color, linewidth=1.0, label=f"_{cord:.1f} mm")[0]
+        for shape, cord, color in zip(shorter.rods, cords, colors, strict=True)
+        if cord < (1 - SAME_CORD_SHARE) * bow.cord
+    ]
     axes.plot(*drawn.T, color=FAINT, linewidth=1.4, linestyle=(0, (4, 2)), label="drawn curve")
     axes.plot(*rod.position.T, color=INK, linewidth=2.2, label="bow")
     axes.plot(*rod.position[[0, -1]].T, "o-", color=LINE, markersize=4, linewidth=1.2, label="cord")
+    if lines:  # the place between bow and cord is free
+        names = [line.get_label()[1:] for line in lines]
+        place = {"loc": "lower center", "bbox_to_anchor": (0.5, 0.08)}
+        axes.add_artist(axes.legend(lines, names, title="shorter cords", fontsize=9, frameon=False, **place))
     finish_axes(axes, f"Bow: {bow.length:.1f} mm long, cord {bow.cord:.1f} mm, rise {bow.rise:.1f} mm")
     return figure

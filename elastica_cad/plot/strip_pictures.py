@@ -10,6 +10,7 @@ from elastica_cad._values import require_record
 from elastica_cad.geometry.plane_curve import CurveSamples, PlaneCurve
 from elastica_cad.geometry.plane_points import box_about, clipped
 from elastica_cad.geometry.profile import Profile
+from elastica_cad.mechanics.bracing import slack_elements
 from elastica_cad.mechanics.elements import NOUNS, Pin, PointForce, Rail, Tie
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.rod import Rod
@@ -29,8 +30,18 @@ LAYER_COLORS = {
     "SHEET": "#8a8f98",
 }
 COMB, LINE, FAINT, HOLD = "#2f6db3", "#c2452d", "#8a8f98", "#3a8f4d"
-MARKERS = {Rail: "^", Pin: "o", Tie: "s", PointForce: "v"}
-"""Markers of rails, pins, ties and point forces at their stations."""
+LOAD = "#c77700"
+MARKERS = {Rail: "^", Pin: "o", Tie: "s"}
+"""Markers of rails, pins and ties at their stations."""
+
+ARROW_SHARE = 0.08
+"""Length of the arrow of a load, as a fraction of the size of the drawing."""
+
+END_LABEL_INCHES = 0.3
+"""Space below an end for the label with its angle, inches."""
+
+ROUNDING_SHARE, SMALL_MOVE_SHARE, ENLARGED_SHARE = 1e-5, 0.01, 0.05
+"""Limits between which a displacement is also drawn enlarged, and its size then, as fractions of the length."""
 
 NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
 """Space around a drawing with both axes, a title, and a legend below the title."""
@@ -50,15 +61,23 @@ SMOOTH_MM = 0.02
 """Largest distance, mm, between a spline and the polyline that is drawn; it is less than a printed dot."""
 
 
-def rod(rod: Rod, *, wish: PlaneCurve | None = None) -> Figure:
+def rod(rod: Rod, *, wish: PlaneCurve | None = None, design: Rod | None = None) -> Figure:
     """Draw the bent rod with its curvature comb and inflection line, and its stiffness along the strip.
 
-    `wish` is the requested curve, which is also drawn if the rod bends into the nearest possible curve
-    instead.
+    Parameters
+    ----------
+    rod : Rod
+    wish : PlaneCurve, optional
+        Requested curve. It is also drawn if the rod bends into the nearest possible curve instead.
+    design : Rod, optional
+        Designed shape of a loaded or moved rod. It is also drawn. If the displacement is less than 1 % of the
+        length, an enlarged displacement is drawn too. The inflection line and the thrust line are left out.
     """
     require_record(rod, Rod, "what is drawn", "a Rod")
+    if design is not None:
+        require_record(design, Rod, "the designed shape", "a Rod")
     figure, (above, below) = new_page([_bent_panel(rod, wish), STIFFNESS])
-    _paint_bent(above, rod, wish)
+    _paint_bent(above, rod, wish, design=design)
     _paint_stiffness(below, rod)
     return figure
 
@@ -160,11 +179,20 @@ def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ())
         require_curve(wish)
     shown = [rod.position, comb_tips(rod), *([] if wish is None else [wish.sample(200).position])]
     shown += [end.tip[None] for end in ends]
-    width, height = _widened(np.ptp(np.concatenate(shown), axis=0))
+    width, height = _widened(np.ptp(_with_room_below(np.concatenate(shown), ends), axis=0))
     return NUMBERED._replace(height=float(np.clip(WIDE * height / width, 2.2, 5.2)))
 
 
-def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ()) -> None:
+def _with_room_below(points: FloatArray, ends: Sequence[HeldEnd]) -> FloatArray:
+    """Return the points (n, 2) and points below the ends, which make room for the labels of the ends."""
+    width, height = _widened(np.ptp(points, axis=0))
+    room = END_LABEL_INCHES * max(width / WIDE, height / NUMBERED.height)
+    return np.concatenate([points, *(end.position[None] - (0.0, room) for end in ends)])
+
+
+def _paint_bent(
+    axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = (), design: Rod | None = None
+) -> None:
     """Draw the bent rod, its curvature comb, inflection or thrust line and supports, and the requested curve."""
     position, tips, turns = rod.position, comb_tips(rod), inflections_of(rod)
     paint_comb(axes, position, tips)
@@ -172,6 +200,8 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[He
     for points in wished:
         dashed = {"color": FAINT, "linewidth": 1.4, "linestyle": (0, (4, 2))}
         axes.plot(*points.T, label="drawn curve", **dashed)
+    if design is not None:
+        wished += _paint_displacement(axes, rod, design)
     axes.plot(*position.T, color=INK, linewidth=2.2, label="strip")
     if len(turns):
         called = "inflection" if len(turns) == 1 else "inflections"
@@ -180,22 +210,24 @@ def _paint_bent(axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[He
     for end, tab in zip(ends, tabs, strict=True):
         axes.plot(*tab.T, color=FAINT, linewidth=2.2)
         angle_text = f"{end.tilt:.1f}°" if end.support.angle else "free to turn"
-        below = {"xytext": (0, -6), "textcoords": "offset points", "ha": "center", "va": "top"}
+        beside = 22 * np.sign(end.outward[0]) * end.outward[1]  # away from a steep tab
+        below = {"xytext": (beside, -6), "textcoords": "offset points", "ha": "center", "va": "top"}
         axes.annotate(angle_text, tuple(end.position), fontsize=9, color=INK, **below)
     low, high = box_about(np.concatenate([position, tips, *wished, *tabs, turns]))
-    at_rest, shown = _inflection_line(rod), [low, high]
+    at_rest, shown = None if design else _inflection_line(rod), [low, high]
     if at_rest is not None:
         reach = 0.04 * float(np.max(high - low))
         line = clipped(*at_rest, low - reach, high + reach)
         if line is not None:
             axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
             shown += [*line]
-    for k, side in enumerate(thrust_sides(rod, low, high)):
+    for k, side in enumerate([] if design else thrust_sides(rod, low, high)):
         label = "_side" if k else "thrust line"
         axes.plot(*side.T, color=LINE, linewidth=1.0, linestyle="--", label=label)
     _mark_stations(axes, rod)
+    _mark_loads(axes, rod, float(np.max(high - low)))
     # enlarge the box of a nearly straight curve, so that the numbers on the axis across it can be read
-    box = box_about(np.array(shown))
+    box = box_about(_with_room_below(np.array(shown), ends))
     least, middle = _widened(box[1] - box[0]) / 2, box.mean(axis=0)
     axes.set_xlim(middle[0] - least[0], middle[0] + least[0])
     axes.set_ylim(middle[1] - least[1], middle[1] + least[1])
@@ -294,15 +326,62 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
     return rod.position[0] - gradient * rod.moment[0] / size, direction
 
 
+def _paint_displacement(axes: Axes, rod: Rod, design: Rod) -> list[FloatArray]:
+    """Draw the designed shape, and an enlarged displacement if the displacement is small.
+
+    Return the drawn lines, arrays (n, 2).
+    """
+    light = {"color": FAINT, "linewidth": 1.2}
+    lines = [design.position]
+    axes.plot(*design.position.T, label="design", linestyle=(0, (4, 2)), **light)
+    if len(design.position) != len(rod.position):
+        return lines
+    move = rod.position - design.position
+    part = float(np.hypot(*move.T).max()) / rod.length
+    if ROUNDING_SHARE < part < SMALL_MOVE_SHARE:
+        factor = float(f"{ENLARGED_SHARE / part:.0e}")
+        lines.append(design.position + factor * move)
+        axes.plot(*lines[1].T, label=f"displacement x {factor:g}", **light)
+    return lines
+
+
 def _mark_stations(axes: Axes, rod: Rod) -> None:
-    """Draw labelled markers of rails, pins, ties and point forces. A tie is drawn as a dotted line."""
-    beside = {"xytext": (6, 7), "textcoords": "offset points", "fontsize": 9, "color": HOLD}
-    for action in rod.acting:
+    """Draw labelled markers of rails, pins and ties. A tie is a dotted line, and slack elements are grey.
+
+    The label of a rail is on the side from which the rail pushes.
+    """
+    slack = slack_elements(rod.between, rod.force)
+    for action in rod.between:
         noun = NOUNS[type(action.element)]
         at = np.column_stack([np.interp(action.s, rod.s, rod.position[:, k]) for k in (0, 1)])
-        mark = {"color": HOLD, "markersize": 8, "markerfacecolor": "none", "linestyle": ":"}
+        beside = (0.0, 9.0) if len(at) > 1 else tuple(-14 * action.force[0] / (action.size or 1.0))
+        color = HOLD
+        if action in slack:
+            color, noun, beside = FAINT, f"{noun}, slack", (0.0, -14.0)
+            if isinstance(action.element, Rail) and action.mount is not None:
+                at = np.array([action.mount.point])
+        mark = {"color": color, "markersize": 8, "markerfacecolor": "none", "linestyle": ":"}
         axes.plot(*at.T, MARKERS[type(action.element)], label=f"_{noun}", **mark)
-        axes.annotate(noun, tuple(at[0]), **beside)
+        axes.annotate(
+            noun, tuple(at.mean(axis=0)), beside, textcoords="offset points", ha="center", va="center",
+            fontsize=9, color=color,
+        )  # fmt: skip
+
+
+def _mark_loads(axes: Axes, rod: Rod, size: float) -> None:
+    """Draw an arrow for each point force and point mass, in a drawing of the given size, mm."""
+    loads = [(float(load.s[0]), load.force[0], NOUNS[PointForce]) for load in rod.point_forces]
+    if rod.gravity is not None and rod.weight is not None:
+        down = np.array(rod.gravity.direction)
+        loads += [(mass.s, down, f"{mass.mass:g} g") for mass in rod.weight.masses]
+    for s, force, text in loads:
+        head = np.array([np.interp(s, rod.s, rod.position[:, k]) for k in (0, 1)])
+        tail = head - ARROW_SHARE * size * force / np.hypot(*force)
+        arrow = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.6, "shrinkA": 0, "shrinkB": 1}
+        axes.annotate("", tuple(head), tuple(tail), arrowprops=arrow)
+        axes.annotate(
+            text, tuple(tail), (4, 0), textcoords="offset points", va="center", fontsize=9, color=LOAD
+        )
 
 
 def comb_tips(rod: Rod | CurveSamples) -> FloatArray:
@@ -373,6 +452,8 @@ FORCE, ENERGY = "#1d4f8c", "#e0962b"
 def travel(moved: Travel) -> Figure:
     """Draw all shapes of a travel, and below them the force along the path and the bending energy.
 
+    A travel of one step has no graph of the force. Its shape is drawn with the design.
+
     Dotted lines mark the positions on the path to which `Travel.warnings` refer.
 
     Examples
@@ -383,18 +464,17 @@ def travel(moved: Travel) -> Figure:
     3
     """
     require_record(moved, Travel, "what is drawn", "a Travel")
-    figure, (above, below) = new_page([SHAPES, COSTS])
     steps = len(moved.rods)
-    colors = _blend(FIRST, LAST, steps)
     if steps == 1:
-        above.plot(*moved.strip.rod.position.T, color=FAINT, linestyle="--", linewidth=0.9)
-    for k, rod in enumerate(moved.rods):
+        return rod(moved.rods[0], design=moved.strip.rod)
+    figure, (above, below) = new_page([SHAPES, COSTS])
+    colors = blend(FIRST, LAST, steps)
+    for k, shape in enumerate(moved.rods):
         color = colors[k] if moved.stable[k] else UNSTABLE
-        above.plot(*rod.position.T, color=color, linewidth=1.6 if k in (0, steps - 1) else 0.9)
+        above.plot(*shape.position.T, color=color, linewidth=1.6 if k in (0, steps - 1) else 0.9)
     above.set_aspect("equal", adjustable="datalim")
     snapping = "" if moved.stable.all() else "; red: unstable, it snaps away"
-    shapes = "the shape, and the design (dashed)" if steps == 1 else f"{steps} shapes, the last one darkest"
-    _entitle(above, f"{shapes}{snapping}")
+    _entitle(above, f"{steps} shapes, the last one darkest{snapping}")
     above.set_xlabel("x, mm")
     above.set_ylabel("y, mm")
     if moved.is_turn:
@@ -408,16 +488,12 @@ def travel(moved: Travel) -> Figure:
         below.set_ylabel("force, N", color=FORCE)
     below.grid(alpha=0.25)
     beside = below.twinx()
-    beside.plot(
-        moved.path_length, moved.energy, color=ENERGY, linestyle="--", marker="." if steps == 1 else ""
-    )
+    beside.plot(moved.path_length, moved.energy, color=ENERGY, linestyle="--")
     beside.set_ylabel("bending energy, N mm", color=ENERGY)
     for axes in (below, beside):  # axes begin at 0, so that a nearly constant force looks constant
         low, high = axes.get_ylim()
         room = 0.05 * (high - low) if low * high > 0 else 0.0
         axes.set_ylim(min(low - room, 0.0), max(high + room, 0.0))
-    if steps == 1:
-        below.set_xlim(0.0, 1.1 * float(moved.path_length[0]) or 1.0)
     places = (
         ("force falls", moved.force_falls_at, FORCE), ("strain limit", moved.strained_at, INK),
         ("snaps", moved.snaps_at, UNSTABLE), ("crosses itself", moved.crosses_at, FAINT),
@@ -436,6 +512,7 @@ def travel(moved: Travel) -> Figure:
     return figure
 
 
-def _blend(first: str, last: str, count: int) -> list[tuple[float, float, float]]:
+def blend(first: str, last: str, count: int) -> list[tuple[float, float, float]]:
+    """Return `count` colours from the first to the last one."""
     a, b = (np.array([int(c[i : i + 2], 16) / 255 for i in (1, 3, 5)]) for c in (first, last))
     return [tuple(a + (b - a) * part) for part in np.linspace(0, 1, max(count, 2))][-count:]

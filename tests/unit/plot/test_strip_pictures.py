@@ -20,6 +20,7 @@ from elastica_cad import (
     make_strip,
     plot,
 )
+from elastica_cad.plot.bow_picture import bow as draw_bow
 from elastica_cad.strip import CUT_OUTER, ENGRAVE, LayeredPath, Text
 
 CURVES = {
@@ -212,8 +213,46 @@ def test_colons_of_a_sheet_are_seen_wherever_they_lie(turned):
 
 def test_a_travel_of_one_step_is_drawn_with_the_design():
     clip = ec.Strip(ec.Rod.straight(100.0, samples=201), "spring-steel-0.2", max_width=10.0)
-    above, below, _ = ec.plot.travel(ec.bend_strip(clip, [(95.0, 0.0)])).axes
-    shape, design = (line.get_xydata() for line in reversed(above.lines))
-    assert np.ptp(design[:, 1]) == pytest.approx(0, abs=1e-9)
-    assert np.ptp(shape[:, 1]) > 10
-    assert below.get_xlim() == pytest.approx((0, 5.5))
+    above = ec.plot.travel(ec.bend_strip(clip, [(95.0, 0.0)])).axes[0]
+    lines = {line.get_label(): line.get_xydata() for line in above.lines}
+    assert np.ptp(lines["design"][:, 1]) == pytest.approx(0, abs=1e-9)
+    assert np.ptp(lines["strip"][:, 1]) > 10
+
+
+def test_a_loaded_slat_is_drawn_with_its_loads_its_slack_rail_and_its_enlarged_sag():
+    slat = ec.PlaneCurve.spline([(0, 0), (267, 14), (533, 14), (800, 0)], degree=3)
+    strip = ec.make_strip(slat, "birch-plywood-6", max_width=100, between=ec.Rail(400))
+    loads = (ec.PointForce(400, (0, 250)), ec.PointForce(200, (0, -30)))  # lifts the slat off its rail
+    axes = plot.travel(ec.bend_strip(strip, [{"loads": loads}])).axes[0]
+    lines = {line.get_label(): line.get_xydata() for line in axes.lines}
+    assert not {"thrust line", "inflection line"} & {*lines}
+    (enlarged,) = [label for label in lines if label.startswith("displacement")]
+    factor = float(enlarged.rpartition(" ")[2])
+    move = lines["strip"] - lines["design"]
+    assert lines[enlarged] == pytest.approx(lines["design"] + factor * move)
+    assert 20 < np.hypot(*move.T).max() * factor < 60
+    texts = {text.get_text(): text.xy for text in axes.texts}
+    assert "rail, slack" in texts
+    arrows = [text for text in axes.texts if text.arrow_patch is not None]
+    up, down = (np.subtract(arrow.xy, arrow.get_position()) for arrow in arrows)
+    assert (up[1] > 0, down[1] < 0, up[0], down[0]) == (True, True, 0, 0)
+
+
+def test_an_arrow_names_a_mass_and_a_tie_its_cord():
+    arch = ec.PlaneCurve.spline([(0, 0), (60, 60), (120, 80), (180, 60), (240, 0)])
+    weight = ec.Weight(masses=(ec.PointMass(100, 8),), own=True)
+    rod = ec.optimal_rod(arch, ec.Gravity(400.0, (0, -1)), weight=weight, between=ec.Tie(40, 250))
+    axes = plot.rod(rod).axes[0]
+    texts = {text.get_text(): text.xy for text in axes.texts}
+    assert texts["tie"] == pytest.approx(arch.at([40.0, 250.0]).position.mean(axis=0), abs=0.1)
+    assert texts["8 g"][1] > np.interp(100, rod.s, rod.position[:, 1])
+
+
+def test_shorter_cords_of_a_bow_are_named():
+    arc = ec.PlaneCurve.arc((0, 0), 500, 0.8 * np.pi, 0.2 * np.pi)
+    bow = ec.bow(arc, "gfrp-2", max_width=20, min_width=20)
+    shorter = bow.shortened([0.05, 0.1])
+    axes = draw_bow(bow, shorter).axes[0]
+    (cords,) = [legend for legend in axes.artists if legend.get_title().get_text() == "shorter cords"]
+    lengths = np.hypot(*shorter.end.T)
+    assert [text.get_text() for text in cords.get_texts()] == [f"{length:.1f} mm" for length in lengths]
