@@ -23,7 +23,7 @@ from elastica_cad.declared import Field, Option, declared
 from elastica_cad.errors import InputError, quoted, toml_slip
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, ExcessCurvature, Gravity, NaturalCurvature
-from elastica_cad.refusals import FieldName, note
+from elastica_cad.refusals import Either, FieldName, Length, note, sentences
 
 SCHEMA = 1
 
@@ -669,13 +669,14 @@ class Sheet:
                 "use {name} and set {field} to {size}",
                 name=nearest[0],
                 field=FieldName("thickness"),
-                size=size,
+                size=Length(float(size)),
             )
         elif near:
-            advice = note("did you mean {names}?", names=" or ".join(near))
+            advice = note("did you mean {names}?", names=Either(near))
         else:
             advice = note("known sheets: {names}", names=", ".join(names))
-        raise InputError("; ".join((f"unknown sheet {name!r}: {advice}", *problems)))
+        unknown = note("unknown sheet '{name}': {advice}", name=name, advice=advice)
+        raise InputError(sentences([unknown, *problems]))
 
     def with_thickness(self, thickness: float) -> "Sheet":
         """Return the same material with another thickness, mm.

@@ -225,7 +225,7 @@ def _paint_bent(
         label = "_side" if k else "thrust line"
         axes.plot(*side.T, color=LINE, linewidth=1.0, linestyle="--", label=label)
     _mark_stations(axes, rod)
-    _mark_loads(axes, rod, float(np.max(high - low)))
+    shown += _mark_loads(axes, rod, float(np.max(high - low)))
     # enlarge the box of a nearly straight curve, so that the numbers on the axis across it can be read
     box = box_about(_with_room_below(np.array(shown), ends))
     least, middle = _widened(box[1] - box[0]) / 2, box.mean(axis=0)
@@ -368,20 +368,24 @@ def _mark_stations(axes: Axes, rod: Rod) -> None:
         )  # fmt: skip
 
 
-def _mark_loads(axes: Axes, rod: Rod, size: float) -> None:
-    """Draw an arrow for each point force and point mass, in a drawing of the given size, mm."""
+def _mark_loads(axes: Axes, rod: Rod, size: float) -> list[FloatArray]:
+    """Draw an arrow for each point force and point mass, in a drawing of the given size, mm.
+
+    Return the positions of the labels.
+    """
+    places = []
     loads = [(float(load.s[0]), load.force[0], NOUNS[PointForce]) for load in rod.point_forces]
     if rod.gravity is not None and rod.weight is not None:
         down = np.array(rod.gravity.direction)
         loads += [(mass.s, down, f"{mass.mass:g} g") for mass in rod.weight.masses]
     for s, force, text in loads:
         head = np.array([np.interp(s, rod.s, rod.position[:, k]) for k in (0, 1)])
-        tail = head - ARROW_SHARE * size * force / np.hypot(*force)
+        way = ARROW_SHARE * size * force / np.hypot(*force)
         arrow = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.6, "shrinkA": 0, "shrinkB": 1}
-        axes.annotate("", tuple(head), tuple(tail), arrowprops=arrow)
-        axes.annotate(
-            text, tuple(tail), (4, 0), textcoords="offset points", va="center", fontsize=9, color=LOAD
-        )
+        axes.annotate("", tuple(head), tuple(head - way), arrowprops=arrow)
+        places.append(head - 1.25 * way)
+        axes.text(*places[-1], text, ha="center", va="center", fontsize=9, color=LOAD)
+    return places
 
 
 def comb_tips(rod: Rod | CurveSamples) -> FloatArray:

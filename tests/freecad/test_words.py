@@ -12,7 +12,7 @@ import pytest
 from freecad.elastica_wb.host import words
 from freecad.elastica_wb.host.words import Unit, capital, worded
 
-from elastica_cad import InputError, PlaneCurve, check_equilibrium
+from elastica_cad import InputError, PlaneCurve, Sheet, check_equilibrium
 from elastica_cad.mechanics import SidewaysStability
 from elastica_cad.refusals import (
     MATERIAL_WIDTH,
@@ -141,6 +141,11 @@ def test_records_are_said_in_german_with_commas(monkeypatch):
     tips = SidewaysStability(-24.1, -40.2, 0.1, 100.0)
     assert worded(str(tips)).startswith(
         "seitlich instabil (Reserve -24,1): der Streifen kippt zur Seite oder dreht sich"
+    )
+    with pytest.raises(InputError) as unknown:
+        Sheet.named("birch-plywood-8")
+    assert worded(unknown.value.refusal) == (
+        "unbekannte Platte „birch-plywood-8“: verwenden Sie birch-plywood-6 und setzen Sie Thickness auf 8 mm"
     )
     assert worded(InputError("what nobody knows").refusal) == "what nobody knows"
     both = sentences([note("{width} wide", width=Span.of(20.8, 30)), note("the material stays bent there")])

@@ -129,8 +129,8 @@ test_unknown_name_offers_near_ones = refusal_test(
             lambda: Sheet.named("birch-ply-0.8"),
             r"unknown sheet 'birch-ply-0.8': did you mean birch-plywood-0\.8",
         ),
-        (lambda: Sheet.named("birch-plywood-8"), "-8': use birch-plywood-6 and set thickness to 8$"),
-        (lambda: Sheet.named("Birch-plywood-0.5mm"), "use birch-plywood-0.6 and set thickness to 0.5$"),
+        (lambda: Sheet.named("birch-plywood-8"), "-8': use birch-plywood-6 and set thickness to 8 mm$"),
+        (lambda: Sheet.named("Birch-plywood-0.5mm"), "use birch-plywood-0.6 and set thickness to 0.5 mm$"),
         (lambda: Sheet.named("birch-plywood-0"), "did you mean"),
         (lambda: Sheet.named("zzzz"), "known sheets: card-200gsm"),
     ]
