@@ -348,12 +348,15 @@ class Fault:
         Sentence that suggests a change.
     changes : tuple of Change
         Suggested changes of the request.
+    at : float, optional
+        Position along the curve, mm.
     """
 
     part: str
     what: str
     cure: str
     changes: tuple[Change, ...] = ()
+    at: float | None = None
 
     def __str__(self) -> str:
         return note("{part}: {fault}. {cure}", part=self.part, fault=self.what, cure=self.cure)
@@ -372,11 +375,13 @@ def accept_faults(faults: Sequence[Fault], ignore_limits: bool) -> tuple[str, ..
     """Return warnings about the faults of a part if `ignore_limits` is set."""
     if faults and not ignore_limits:
         changes = dict.fromkeys(change for fault in faults for change in fault.changes)
+        places = [fault.at for fault in faults if fault.at is not None]
         raise InputError(
             "{faults} To make it anyway, set {field}.",
             faults=_faults_message(faults),
             field=FieldName("ignore_limits"),
             kind="fault",
+            where={"at": places[0]} if places else {},
             changes=[*changes],
         )
     return tuple(note("Made anyway: {fault}", fault=str(fault), severity="warning") for fault in faults)
@@ -544,7 +549,7 @@ def _thin_strip(
     if free:
         cure, changes = _suggestions_for_necks(strip, least / free[0].width, least, noisy)
         for fault in _faults_at(name, free, least, layer.sheet, cure):
-            yield replace(fault, changes=changes)
+            yield replace(fault, changes=changes, at=free[0].x)
     for place in tabs[:1]:
         wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
         what = note(

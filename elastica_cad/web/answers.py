@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from io import BytesIO
 from pathlib import Path as FilePath
 from tempfile import TemporaryDirectory
@@ -16,12 +16,11 @@ from elastica_cad._values import SEEN_APART
 from elastica_cad.design.design_file import Design, design_of, parse_design
 from elastica_cad.design.pair_table import cutting_of, pair_of
 from elastica_cad.design.strip_table import scaled_places
-from elastica_cad.errors import ElasticaError, InputError, NotConvergedError
+from elastica_cad.errors import ElasticaError, InputError, StrainError
 from elastica_cad.files import read_curves
 from elastica_cad.formats.source_file import read_below
-from elastica_cad.forming.limits import Keep, Limits
 from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.forming.rod_solution import accepted_rod, solve_rod
+from elastica_cad.forming.rod_solution import solve_rod
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kit.kit_contents import kit_contents
@@ -34,7 +33,6 @@ from elastica_cad.mechanics.point_search import ALL_DIRECTIONS, move_while_possi
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet, cut_sheets
-from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.mechanics.thrust_line import thrust_sides
 from elastica_cad.model.assembly import assembly_parts
@@ -93,11 +91,6 @@ CHANGED = "{name} was changed since this page read it"
 
 BENT_STEPS, PRESSED_STEPS = 32, 12
 """Number of shapes between the flat strip and the design, and of shapes with the ends pressed further together."""
-
-SLACK = 5e-3
-"""Distance that the nearest curve keeps from a limit, as a fraction of the limit, so that its spline does not
-exceed it.
-"""
 
 NEARLY_FLAT = 0.9999
 """Largest distance of the ends of a strip, as a fraction of its length.
@@ -207,7 +200,9 @@ def _strip(request: Mapping[str, Any]) -> Record:
     try:
         rod, strip = _made(spec)
     except ElasticaError as problem:
-        refusal = {"elements": _elements(spec)} | _drawn(spec) | refused(problem)
+        curve, at = spec.rod_spec.check.curve, problem.refusal.where.get("at")
+        places = [] if at is None else _rounded(curve.at([np.clip(at, 0, curve.length)]).position, 3)
+        refusal = {"elements": _elements(spec), "places": places} | _drawn(spec) | refused(problem)
         return _checked(spec, kept) | refusal
     return _shown(spec, kept, rod, strip, live=bool(request.get("live")))
 
@@ -417,36 +412,6 @@ def _flat(drawings: Iterable[Drawing]) -> list[Record]:
     return drawn
 
 
-def _nearest(request: Mapping[str, Any]) -> Record:
-    """Return the nearest possible curve: within the limits of the design, or else stable and within the
-    strain limit.
-    """
-    spec = _spec(request)
-    if not spec.may_change:
-        strain = (1 - SLACK) * spec.material.max_strain
-        spec = spec.changed(
-            limits=Limits(margin=(1 + 4 * SLACK) * SAFE_MARGIN, sheet=spec.material, strain=strain),
-            keep=Keep(),
-        )
-        limits = spec.rod_spec.limits  # limits with the stiffness ratio, which may follow from the widths
-        if isinstance(limits, Limits) and limits.ratio is not None:
-            spec = spec.changed(limits=replace(limits, ratio=max(1.0, (1 - SLACK) * limits.ratio)))
-    near = solve_rod(spec.rod_spec)
-    accepted_rod(near)
-    assert isinstance(near, NearestRod)
-    try:
-        curve = near.curve
-    except NotConvergedError:  # this error means that the rest shape has no spline with few control points
-        curve = near.rod.curve
-    return {
-        "curve": curve_table(curve),
-        "drawn": _rounded(curve.sample(DRAWN_NODES + 1).position, 3),
-        "deviation": round(near.deviation, 3),
-        "text": near.status.value,
-        "advice": list(near.advice[:2]),
-    }
-
-
 def _cures(request: Mapping[str, Any]) -> Record:
     """Return the changes that make a refused strip possible.
 
@@ -490,15 +455,28 @@ def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[
 
 
 def _sheets(request: Mapping[str, Any]) -> Record:
-    """Return, for each sheet, the strain as a fraction of its limit, or the reason why the strip is impossible."""
-    spec, rows = _spec(request), []
+    """Return the strain as a fraction of its limit, or else why no strip is possible, for the sheets in `names`.
+
+    By default, all sheets are tried. The rod is only computed again if it depends on the sheet.
+    """
+    spec, names, rod, rows = _spec(request), request.get("names"), None, []
+    solved = spec.rod_spec
     for sheet in cut_sheets():
-        row: Record = {"name": sheet.name, "fits": False}
+        if names is not None and sheet.name not in names:
+            continue
+        row: Record = {"name": sheet.name, "fits": False, "kind": "strain"}
         rows.append(row)
+        changed = spec.changed(sheet=sheet)
         try:
-            strip = spec.changed(sheet=sheet).make()
+            if rod is None or changed.rod_spec != solved:
+                solved = changed.rod_spec
+                rod = solve_rod(solved)
+            strip = changed.make(rod)
+        except StrainError as problem:
+            row["used"] = problem.refusal.values["percent"] / 100
+            continue
         except ElasticaError as problem:
-            row["text"] = str(problem)
+            row |= {"text": problem.refusal, "kind": problem.refusal.kind}
             continue
         row |= {"used": round(strip.strain_verdict.used, 3), "mass": float(f"{strip.mass:.4g}")}
         row |= {"fits": strip.strain_verdict.allowed}
@@ -809,7 +787,6 @@ def _rounded(values: Any, digits: int) -> list[Any]:
 
 QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "strip": _strip,
-    "nearest": _nearest,
     "sheets": _sheets,
     "cures": _cures,
     "bend": _bend,

@@ -4,9 +4,11 @@ from typing import Any
 
 from elastica_cad.design.records import described
 from elastica_cad.design.strip_table import SharedKeys
+from elastica_cad.errors import how_to_install
 from elastica_cad.files import step_trouble
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.sheets import sheets_by_kind
+from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.web.answers import DOWNLOADS
 from elastica_cad.web.worker import CATALOGUES
@@ -15,8 +17,9 @@ from elastica_cad.words import catalogue
 
 def page_words() -> dict[str, Any]:
     """Return the fields, sheets and kinds of files for the page, as plain data for JSON."""
-    without = set() if can_draw() else {"pdf"}
-    without |= {"step", "stl"} if step_trouble() else set()
+    missing = {} if can_draw() else {"pdf": how_to_install("matplotlib")}
+    if trouble := step_trouble():
+        missing |= {"step": trouble, "stl": trouble}
     fields = described(SharedKeys)
     pair_fields = [
         entry for entry in described(FlexureSpec) if entry["name"] not in ("first", "second", "scale")
@@ -32,5 +35,7 @@ def page_words() -> dict[str, Any]:
             [kind, [[sheet.name, sheet.full_name] for sheet in sheets]]
             for kind, sheets in sheets_by_kind().items()
         ],
-        "downloads": [kind for kind in DOWNLOADS if kind not in without],
+        "downloads": [kind for kind in DOWNLOADS if kind not in missing],
+        "missing": missing,
+        "nearest": {"margin": SAFE_MARGIN},
     }

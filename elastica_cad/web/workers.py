@@ -15,7 +15,7 @@ from elastica_cad.web.worker import refused_answer
 
 WORKERS = 2
 
-LONGEST_S = {"file": 180.0, "model": 60.0, "nearest": 60.0, "sheets": 60.0, "bend": 30.0, "cures": 60.0}
+LONGEST_S = {"file": 180.0, "model": 60.0, "sheets": 60.0, "bend": 30.0, "cures": 60.0}
 """Time limits, s, of some kinds of requests. The time limit of other requests is `USUAL_S`."""
 
 USUAL_S = 15.0

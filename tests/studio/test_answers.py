@@ -90,11 +90,9 @@ def test_straight_ends_are_tabs_on_the_page_too():
 
 
 def test_the_nearest_curve_can_be_made():
-    near = answer({"do": "nearest", "design": design(OFF_LINE)})
-    taken = design()
-    taken["strips"][0]["curve"] = near["curve"]
-    told = answer({"do": "strip", "design": taken})
+    told = answer({"do": "strip", "design": design(OFF_LINE, limits=page_words()["nearest"])})
     assert "refused" not in told
+    assert told["deviation"] > 0
     assert not any(row["stops"] for row in told["rows"])
 
 
@@ -103,6 +101,15 @@ def test_sheets_that_can_do_it_are_told_apart():
     assert set(rows) == {sheet.name for sheet in cut_sheets()}
     assert rows["birch-plywood-0.8"]["fits"]
     assert not rows["acrylic-3"]["fits"]
+    made = ec.StripSpec(ec.PlaneCurve.spline(ARCH), "acrylic-3", max_width=40, ignore_limits=True).make()
+    assert rows["acrylic-3"]["used"] == pytest.approx(made.strain_verdict.used, abs=0.01)
+    assert answer({"do": "sheets", "design": design(), "names": ["pom-1"]})["sheets"] == [rows["pom-1"]]
+
+
+@pytest.mark.parametrize("keys", [{"thickness": 3}, {"max_width": 5}])
+def test_the_place_of_a_refusal_is_on_the_curve(keys):
+    told, curve = answer({"do": "strip", "design": design(**keys)}), ec.PlaneCurve.spline(ARCH)
+    assert told["places"] == [pytest.approx(curve.at([told["refused"]["where"]["at"]]).position[0], abs=1e-3)]
 
 
 def test_a_strip_is_bent_from_flat_to_its_design_and_on():

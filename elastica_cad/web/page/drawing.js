@@ -201,7 +201,10 @@ export class Drawing {
 
   // What is given changes; the rest of the picture stays.
   show(given) {
+    const before = this.points, [width, height] = this.size;
     Object.assign(this, given);
+    const isNewOutside = (point, k) => `${point}` !== `${before[k]}` && this.toScreen(point).some((v, i) => v < 0 || v > [width, height][i]);
+    if (given.points?.some(isNewOutside) && !this.fingers.size) return this.fit();
     if (given.points) this.paintPoints();
     if ("answer" in given || "ghost" in given) this.paintAnswer();
   }
@@ -227,7 +230,7 @@ export class Drawing {
     layers.line.replaceChildren(...(answer?.theorem?.line ? [drawn(this.line(answer.theorem.line))] : []),
       ...(answer?.thrust ?? []).map((side) => drawn(this.path(side))));
     layers.elements.replaceChildren(...(answer?.elements ?? []).map((element) => this.glyph(element)));
-    layers.marks.replaceChildren(...(answer?.theorem ? this.marks(answer.theorem) : []));
+    layers.marks.replaceChildren(...(answer?.theorem ? this.marks(answer) : []));
   }
 
   // Control points stay the same elements while they are moved: the focus stays where it is.
@@ -314,15 +317,15 @@ export class Drawing {
     return element("g", { class: noun.replace(" ", "-") }, ...shape, element("title", {}, `${this.t(noun)} ${said}`), element("text", { x: (lx + 8).toFixed(1), y: (ly + 4).toFixed(1) }, said));
   }
 
-  marks({ inflections, at, off, crossings }) {
+  marks({ theorem: { inflections, at, off, crossings }, places = [], refused }) {
     const mark = (kind, r) => (point, k) => {
       const [cx, cy] = this.toScreen(point).map((v) => v.toFixed(1));
       const name = kind === "inflection" ? `${k + 1}` : "";
-      const said = kind === "inflection" ? `${this.t("Inflection")} ${k + 1}, ${at[k]} mm` : this.t(kind === "off" ? "Not on the line" : "The line meets the curve");
+      const said = kind === "inflection" ? `${this.t("Inflection")} ${k + 1}, ${at[k]} mm` : this.t({ off: "Not on the line", crossing: "The line meets the curve", place: "Place of the refusal" }[kind]);
       return element("g", { class: kind }, element("circle", { cx, cy, r }, element("title", {}, said)),
         element("text", { x: +cx + 9, y: +cy - 9 }, name));
     };
-    return [...off.map(mark("off", 9)), ...crossings.map(mark("crossing", 8)), ...inflections.map(mark("inflection", 4))];
+    return [...(refused ? [...places.map(mark("place", 11)), ...off.map(mark("off", 9)), ...crossings.map(mark("crossing", 8))] : []), ...inflections.map(mark("inflection", 4))];
   }
 }
 

@@ -85,9 +85,9 @@ export class Space {
     this.group?.traverse((part) => part.geometry?.dispose());
     if (this.group) this.scene.remove(this.group);
     this.group = new THREE.Group();
-    this.group.add(...parts);
+    for (const part of parts) this.group.add(part);
     this.scene.add(this.group);
-    this.ball = new THREE.Box3().setFromObject(this.group).getBoundingSphere(new THREE.Sphere());
+    if (parts.length) this.ball = new THREE.Box3().setFromObject(this.group).getBoundingSphere(new THREE.Sphere());
     this.drawSoon();
   }
 

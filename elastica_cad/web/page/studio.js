@@ -88,23 +88,24 @@ class Studio {
       const host = html("details", { class: `menu ${name}`, onfocusout: ({ relatedTarget }) => { if (relatedTarget && !host.contains(relatedTarget)) host.open = false; }, ontoggle: () => {
         const list = host.lastChild, over = host.getBoundingClientRect().left + list.offsetWidth + 8 - this.root.getBoundingClientRect().right;
         list.style.left = `${-Math.max(over, 0)}px`; // within the window
-      } }, html("summary", {}, drawn(icon), html("span", {}, t(text))), html("div", {}, ...items.map(([label, key, value, act]) => button(label, () => {
+      } }, html("summary", {}, drawn(icon), html("span", {}, t(text))), html("div", {}, ...items.map(([label, key, value, act]) => button(label, act && (() => {
         host.open = false;
         host.firstChild.focus();
         act();
-      }, { [key]: value }))));
+      }), { [key]: value, disabled: !act, title: act ? null : value }))));
       return host;
     };
     const select = (label, options, onchange, value) => html("select", { "aria-label": t(label), title: t(label), onchange: (event) => onchange(event.target.value) },
       ...options.map(([key, text]) => html("option", { value: key, selected: key === value }, text)));
     this.say = html("p", { class: "said", role: "status" });
     this.verdict = html("div", { class: "verdict", "aria-live": "polite" });
-    this.offers = html("div", {});
+    this.offers = html("div", { class: "offers" });
     this.numbers = html("dl", { class: "numbers" });
-    this.point = html("div", { class: "point", hidden: true });
+    this.point = html("div", { class: "point", role: "group", hidden: true });
     this.dialog = html("dialog", { "aria-label": t("Start from") });
     this.bar = html("input", { type: "range", min: 0, max: FURTHEST, step: "any", value: 1, "aria-label": t("Bend"), oninput: () => this.bent() });
     this.forces = html("output", { class: "forces" });
+    this.marks = html("div", { class: "marks" });
     this.whole = html("input", { type: "checkbox", id: "whole", checked: this.whole?.checked ?? Boolean(this.design.revolution), onchange: () => this.model() });
     this.fields = html("div", { class: "fields" });
     this.which = html("div", {});
@@ -118,6 +119,7 @@ class Studio {
     const space = html("div", { class: "scene" });
     this.pairing = tool("pair", "Two states", () => this.twoStates());
     this.keeping = tool("keep", "Keep it possible", () => this.keeping.setAttribute("aria-pressed", (this.keeps = !this.keeps)), { "aria-pressed": `${Boolean(this.keeps)}`, title: t("A dragged point stops at the border of what can be made.") });
+    this.nearing = tool("nearest", "Nearest curve", () => this.nearest(), { class: "nearest", title: t("The strip takes the nearest curve that is stable and within the strain limit.") });
     this.mode = tool("draw", "Draw", () => this.draws(this.drawing.mode !== "draw"));
     const adding = menu("holding", "hold", "Hold and load", ...Object.keys(ELEMENTS).map((noun) => [noun, "data-put", noun, () => {
       this.draws(false);
@@ -125,8 +127,9 @@ class Studio {
       this.tell(t(noun === "tie" ? "Click on both places of the curve, or drag from one to the other." : "Click on the curve."));
     }]));
     const file = html("input", { type: "file", accept: ".svg,.dxf,.csv,.txt,.json,.toml", hidden: true, onchange: () => this.open(file.files[0]) });
-    const files = [...this.hello.downloads.map((kind) => [kind, FILES[kind]]), ["design", "Design file"]];
+    const files = [...this.hello.downloads.map((kind) => [kind, FILES[kind]]), ["design", "Design file"]], missing = Object.entries(this.hello.missing);
     const downloads = menu("downloads", "download", "Download", ...files.map(([kind, text]) => [text, "data-kind", kind, () => this.download(kind)]));
+    for (const [kind, reason] of missing) downloads.lastChild.append(html("p", {}, `${t("Not available")}: ${t(FILES[kind])}. ${t("To get it")}: `, html("code", {}, reason)));
     this.root.replaceChildren(
       html("header", {}, html("h1", {}, "elastica studio"),
         html("div", { class: "tools", role: "toolbar", "aria-label": t("Strip") },
@@ -134,15 +137,15 @@ class Studio {
             this.hello.file ? tool("save", "Save", () => this.save(), { class: "save", title: this.hello.file }) : null),
           html("div", {}, tool("undo", "Undo", () => this.history.undo()), tool("redo", "Redo", () => this.history.redo())),
           html("div", {}, this.mode, this.keeping, adding, this.pairing),
-          html("div", {}, tool("nearest", "Nearest curve", () => this.nearest(), { class: "nearest" }), tool("sheets", "Suitable sheets", () => this.sheets(), { class: "sheets" })),
+          html("div", {}, this.nearing, tool("sheets", "Suitable sheets", () => this.sheets(), { class: "sheets" })),
           html("div", {}, this.address ? tool("link", "Copy link", () => this.link()) : null, downloads)),
         select("Language", Object.entries(LANGUAGES), (one) => { localStored("elastica-language", one); this.build(one); }, language)),
-      html("section", { class: "plane", "aria-label": t("Draw") }, plane, this.legend(), this.point, html("div", { class: "view" },
+      html("section", { class: "plane", "aria-label": t("Draw") }, html("div", { class: "view" }, this.point,
         select("Snap", SNAPS.map((step) => [`${step}`, step ? `${t("Snap")} ${step} mm` : `${t("Snap")} ${t("off")}`]), (step) => { this.drawing.snap = +step; this.drawing.paint(); }, "0"),
-        sign("fit", "Fit", () => this.drawing.fit()), sign("zoom-in", "Zoom in", () => this.drawing.zoom(1.25)), sign("zoom-out", "Zoom out", () => this.drawing.zoom(0.8)))),
+        sign("fit", "Fit", () => this.drawing.fit()), sign("zoom-in", "Zoom in", () => this.drawing.zoom(1.25)), sign("zoom-out", "Zoom out", () => this.drawing.zoom(0.8))), plane, this.legend()),
       html("section", { class: "told", tabindex: "0", "aria-label": t("Strip") }, this.say, this.verdict, this.numbers),
       html("section", { class: "space", "aria-label": t("Bent strip") }, space,
-        html("div", { class: "bend" }, html("label", {}, t("Bend"), this.bar), this.forces),
+        html("div", { class: "bend", onpointerenter: () => this.framed(), onfocusin: () => this.framed() }, html("label", {}, t("Bend"), html("span", {}, this.bar, this.marks)), this.forces),
         html("div", { class: "whole" }, this.whole, html("label", { for: "whole" }, t("Show the whole model")))),
       html("section", { class: "flat", "aria-label": t("Flat strip") }, this.flat),
       html("section", { class: "settings", "aria-label": t("Settings") }, html("h2", {}, t("Settings")), this.which, this.fields),
@@ -309,10 +312,14 @@ class Studio {
     if (this.strip >= (design.pair ? 2 : design.strips?.length ?? 0)) this.strip = 0;
     this.pairing.setAttribute("aria-pressed", Boolean(design.pair));
     if (this.formOf !== Boolean(design.pair)) this.formFor(design);
-    this.frames = null;
+    this.frames = this.framing = null;
     this.length = this.before;
     this.before = null;
     Object.assign(this.bar, { max: FURTHEST, value: 1 });
+    this.scale();
+    if (this.say.matches(".no")) this.tell(""); // it was about the design before
+    this.nearing.setAttribute("aria-pressed", Boolean(design.strips?.length && "limits" in tableOf(design, this.strip, "limits")));
+    this.nearing.disabled = !design.strips?.length;
     const axis = Boolean(design.patterns?.some((pattern) => pattern.rotate));
     this.drawing.show({ points: this.points(design) });
     const at = this.points(design)[this.chosen]; // its boxes follow the pointer and the keys
@@ -372,7 +379,8 @@ class Studio {
     this.offers.replaceChildren(html("p", {}, `${this.t("Searching for changes that help")} …`));
     const answer = await this.channel.ask({ do: "cures", design, strip });
     if (!answer || !same(design, this.design) || strip !== this.strip) return;
-    this.offers.replaceChildren(...(answer.cures ?? []).map(({ text, effect, strips }) => {
+    if (!answer.cures?.length) return this.offers.replaceChildren(html("p", {}, this.t("No change was found that makes the strip possible. Follow the instruction above.")));
+    this.offers.replaceChildren(...answer.cures.map(({ text, effect, strips }) => {
       const change = (one) => { one.strips.splice(strip, 1, ...strips); }, changed = structuredClone(design);
       change(changed);
       const [show, hide] = [() => this.preview(changed), () => this.preview(null)];
@@ -409,7 +417,7 @@ class Studio {
     this.tabulate();
   }
 
-  alone() { if (this.answer?.position) this.space.showAll(this.answer.states ?? [this.answer]); }
+  alone() { this.space.showAll(this.answer?.position ? this.answer.states ?? [this.answer] : []); }
 
   // ---- what is answered
 
@@ -424,7 +432,7 @@ class Studio {
     showFlat(this.flat, answer?.flat, answer && `${t("Flat strip")}, ${answer.length} mm`);
     this.tabulate();
     this.travel(answer);
-    if (answer?.position && !this.whole.checked) this.spaceSoon ??= setTimeout(() => {
+    if (!this.whole.checked) this.spaceSoon ??= setTimeout(() => {
       this.spaceSoon = null; // the drawing under the pointer comes first
       if (!this.whole.checked) this.alone();
     }, this.space.isSlow ? SLOW_SPACE_MS : SPACE_MS);
@@ -436,7 +444,7 @@ class Studio {
     const stops = (answer?.rows ?? []).filter((row) => row.stops).map((row) => row.text);
     const warnings = refused ? [] : [...stops, ...(assembly?.warnings ?? [])];
     const state = refused ? "no" : warnings.length ? "care" : answer || assembly ? "yes" : "";
-    const title = { yes: "It can be made", care: "It can be made; read the warnings", no: "It cannot be made" }[state] ?? (this.design.revolution || this.lost ? "" : "Draw at least three points");
+    const title = { yes: "It can be made", care: "Read the warnings before you cut", no: "It cannot be made" }[state] ?? (this.design.revolution || this.lost ? "" : "Draw at least three points");
     const all = refused ? [refused.message] : state ? [...warnings, ...(answer && answer.deviation == null ? [answer.text] : [])]
       : title ? [t("Click on the drawing to set the first points of a curve, or start from an example.")] : [];
     const texts = [...new Set(all)].filter((text) => !all.some((other) => other !== text && other.includes(text)));
@@ -446,6 +454,7 @@ class Studio {
       this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), this.offers);
     }
     this.verdict.said = said;
+    this.root.classList.toggle("no-strip", !answer?.position && (!assembly || Boolean(assembly.refused)));
   }
 
   // Only the values that change are written anew.
@@ -468,12 +477,17 @@ class Studio {
     this.say.replaceChildren(text, ...more);
   }
 
+  refuse({ message }) {
+    this.tell(message);
+    this.say.classList.add("no");
+  }
+
   // An answer, or null; what is refused is told.
   async ask(question) {
     this.tell(`${this.t("Working")} …`);
     const answer = await this.channel.ask(question);
-    if (answer) this.tell(answer.refused?.message ?? "");
-    this.say.classList.toggle("no", Boolean(answer?.refused));
+    if (answer?.refused) this.refuse(answer.refused);
+    else if (answer) this.tell("");
     if (answer?.refused && answer.mark !== undefined) this.differs(answer);
     if (this.lost) this.alive(false);
     return answer?.refused ? null : answer;
@@ -557,42 +571,48 @@ class Studio {
       if (Number.isFinite(value)) this.edit((curve) => { curve.spline[k][axis] = value; });
     } });
     this.point.hidden = false;
-    this.point.replaceChildren(`${t("Control point")} ${k + 1}`, html("label", {}, "x ", input(0)), html("label", {}, "y ", input(1)), "mm",
+    this.point.setAttribute("aria-label", `${t("Control point")} ${k + 1}`);
+    this.point.replaceChildren(html("span", {}, `${t("Control point")} `), html("b", {}, `${k + 1}`), html("label", {}, "x ", input(0)), html("label", {}, "y ", input(1)), html("span", {}, "mm"),
       html("button", { type: "button", onclick: () => this.counted({ remove: k }) }, t("Remove")));
   }
 
-  async nearest() {
-    const { t } = this, answer = await this.ask({ do: "nearest", design: this.design, strip: this.strip });
-    if (!answer) return;
-    this.drawing.show({ ghost: answer.drawn });
-    const done = () => {
-      this.drawing.show({ ghost: null });
-      this.tell("");
-    };
-    this.tell(`${t("The nearest curve differs by at most")} ${this.number(answer.deviation)} mm. ${[answer.text, ...answer.advice].join(" ")} `,
-      html("button", { type: "button", class: "take", onclick: () => {
-        this.reshape((design) => { design.strips[this.strip].curve = answer.curve; });
-        done();
-      } }, t("Use it")),
-      html("button", { type: "button", onclick: done }, t("Discard it")));
+  // The strip takes the nearest possible curve; the control points stay as they are drawn.
+  nearest() {
+    this.history.change((design) => {
+      const table = tableOf(design, this.strip, "limits");
+      if ("limits" in table) delete table.limits;
+      else design.strips[this.strip].limits = { ...this.hello.nearest };
+    });
   }
 
   async sheets() {
-    const { t } = this, answer = await this.ask({ do: "sheets", design: this.design, strip: this.strip });
-    if (!answer) return;
-    const titles = Object.fromEntries(this.hello.sheets.flatMap(([, sheets]) => sheets));
-    const rows = answer.sheets.sort((a, b) => b.fits - a.fits).map((row) => html("tr", { class: row.fits ? "fits" : "not" },
-      html("td", {}, html("button", { type: "button", onclick: () => {
-        this.history.change((design) => { tableOf(design, this.strip, "sheet").sheet = row.name; });
-        this.dialog.close();
-      } }, titles[row.name])), html("td", {}, t(row.fits ? "fits" : "does not fit")),
-      html("td", {}, row.used == null ? row.text : `${Math.round(100 * row.used)} % ${t("of the sheet's limit")}, ${row.mass} g`)));
-    this.ask1(t("Suitable sheets"), html("table", {}, html("tbody", {}, ...rows)));
+    const { t, design, strip } = this, fitting = html("tbody", {}), progress = html("p", { role: "status" }), others = new Map();
+    this.ask1(t("Suitable sheets"), progress, html("table", {}, fitting));
+    const kinds = this.hello.sheets, percent = ({ used }) => `${Math.round(100 * used)} %`;
+    for (const [k, [, titles]] of kinds.entries()) {
+      progress.textContent = `${t("Working")} … ${Math.round((100 * k) / kinds.length)} %`;
+      const answer = await this.channel.ask({ do: "sheets", names: titles.map(([name]) => name), design, strip });
+      if (!answer || !progress.isConnected || !this.dialog.open) return;
+      if (answer.refused) return void (progress.textContent = answer.refused.message);
+      for (const row of answer.sheets) {
+        const title = Object.fromEntries(titles)[row.name], { kind, text } = row;
+        if (!row.fits) others.set(kind, [...(others.get(kind) ?? []), [row.used == null ? title : `${title} (${percent(row)})`, text ?? t("Strain / limit")]]);
+        else fitting.append(html("tr", {}, html("td", {}, html("button", { type: "button", onclick: () => {
+          this.history.change((design) => { tableOf(design, strip, "sheet").sheet = row.name; });
+          this.dialog.close();
+        } }, title)), html("td", {}, `${percent(row)} ${t("of the sheet's limit")}, ${row.mass} g`)));
+      }
+    }
+    progress.textContent = fitting.children.length ? "" : t("No sheet fits. Change the curve first.");
+    if (others.size) this.dialog.append(html("details", { open: !fitting.children.length }, html("summary", {}, t("Sheets that do not fit")), ...[...others.values()].map((rows) => { // each reason once
+      const texts = new Set(rows.map(([, text]) => text));
+      return html("p", {}, html("b", {}, `${texts.size > 1 ? `${t("For example")}: ` : ""}${[...texts][0]}`), html("br"), rows.map(([name]) => name).join(", "));
+    })));
   }
 
   ask1(title, ...content) {
     this.dialog.setAttribute("aria-label", title);
-    this.dialog.replaceChildren(html("h2", {}, title), ...content, html("button", { type: "button", class: "close", onclick: () => this.dialog.close() }, this.t("Close")));
+    this.dialog.replaceChildren(html("div", { class: "title" }, html("h2", {}, title), html("button", { type: "button", class: "close", onclick: () => this.dialog.close() }, this.t("Close"))), ...content);
     this.dialog.showModal();
   }
 
@@ -618,15 +638,37 @@ class Studio {
     }
   }
 
+  // The shapes of the slider, computed once when the pointer or the keyboard reaches it.
+  async framed() {
+    if (!this.answer?.position || this.answer.states) return;
+    this.framing ??= this.channel.ask({ do: "bend", design: this.design, strip: this.strip });
+    const { framing } = this, answer = await framing;
+    if (!answer?.frames || framing !== this.framing || this.frames) return answer?.refused;
+    this.frames = answer.frames;
+    this.bar.max = this.frames.at(-1).part;
+    this.scale();
+  }
+
+  // Below the slider: the force over the travel, red where the strip is not stable, and the places of the flat and the drawn shape.
+  scale() {
+    const { t } = this, frames = this.frames ?? [], most = Math.max(...frames.map(({ force }) => force)), left = (part) => (100 * part) / this.bar.max;
+    const line = (some) => element("path", { d: some.map(({ part, force }, k) => `${k ? "L" : "M"}${left(part)},${22 - (20 * force) / (most || 1)}`).join(""), class: some.at(-1).stable ? "" : "snaps" });
+    const mark = (part, text) => {
+      const frame = frames.find((one) => one.part === part), made = html("span", {}, text, ...(frame ? [html("br"), `${this.number(frame.force)} N`] : []));
+      made.style.left = `${left(part)}%`;
+      return made;
+    };
+    const snap = frames.find(({ part, stable }) => part && !stable);
+    this.marks.replaceChildren(element("svg", { viewBox: "0 0 100 24", preserveAspectRatio: "none", "aria-hidden": "true" }, ...frames.slice(1).map((frame, k) => line([frames[k], frame]))),
+      html("p", {}, mark(0, t("flat")), mark(1, t("as drawn")), ...(this.bar.max > 1 && frames.length ? [mark(+this.bar.max, t("pressed"))] : [])),
+      ...(snap ? [html("span", { class: "snaps" }, t("it snaps"))] : []));
+    if (snap) this.marks.lastChild.style.left = `${Math.min(left(snap.part), 75)}%`;
+  }
+
   async bent() {
-    if (!this.frames) {
-      this.frames = [];
-      const answer = await this.ask({ do: "bend", design: this.design, strip: this.strip });
-      if (!answer) return;
-      this.frames = answer.frames;
-      this.bar.max = this.frames.at(-1).part;
-    }
-    if (!this.frames.length) return;
+    const refused = await this.framed();
+    if (refused) this.refuse(refused);
+    if (!this.frames) return;
     const { t } = this, part = +this.bar.value;
     const frame = this.frames.reduce((best, one) => (Math.abs(one.part - part) < Math.abs(best.part - part) ? one : best));
     const shape = { ...this.answer, ...frame, moved: frame.part !== 1 };
@@ -686,6 +728,7 @@ class Studio {
       this.take(one);
     } }, one.called)));
     if (answer.notes?.length) this.tell(answer.notes.join(" · "));
+    this.draws(false);
     this.drawing.fit();
   }
 

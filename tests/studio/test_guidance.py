@@ -1,0 +1,199 @@
+"""What the page shows after a refusal and beside its tools, at a desk and on a phone."""
+
+import time
+from contextlib import contextmanager
+
+import numpy as np
+import pytest
+
+import elastica_cad as ec
+from tests.studio.browser import chromium
+from tests.studio.conftest import design, link, wave
+
+pytestmark = pytest.mark.campaign
+
+SHARP = [(20, 0), (60, 130), (120, 130), (140, 40), (160, -50), (220, -30), (280, 90)]
+"""A curve whose strain is refused, with a sheet and a size that help."""
+HOPELESS = [(0, 0), (20, 60), (40, -40), (60, 60), (80, -40), (100, 0)]
+"""A refused curve for which no change is found."""
+WITHOUT_KERNEL = """
+const read = JSON.parse;
+JSON.parse = (...texts) => {
+  const value = read(...texts);
+  if (value?.downloads) {
+    value.downloads = value.downloads.filter(kind => kind !== "step");
+    value.missing = { step: "pip install build123d" };
+  }
+  return value;
+};
+"""
+
+
+@contextmanager
+def screen(server, folder, width, fragment="", language="en"):
+    """The page on a desk of 1366 x 768 or on a phone of 390 x 844 with a touch screen."""
+    with chromium(folder, (width, 1000), language) as studio:
+        metrics = {"width": width, "height": 768 if width > 900 else 844, "deviceScaleFactor": 1}
+        studio.browser.execute_cdp_cmd(
+            "Emulation.setDeviceMetricsOverride", metrics | {"mobile": width < 900}
+        )
+        studio.browser.execute_cdp_cmd("Emulation.setTouchEmulationEnabled", {"enabled": width < 900})
+        studio.open(f"{server.address}#{fragment}" if fragment else server.address)
+        yield studio
+
+
+def is_in_view(studio, selector):
+    x, y, wide, high = studio.box(selector)
+    width, height = studio.browser.execute_script("return [innerWidth, innerHeight]")
+    return x >= 0 and y >= 0 and x + wide <= width and y + high <= height
+
+
+@pytest.fixture(params=[1366, 390], ids=["desk", "phone"])
+def width(request):
+    return request.param
+
+
+def test_each_example_can_be_made_as_it_opens(server, tmp_path, width):
+    with screen(server, tmp_path, width) as studio:
+        studio.all("[data-do=starts]")[0].click()
+        names = [card.get_attribute("data-name") for card in studio.until(lambda: studio.all(".card"))][1:]
+        studio.click("Close")
+        for name in names:
+            studio.start(name)
+            studio.until(lambda: "…" not in studio.text(".told"))
+            assert studio.verdict() == "It can be made", name
+            assert is_in_view(studio, ".verdict strong")
+            assert is_in_view(studio, ".downloads summary")
+
+
+@pytest.mark.filterwarnings("ignore:The copy of curve 1")
+def test_a_refused_file_shows_the_place_and_the_changes(server, tmp_path, width):
+    ec.write_curves([ec.PlaneCurve.spline(SHARP, 3)], tmp_path / "sharp.svg")
+    with screen(server, tmp_path, width) as studio:
+        studio.start("arch")
+        studio.until(lambda: studio.shape("strip"))
+        scene = studio.scene()
+        studio.all("[data-do=draw]")[0].click()
+        studio.drop(tmp_path / "sharp.svg")
+        studio.until(lambda: studio.all(".cure"))
+        assert studio.verdict() == "It cannot be made"
+        assert studio.all("[data-do=draw]")[0].get_attribute("aria-pressed") == "false"
+        assert is_in_view(studio, ".cure:last-child")
+        place, peak = studio.center("g.marks .place circle"), studio.point(3)
+        assert np.hypot(*(place - peak)) < 60
+        assert not studio.all(".flat path")
+        if width > 900:
+            assert studio.scene() != scene  # the strip of before is gone
+        else:
+            assert not studio.all(".scene")[0].is_displayed()
+
+
+def test_a_search_without_result_ends_with_a_sentence(server, tmp_path, width):
+    with screen(server, tmp_path, width, link(design(HOPELESS))) as studio:
+        studio.until(lambda: "No change was found" in studio.text(".offers"))
+        assert is_in_view(studio, ".offers p")
+
+
+def test_an_error_ends_with_the_next_change(server, tmp_path, width):
+    (tmp_path / "empty.svg").write_text("<svg/>")
+    with screen(server, tmp_path, width) as studio:
+        studio.start("arch")
+        studio.drop(tmp_path / "empty.svg")
+        studio.until(lambda: studio.all(".said.no"))
+        studio.press(studio.point(5), (0, 5))
+        studio.until(lambda: studio.verdict() == "It can be made" and not studio.text(".said"))
+
+
+def test_an_enlarged_curve_stays_in_view(server, tmp_path, width):
+    with screen(server, tmp_path, width, link(design(SHARP))) as studio:
+        studio.until(lambda: studio.all(".cure"))
+        (larger,) = (one for one in studio.all(".cure") if one.text.startswith("Draw the curve"))
+        larger.click()
+        studio.until(lambda: not studio.all(".verdict.no"))
+        (x, y, wide, high), count = studio.box(".plane > svg"), len(studio.all("g.points circle"))
+        places = np.array([studio.point(k + 1) for k in range(count)])
+        assert (places > (x, y)).all()
+        assert (places < (x + wide, y + high)).all()
+
+
+def test_suitable_sheets_name_each_reason_once_and_close(server, tmp_path, width):
+    with screen(server, tmp_path, width) as studio:
+        studio.start("hook")
+        began = time.monotonic()
+        studio.all("[data-do=sheets]")[0].click()
+        studio.until(lambda: studio.all("dialog[open] [role=status]"))
+        assert is_in_view(studio, "dialog .close")
+        studio.until(lambda: studio.all("dialog details"))
+        print(f"suitable sheets within {time.monotonic() - began:.1f} s")
+        studio.all("dialog summary")[0].click()
+        reasons = [one.text for one in studio.all("dialog details p")]
+        assert len(reasons) < 6
+        assert is_in_view(studio, "dialog .close")
+        before = studio.text(".numbers")
+        studio.click("PETG 0.5 mm", "dialog td button")
+        studio.until(lambda: studio.text(".numbers") != before)
+        assert studio.all("#field-sheet")[0].get_attribute("value") == "petg-0.5"
+
+        studio.open(f"{server.address}#{link(wave())}")
+        studio.browser.refresh()
+        studio.until(lambda: studio.verdict() == "It cannot be made")
+        studio.all("[data-do=sheets]")[0].click()
+        studio.until(lambda: "No sheet fits" in studio.text("dialog"))
+        assert len(studio.all("dialog details p")) == 1
+        studio.click("Close")
+        assert not studio.all("dialog[open]")
+
+
+def test_the_nearest_curve_is_a_switch_that_keeps_the_points(server, tmp_path, width):
+    with screen(server, tmp_path, width, link(wave())) as studio:
+        studio.until(lambda: studio.verdict() == "It cannot be made")
+        points, button = studio.shape("points"), studio.all("[data-do=nearest]")[0]
+        button.click()
+        studio.until(lambda: "from the drawn curve" in studio.text(".numbers"))
+        assert studio.shape("points") == points
+        assert studio.shape("strip")
+        assert not studio.all("g.marks .crossing")
+        studio.all("[data-do=nearest]")[0].click()
+        studio.until(lambda: studio.verdict() == "It cannot be made")
+
+
+def test_the_boxes_of_a_point_cover_no_drawing(server, tmp_path, width):
+    with screen(server, tmp_path, width) as studio:
+        studio.start("arch")
+        place = studio.box(".plane > svg")
+        for k in (1, 5, 9):
+            studio.press(studio.point(k))
+            studio.until(lambda: studio.all(".point:not([hidden])"))
+            assert studio.box(".plane > svg") == place  # nothing moves under the pointer
+            _, y, _, high = studio.box(".point")
+            assert y + high <= place[1]
+            assert is_in_view(studio, ".point button")
+
+
+def test_the_slider_has_marks(server, tmp_path, width):
+    with screen(server, tmp_path, width) as studio:
+        studio.start("arch")
+        assert studio.text(".bend .marks").split() == ["flat", "as", "drawn"]
+        studio.browser.execute_script("document.querySelector('.bend').scrollIntoView()")
+        x, y, wide, high = studio.box(".bend input")
+        studio.mouse("mouseMoved", (x + 0.9 * wide, y + high / 2), buttons=0)
+        studio.until(lambda: studio.all(".bend .marks path"))
+        assert studio.box(".bend input") == [x, y, wide, high]  # the slider does not move under the pointer
+        studio.press((x + 0.9 * wide, y + high / 2))
+        studio.until(lambda: "N mm" in studio.text(".forces"))
+        assert studio.text(".bend .marks").count(" N") == 3
+        assert len(studio.all(".bend .marks path")) > 30
+        drawn = studio.center(".bend .marks span:nth-child(2)")[0]
+        studio.press((drawn, y + high / 2))
+        studio.until(lambda: "400 mm" in studio.text(".forces"))
+
+
+def test_files_that_cannot_be_written_are_explained(server, tmp_path, width):
+    with screen(server, tmp_path, width) as studio:
+        studio.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": WITHOUT_KERNEL})
+        studio.open(server.address)
+        studio.start("arch")
+        studio.all(".downloads summary")[0].click()
+        assert not studio.all("[data-kind=step]")
+        assert "Not available: STEP. To get it: pip install build123d" in studio.text(".downloads p")
+        assert is_in_view(studio, ".downloads p")
