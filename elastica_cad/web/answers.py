@@ -200,7 +200,7 @@ def _strip(request: Mapping[str, Any]) -> Record:
     try:
         rod, strip = _made(spec)
     except ElasticaError as problem:
-        curve, at = spec.rod_spec.check.curve, problem.refusal.where.get("at")
+        curve, at = spec.rod_spec.curve_to_bend, problem.refusal.where.get("at")
         places = [] if at is None else _rounded(curve.at([np.clip(at, 0, curve.length)]).position, 3)
         refusal = {"elements": _elements(spec), "places": places} | _drawn(spec) | refused(problem)
         return _checked(spec, kept) | refusal
@@ -208,10 +208,14 @@ def _strip(request: Mapping[str, Any]) -> Record:
 
 
 def _checked(spec: StripSpec, kept: Record) -> Record:
-    """Return the check of a strip's curve, and the curve."""
-    check, drawn = spec.rod_spec.check, spec.rod_spec.drawn or spec.rod_spec.curve
+    """Return the drawn curve of a strip, and its check unless an element is not on the curve."""
+    drawn = spec.rod_spec.drawn or spec.rod_spec.curve
     path = {"points": _rounded(drawn.sample(DRAWN_NODES + 1).position, 3), "length": drawn.length}
-    return {"theorem": _theorem(check), "text": str(check), "path": path, "kept": kept}
+    record: Record = {"path": path, "kept": kept}
+    with suppress(InputError):  # the refusal reports the element
+        check = spec.rod_spec.check
+        record |= {"theorem": _theorem(check), "text": str(check)}
+    return record
 
 
 def _shown(spec: StripSpec, kept: Record, rod: Rod | NearestRod, strip: Strip, *, live: bool) -> Record:
@@ -313,7 +317,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
     """Return the rails, pins, ties and loads with their positions, and with their forces in N if these are
     known.
     """
-    curve = spec.rod_spec.check.curve
+    curve = spec.rod_spec.curve_to_bend
     drawn = spec.rod_spec.drawn or spec.rod_spec.curve
     loads = () if isinstance(spec.loads, Weight) else spec.loads
     forces = {id(load): np.array(load.force) for load in loads if isinstance(load, PointForce)}
