@@ -13,6 +13,7 @@ from elastica_cad.errors import Change, InputError, rounded_down, rounded_up
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.path_intersections import anticlockwise
 from elastica_cad.geometry.plane_points import near_pairs, numbers_in_groups
+from elastica_cad.geometry.segments import Arc
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.refusals import FieldName, Length, Listed, Point, note, sentences
 from elastica_cad.strip.element_cuts import element_cuts
@@ -178,22 +179,35 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     >>> [place.width for place in find_thin_places([plate], [hole], 2.0)]
     [1.0]
     """
+    reach = (1 + 2 * CHORD_ERROR_FRACTION) * least  # chords of holes are too far apart by the errors of both
     parts = _Chords.of(outlines, holes, CHORD_ERROR_FRACTION * least).divided(LONGEST_PART * least)
-    near = parts.at(_chords_near_others(parts, least))
+    near = parts.at(_chords_near_others(parts, reach))
     if not near.loop.size:
         return ()
     near = near.divided(least / SAMPLES_PER_WIDTH)
     points, loop = near.middle, near.loop
-    i, j, width = _widths_across(points, near.inward, least)
+    i, j, width = _widths_across(points, near.inward, reach)
     middle = (points[i] + points[j]) / 2
-    places = [
-        ThinPlace(
-            float(middle[k, 0]), float(middle[k, 1]), float(width[k]), (int(loop[i[k]]), int(loop[j[k]]))
+    cuts = (*outlines, *holes)
+    places = []
+    for k in _thinnest_of_each_group(middle, width, least):
+        loops = int(loop[i[k]]), int(loop[j[k]])
+        exact = _width_between_circles(
+            *(cuts[number] for number in sorted(loops)), inside=min(loops) < len(outlines)
         )
-        for k in _thinnest_of_each_group(middle, width, least)
-        if width[k] < least * (1 - SEEN_APART)
-    ]
+        narrow = float(width[k]) if exact is None else exact
+        if narrow < least * (1 - SEEN_APART):
+            places.append(ThinPlace(float(middle[k, 0]), float(middle[k, 1]), narrow, loops))
     return tuple(sorted(places, key=lambda place: place.width))
+
+
+def _width_between_circles(circle: Path, hole: Path, *, inside: bool) -> float | None:
+    """Return the least width of material between two circles, mm, of which one may be inside the other."""
+    (first, *others), (second, *more) = circle.segments, hole.segments
+    if circle is hole or others or more or not (isinstance(first, Arc) and isinstance(second, Arc)):
+        return None
+    apart = float(np.hypot(*(first.center - second.center)))
+    return first.radius - apart - second.radius if inside else apart - first.radius - second.radius
 
 
 def _chords_near_others(chords: "_Chords", least: float) -> IntArray:

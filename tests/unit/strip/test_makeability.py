@@ -260,6 +260,19 @@ def test_every_rib_between_many_slots_is_found_with_the_width_that_is_narrowest(
     assert not wide
 
 
+@pytest.mark.parametrize("width", [0.3, 1.0, 1.9, 1.99])
+@pytest.mark.parametrize("radius", [3.0, 6.0, 40.0])
+def test_the_width_between_round_cuts_is_exact(width, radius):
+    plate = Path.circle((0, 0), 2 * radius + 2 * width)
+    holes = [Path.circle((-radius, 0), radius), Path.circle((radius + width, 0), radius)]
+    places = find_thin_places([plate], holes, 2.0)
+    between = [place.width for place in places if place.loops == (1, 2)]
+    beside = [place.width for place in places if 0 in place.loops]
+    assert between == pytest.approx([width], abs=1e-9)
+    assert min(beside) == pytest.approx(width, abs=1e-9)
+    assert not [place for place in find_thin_places([plate], holes, 0.999 * width) if place.loops == (1, 2)]
+
+
 def test_a_plate_far_larger_than_its_stock_is_refused_for_its_size_alone():
     plate, near_the_edge = Path.rectangle(1e5, 1e5), Path.rectangle(10, 10, corner=(0.1, 50))
     (fault,) = find_plate_faults("base", Sheet.named("mdf-3"), plate, [near_the_edge])
