@@ -1,5 +1,5 @@
-"""`elastica batten`: compute the taper with which a pressed batten has its largest depth, the camber, at the
-requested position.
+"""`elastica batten`: taper a batten so that its largest depth under end pressure is at the requested
+position.
 """
 
 from functools import partial
@@ -95,40 +95,39 @@ def batten(**chosen: Any) -> None:
         chosen["lying"],
     )
     stations = _stations(chosen)
-    made = spec.make()
+    result = spec.make()
     if chosen["leaves"] is not None:
-        _glue(made, chosen)
+        _write_plies(result, chosen)
         return
-    table = made.table(stations)
-    report = _report(made, table)
+    table = result.table(stations)
+    report = _report(result, table)
     if chosen["weight"]:
         report["camber_with_weight"] = {
-            way: dict(zip(("camber", "camber_place"), made.camber_with_weight(bulging=way), strict=True))
-            for way in ("up", "down")
+            side: dict(zip(("camber", "camber_place"), result.camber_with_weight(bulging=side), strict=True))
+            for side in ("up", "down")
         }
-    written = _write(made.strip, stations, report, chosen)
+    written = _write(result.strip, stations, report, chosen)
     answer({"batten": report})
-    _report_batten(made, table)
-    for way, bow in report.get("camber_with_weight", {}).items():
+    _report_batten(result, table)
+    for side, bow in report.get("camber_with_weight", {}).items():
         camber = f"{100 * bow['camber']:.2f} % at {100 * bow['camber_place']:.2f} % of the chord"
-        say_row(Row("Weight", f"level and bulging {way}, its own weight makes the camber {camber}"))
+        say_row(Row("Weight", f"level and bulging {side}, its own weight makes the camber {camber}"))
     _print_files(written)
 
 
-def _glue(made: Batten, chosen: dict[str, Any]) -> None:
-    """Report the batten made of glued plies, and write its files."""
-    leafed = made.of_leaves(chosen["leaves"])
-    strip, rod, section = made.strip_of(leafed), leafed.rod, leafed.section
+def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
+    glued = batten_result.of_leaves(chosen["leaves"])
+    strip, rod, section = batten_result.strip_of(glued), glued.rod, glued.section
     depth, place = camber_of(rod)
     force = float(np.hypot(*strip.reactions().start_force))
     report = {
         "length_mm": rod.length, "camber": depth, "camber_place": place, "end_force_N": force,
-        "mass_g": strip.mass, "deviation_mm": leafed.deviation, "settled": leafed.settled,
+        "mass_g": strip.mass, "deviation_mm": glued.deviation, "settled": glued.settled,
         "max_strain": strip.max_strain, "strain_limit": strip.strain_limit,
         "leaf_thickness_mm": strip.sheet.thickness, "leaf_width_mm": section.width,
         "leaves": [
             {"leaf": name, "start_mm": leaf.start, "end_mm": leaf.end, "length_mm": leaf.length}
-            for name, leaf in zip(section.names, leafed.leaves, strict=True)
+            for name, leaf in zip(section.names, glued.leaves, strict=True)
         ],
     }  # fmt: skip
     written = _write(strip, None, report, chosen)
@@ -136,15 +135,15 @@ def _glue(made: Batten, chosen: dict[str, Any]) -> None:
     plies = f"{chosen['leaves']} plies of {strip.sheet.thickness:.4g} mm"
     say_row(Row("Size", f"{rod.length:.1f} mm long, {plies}, {strip.mass:.4g} g"))
     camber = f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord"
-    say_row(Row("Camber", f"{camber}, at most {leafed.deviation:.2g} mm from the planed batten"))
-    if not leafed.settled:
+    say_row(Row("Camber", f"{camber}, at most {glued.deviation:.2g} mm from the planed batten"))
+    if not glued.settled:
         text = (
             "the search for the ends of the plies stopped early; other ends may come nearer to the "
             "planed batten"
         )
         say_row(warning_row(text))
     _print_load(strip, force)
-    leaves = leafed.leaves
+    leaves = glued.leaves
     say_table(
         {
             "ply": section.names,
@@ -196,13 +195,13 @@ def _stations(chosen: dict[str, Any]) -> FloatArray:
     return np.unique(np.append(np.arange(0.0, length, every), length))
 
 
-def _report(made: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
-    depth, place = made.camber
+def _report(result: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
+    depth, place = result.camber
     return {
-        "length_mm": made.spec.length, "lying": made.spec.lying, "chord_mm": made.chord,
+        "length_mm": result.spec.length, "lying": result.spec.lying, "chord_mm": result.chord,
         "camber": depth, "camber_place": place,
-        "end_force_N": made.end_force, "mass_g": made.strip.mass, "max_strain": made.strip.max_strain,
-        "strain_limit": made.strip.strain_limit, "warnings": list(made.strip.warnings),
+        "end_force_N": result.end_force, "mass_g": result.strip.mass, "max_strain": result.strip.max_strain,
+        "strain_limit": result.strip.strain_limit, "warnings": list(result.strip.warnings),
         # JSON has no infinity: the safety of ends that do not bend becomes null
         "table": {key: [v if np.isfinite(v) else None for v in values.tolist()] for key, values in table.items()},
     }  # fmt: skip
@@ -211,10 +210,6 @@ def _report(made: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
 def _write(
     strip: Strip, stations: FloatArray | None, report: dict[str, Any], chosen: dict[str, Any]
 ) -> tuple[Path, ...]:
-    """Write table, report, drawing, print and bodies, as far as their libraries are installed.
-
-    After an error, no file is written.
-    """
     name, drawing = chosen["name"], bench_drawing(strip, stations)
     files = [
         File(f"{name}.csv", lambda path: write_text(path, bench_csv(strip, stations))),
@@ -232,14 +227,14 @@ def _write(
     return write_files(files, chosen["output"], force=chosen["force"])
 
 
-def _report_batten(made: Batten, table: dict[str, FloatArray]) -> None:
-    depth, place = made.camber
-    quantity, lying = made.spec.stock.quantity, made.spec.lying
+def _report_batten(result: Batten, table: dict[str, FloatArray]) -> None:
+    depth, place = result.camber
+    quantity, lying = result.spec.stock.quantity, result.spec.lying
     level = "" if lying is None else f", level under its own weight and bulging {lying}"
-    apart = f"ends {made.chord:.1f} mm apart"
-    say_row(Row("Size", f"{made.spec.length:.1f} mm long, {apart}, {made.strip.mass:.4g} g"))
+    ends = f"ends {result.chord:.1f} mm apart"
+    say_row(Row("Size", f"{result.spec.length:.1f} mm long, {ends}, {result.strip.mass:.4g} g"))
     say_row(Row("Camber", f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord{level}"))
-    _print_load(made.strip, made.end_force)
+    _print_load(result.strip, result.end_force)
     s, s_inch, _, _, size, inch, strain, safety = table.values()
     say_table(
         {

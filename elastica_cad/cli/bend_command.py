@@ -60,7 +60,7 @@ from elastica_cad.strip.travel import Travel, bend_strip
 OF_A_CURVE = {
     "--curve": "number", "--layer": "layer", "--unit": "unit", "--smooth": "smooth", "--nearest": "nearest",
 }  # fmt: skip
-"""Options without effect on a straight strip."""
+"""Options that apply to a drawn curve only."""
 
 
 @click.command("bend")
@@ -146,27 +146,29 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
             raise InputError(
                 "{idle} applies to a drawn CURVE only, not to --straight. Leave out {idle}.", idle=idle[0]
             )
-    finished = None if curve is None else _finished(curve, chosen)
-    named = chosen["sheet"] is not None or finished is not None
-    if chosen["gravity"] and not named:
+    finished = None if curve is None else _strip_of_report(curve, chosen)
+    has_material = chosen["sheet"] is not None or finished is not None
+    if chosen["gravity"] and not has_material:
         raise InputError("--gravity needs a material. Add --sheet NAME.")
-    heavy = finished is not None and finished.spec.gravity
-    if chosen["down"] is not None and not (chosen["gravity"] or heavy or chosen["point_mass"]):
+    has_weight = finished is not None and finished.spec.gravity
+    if chosen["down"] is not None and not (chosen["gravity"] or has_weight or chosen["point_mass"]):
         raise InputError(IDLE_DOWN)
-    if chosen["thickness"] is not None and not named:
+    if chosen["thickness"] is not None and not has_material:
         raise InputError("--thickness needs a material. Add --sheet NAME.")
-    if chosen["max_width"] is not None and not named:
+    if chosen["max_width"] is not None and not has_material:
         raise InputError("--max-width needs a material. Add --sheet NAME.")
     settings = parsed_settings(chosen["settings"], BentKeys)
-    if settings and (curve is None or not named):
+    if settings and (curve is None or not has_material):
         raise InputError("--set applies to the strip of a CURVE only. Name a CURVE and add --sheet NAME.")
     strip = (
-        _strip(curve, chosen, settings) if finished is None else _changed(finished, chosen, settings).make()
+        _initial_strip(curve, chosen, settings)
+        if finished is None
+        else _with_changes(finished, chosen, settings).make()
     )
-    rod = _rod(curve, chosen) if strip is None else strip.rod
-    own = Supports() if finished is None else rod.supports
-    held = Supports(chosen["hold_start"] or own.start, chosen["hold_end"] or own.end)
-    if curve is not None and held != rod.supports:
+    rod = _initial_rod(curve, chosen) if strip is None else strip.rod
+    present = Supports() if finished is None else rod.supports
+    supports = Supports(chosen["hold_start"] or present.start, chosen["hold_end"] or present.end)
+    if curve is not None and supports != rod.supports:
         designed = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"
         now = ", ".join(
             f"its {end} {chosen[f'hold_{end}']}" for end in ("start", "end") if chosen[f"hold_{end}"]
@@ -176,14 +178,18 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     name = f"{curve.stem if curve is not None else 'straight'}-bent"
     moved = None
     verdicts: Sequence[Stability]
-    change = _change(rod if strip is None else strip.rod_to_bend, strip, chosen)
+    change = _bend_keywords(rod if strip is None else strip.rod_to_bend, strip, chosen)
     if strip is None:
-        shapes = bend_path(rod, _steps(rod, chosen, held, change), side=side)
+        shapes = bend_path(rod, _keywords_of_steps(rod, chosen, supports, change), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
         # at travel 0, the force on a straight strip may have any value up to the buckling load
-        listed = curve is not None and chosen["steps"] > 1 and not change
-        moved = bend_strip(strip, _steps(strip.rod_to_bend, chosen, held, change, listed=listed), side=side)
+        from_zero = curve is not None and chosen["steps"] > 1 and not change
+        moved = bend_strip(
+            strip,
+            _keywords_of_steps(strip.rod_to_bend, chosen, supports, change, from_zero=from_zero),
+            side=side,
+        )
         shapes, verdicts = moved.rods, moved.verdicts
     _print_shapes(rod, shapes, verdicts, moved, change)
     B = 1.0 if strip is None else strip.bending_stiffness
@@ -196,17 +202,16 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     wrote(_write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]))
 
 
-def _finished(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:
-    """Return the strip of a report, or None if the file is not a report or does not contain the request."""
+def _strip_of_report(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:
     record = read_request(path)
     if record is None:
         return None
-    _refuse_settled({name for name in ("nearest", "smooth") if chosen[name] not in (None, False)})
+    _refuse_curve_options({name for name in ("nearest", "smooth") if chosen[name] not in (None, False)})
     (requested,) = requested_curves(path, chosen["unit"], chosen["number"], chosen["layer"])
     return FinishedStrip.read(record, requested.curve)
 
 
-def _refuse_settled(idle: set[str]) -> None:
+def _refuse_curve_options(idle: set[str]) -> None:
     for name in sorted(idle):
         raise InputError(
             "{name} applies to a drawn CURVE only, not to the finished strip of a report. Leave out {name}.",
@@ -214,14 +219,13 @@ def _refuse_settled(idle: set[str]) -> None:
         )
 
 
-def _changed(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str, Any]) -> FinishedStrip:
-    """Return the strip of a report, changed by options and settings."""
+def _with_changes(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str, Any]) -> FinishedStrip:
     spec = finished.spec
-    given = given_of(chosen, ("sheet", "thickness", "max_width"))
+    values = given_of(chosen, ("sheet", "thickness", "max_width"))
     if chosen["gravity"] or chosen["down"] is not None:
-        given["gravity"] = list(chosen["down"] or (0.0, -1.0))
-    table = with_settings(given, settings)
-    _refuse_settled(set(table) & set(SOLVED) - {"ignore_limits"})
+        values["gravity"] = list(chosen["down"] or (0.0, -1.0))
+    table = with_settings(values, settings)
+    _refuse_curve_options(set(table) & set(SOLVED) - {"ignore_limits"})
     sheet = requested_sheet({"thickness": None, **table}) if "sheet" in table else spec.material
     if "sheet" not in table and "thickness" in table:
         sheet = sheet.with_thickness(table["thickness"])
@@ -235,8 +239,7 @@ def _changed(finished: FinishedStrip, chosen: dict[str, Any], settings: dict[str
     return finished.changed(**fields) if fields else finished
 
 
-def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any]) -> Strip | None:
-    """Return the strip before its ends are moved, or None if its material or size is unknown."""
+def _initial_strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any]) -> Strip | None:
     sized = chosen["sheet"] is not None and (settings or chosen["max_width"] is not None)
     if not sized:
         return None
@@ -251,28 +254,26 @@ def _strip(curve: Path | None, chosen: dict[str, Any], settings: dict[str, Any])
     table |= {"gravity": list(chosen["down"] or (0.0, -1.0))} if chosen["gravity"] else {}
     table = with_settings(table, settings)
     (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
-    drawn = requested.curve if "limits" in table else requested.bendable(table.get("smooth"))
-    spec = spec_from_options(drawn, requested.label, table)
-    return spec.make(_solved(spec.rod_spec))
+    plane_curve = requested.curve if "limits" in table else requested.bendable(table.get("smooth"))
+    spec = spec_from_options(plane_curve, requested.label, table)
+    return spec.make(_solve(spec.rod_spec))
 
 
-def _rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
-    """Return the rod before its ends are moved, if the strip has no width."""
+def _initial_rod(curve: Path | None, chosen: dict[str, Any]) -> Rod:
     if curve is None:
         return Rod.straight(chosen["straight"], gravity=_gravity(chosen))
     (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     smooth, gravity = chosen["smooth"], _gravity(chosen)
     if chosen["nearest"]:
-        return accepted_rod(_solved(RodSpec(requested.curve, gravity, smooth=smooth, limits=Limits())))
-    return accepted_rod(_solved(RodSpec(requested.bendable(smooth), gravity, smooth=smooth)))
+        return accepted_rod(_solve(RodSpec(requested.curve, gravity, smooth=smooth, limits=Limits())))
+    return accepted_rod(_solve(RodSpec(requested.bendable(smooth), gravity, smooth=smooth)))
 
 
 def _gravity(chosen: dict[str, Any]) -> Gravity | None:
     return requested_sheet(chosen).gravity(chosen["down"] or (0.0, -1.0)) if chosen["gravity"] else None
 
 
-def _solved(spec: RodSpec) -> Rod | NearestRod:
-    """Solve for the rod, print messages about its curve, and return the rod."""
+def _solve(spec: RodSpec) -> Rod | NearestRod:
     for note in spec.smoothing.notes:
         say(note)
     result = solve_rod(spec)
@@ -281,8 +282,7 @@ def _solved(spec: RodSpec) -> Rod | NearestRod:
     return result
 
 
-def _change(rod: Rod, strip: Strip | None, chosen: dict[str, Any]) -> dict[str, Any]:
-    """Return the keywords `between`, `loads` and `gravity` of `bend` for the whole change."""
+def _bend_keywords(rod: Rod, strip: Strip | None, chosen: dict[str, Any]) -> dict[str, Any]:
     change: dict[str, Any] = {}
     elements = elements_of(chosen, ELEMENTS)
     if elements or chosen["release"]:
@@ -291,7 +291,7 @@ def _change(rod: Rod, strip: Strip | None, chosen: dict[str, Any]) -> dict[str, 
         actions = mounted(rod, change.get("between"))
         if not any(isinstance(action.element, Tie) for action in actions):
             raise InputError("--shorten needs a cord. Add --tie START END.")
-        change["between"] = tuple(_shortened(action, chosen["shorten"]) for action in actions)
+        change["between"] = tuple(_with_shorter_cord(action, chosen["shorten"]) for action in actions)
     loads = elements_of(chosen, LOADS)
     if loads and strip is None:
         raise InputError("Loads in newtons or grams need a strip with its size. Add --sheet and --max-width.")
@@ -302,8 +302,7 @@ def _change(rod: Rod, strip: Strip | None, chosen: dict[str, Any]) -> dict[str, 
     return change
 
 
-def _shortened(action: ElementForce, by: float) -> Any:
-    """Return the element unchanged, or shortened by a length (mm) if it is a cord."""
+def _with_shorter_cord(action: ElementForce, by: float) -> Any:
     if not isinstance(action.element, Tie):
         return action.element
     start, end = action.s.tolist()
@@ -316,10 +315,9 @@ def _shortened(action: ElementForce, by: float) -> Any:
     return replace(action.element, start=start, end=end, length=length)
 
 
-def _steps(
-    rod: Rod, chosen: dict[str, Any], supports: Supports, change: dict[str, Any], *, listed: bool = False
+def _keywords_of_steps(
+    rod: Rod, chosen: dict[str, Any], supports: Supports, change: dict[str, Any], *, from_zero: bool = False
 ) -> list[dict[str, Any]]:
-    """Return the keywords of `bend` for every shape on the path. With `listed`, the path begins at travel 0."""
     here = rod.position[[0, -1]]
     there = np.array(
         [
@@ -328,16 +326,17 @@ def _steps(
         ]
     )
     now = rod.angle[[0, -1]].tolist()
-    turned = [
+    new_angles = [
         None if given is None else np.radians(given) for given in (chosen["start_angle"], chosen["end_angle"])
     ]
-    parts = np.arange(0 if listed else 1, chosen["steps"] + 1) / chosen["steps"]
+    parts = np.arange(0 if from_zero else 1, chosen["steps"] + 1) / chosen["steps"]
     return [
         {
             "start": here[0] + part * (there[0] - here[0]),
             "end": here[1] + part * (there[1] - here[1]),
             "angles": tuple(
-                None if then is None else a + part * (then - a) for a, then in zip(now, turned, strict=True)
+                None if then is None else a + part * (then - a)
+                for a, then in zip(now, new_angles, strict=True)
             ),
             "supports": supports,
             **part_of_change(rod, change, part),
@@ -348,10 +347,7 @@ def _steps(
 
 
 def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> dict[str, Any]:
-    """Return a dict with the data of a shape.
-
-    Forces are in N if `bending_stiffness` is that of a strip in N mm2.
-    """
+    """Return the report of a shape, with forces in N if `bending_stiffness` is in N mm2."""
     return {
         "start": shape.position[0], "end": shape.position[-1], "angles": shape.angle[[0, -1]],
         "size": np.ptp(shape.position, axis=0), "largest_curvature": np.abs(shape.curvature).max(),
@@ -373,7 +369,7 @@ def _print_shapes(
     states = [verdict.rating for verdict in verdicts]
     say_table(
         {
-            **(_places(shapes) if moved is None else _forces(moved)),
+            **(_distance_columns(shapes) if moved is None else _force_columns(moved)),
             "start deg": [f"{np.degrees(shape.angle[0]):.1f}" for shape in shapes],
             "end deg": [f"{np.degrees(shape.angle[-1]):.1f}" for shape in shapes],
             "stability": states,
@@ -388,23 +384,23 @@ def _print_shapes(
     if moved is not None and (shapes[-1].acting or change):
         for row in _load_rows(change.get("loads", ())):
             say_row(row)
-        say_row(_moved_row(moved))
+        say_row(_displacement_row(moved))
         for row in between_rows(shapes[-1], moved.strip.bending_stiffness):
             say_row(row)
         worst = int(np.argmin(moved.safety))
-        limit = f"safety {_plain(moved.safety[worst])}"
-        say_row(Row("Strain", f"at most {_plain(100 * moved.strain[worst])} %, {limit}"))
-    say_row(_worst(states, shapes, moved, change))
+        limit = f"safety {_rounded(moved.safety[worst])}"
+        say_row(Row("Strain", f"at most {_rounded(100 * moved.strain[worst])} %, {limit}"))
+    say_row(_stability_row(states, shapes, moved, change))
     for warning in dict.fromkeys(text for shape in shapes for text in shape.warnings):
         say_row(warning_row(warning))
     if moved is None:
         return
     size, turns = np.hypot(*moved.end_force.T).max(), np.abs([moved.start_moment, moved.end_moment]).max()
-    energy = _plain(moved.energy.max())
+    energy = _rounded(moved.energy.max())
     say_row(
         Row(
             "Force",
-            f"at most {_plain(size)} N and {_plain(turns)} N mm at an end; energy {energy} N mm",
+            f"at most {_rounded(size)} N and {_rounded(turns)} N mm at an end; energy {energy} N mm",
         )
     )
     tips = [k for k, verdict in enumerate(moved.sideways) if verdict.needs_guiding]
@@ -417,7 +413,6 @@ def _print_shapes(
 
 
 def _load_rows(loads: Sequence[PointMass | PointForce]) -> Iterator[Row]:
-    """Yield a row on the loads of the last shape, if there are any."""
     texts = []
     for load in loads:
         at = "({:.5g}, {:.5g}) mm".format(*load.at) if isinstance(load.at, tuple) else f"{load.at:.5g} mm"
@@ -431,13 +426,12 @@ def _load_rows(loads: Sequence[PointMass | PointForce]) -> Iterator[Row]:
         yield Row("Load", "; ".join(texts))
 
 
-def _moved_row(moved: Travel) -> Row:
-    """Return the row on the largest displacement in the last shape, with its place and direction."""
+def _displacement_row(moved: Travel) -> Row:
     moves = moved.rods[-1].position - moved.strip.rod.position
     k = int(np.hypot(*moves.T).argmax())
-    far, angle = np.hypot(*moves[k]), np.degrees(np.arctan2(*moves[k][::-1]))
-    text = f"the strip moves by at most {far:.2g} mm from its design"
-    if far < SMALLEST_MOVE_MM:
+    distance, angle = np.hypot(*moves[k]), np.degrees(np.arctan2(*moves[k][::-1]))
+    text = f"the strip moves by at most {distance:.2g} mm from its design"
+    if distance < SMALLEST_MOVE_MM:
         return Row("Moved", text)
     where = f"at {moved.strip.rod.s[k]:.0f} mm, at {angle:.0f} degrees from the x axis"
     return Row("Moved", f"{text}, {where}")
@@ -447,34 +441,31 @@ SMALLEST_MOVE_MM = 1e-3
 """Least displacement whose place and direction are reported, mm."""
 
 
-def _places(shapes: Sequence[Rod]) -> dict[str, list[str]]:
-    """Return the columns with the distance of the ends and the least radius."""
-    apart = [np.hypot(*(shape.position[-1] - shape.position[0])) for shape in shapes]
+def _distance_columns(shapes: Sequence[Rod]) -> dict[str, list[str]]:
+    distances = [np.hypot(*(shape.position[-1] - shape.position[0])) for shape in shapes]
     return {
-        "ends apart mm": [f"{distance:.2f}" for distance in apart],
+        "ends apart mm": [f"{distance:.2f}" for distance in distances],
         "least radius mm": [_least_radius(shape) for shape in shapes],
     }
 
 
-def _forces(moved: Travel) -> dict[str, list[str]]:
-    """Return the columns with forces and strains. Components of a force that are rounding errors become 0."""
+def _force_columns(moved: Travel) -> dict[str, list[str]]:
     size = np.hypot(*moved.end_force.T)[:, None]
     force = np.where(np.abs(moved.end_force) <= 1e-9 * size, 0.0, moved.end_force)
     return {
         f"{ {'deg': 'turn', 'mm': 'travel', '%': 'change'}[moved.unit] } {moved.unit}": [
             f"{x:.4g}" for x in moved.path_length
         ],
-        "force x N": [_plain(x) for x in force[:, 0]],
-        "force y N": [_plain(x) for x in force[:, 1]],
-        "start N mm": [_plain(x) for x in moved.start_moment],
-        "end N mm": [_plain(x) for x in moved.end_moment],
-        "strain %": [_plain(100 * x) for x in moved.strain],
-        "safety": [_plain(x) for x in moved.safety],
+        "force x N": [_rounded(x) for x in force[:, 0]],
+        "force y N": [_rounded(x) for x in force[:, 1]],
+        "start N mm": [_rounded(x) for x in moved.start_moment],
+        "end N mm": [_rounded(x) for x in moved.end_moment],
+        "strain %": [_rounded(100 * x) for x in moved.strain],
+        "safety": [_rounded(x) for x in moved.safety],
     }
 
 
-def _plain(value: float) -> str:
-    """Return a number with three digits and no exponent."""
+def _rounded(value: float) -> str:
     return ENGLISH.format_field(float(value), ".3g")
 
 
@@ -483,8 +474,9 @@ def _least_radius(shape: Rod) -> str:
     return f"{1 / kappa:.4g}" if kappa * shape.length > 1e-6 else "straight"
 
 
-def _worst(states: Sequence[str], shapes: Sequence[Rod], moved: Travel | None, change: dict[str, Any]) -> Row:
-    """Return the row on stability, which states the first shape that is not stable, if any."""
+def _stability_row(
+    states: Sequence[str], shapes: Sequence[Rod], moved: Travel | None, change: dict[str, Any]
+) -> Row:
     step = next((k for k, state in enumerate(states) if state != "stable"), None)
     if step is None:
         return Row("Stability", "stable in its plane" + (" at every step" if states[1:] else ""))

@@ -1,4 +1,4 @@
-"""`elastica bow`: a rod or strip that is held bent by a cord between its ends."""
+"""`elastica bow`: a rod or strip bent by a cord between its ends."""
 
 from functools import partial
 from pathlib import Path
@@ -58,7 +58,7 @@ class Shortening(click.ParamType):  # type: ignore[type-arg]  # no generic class
     name = "shortening"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Return the fraction and the length in mm, of which one is 0."""
+        """Return (fraction, 0) for a percentage, or (0, length in mm) for a length."""
         try:
             return float(str(value).removesuffix("%")) / 100, 0.0
         except ValueError:
@@ -107,31 +107,31 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     """
     (requested,) = requested_curves(curve, chosen["unit"], chosen["number"], chosen["layer"])
     sheet, fields = _material(chosen)
-    made = _made(requested, sheet, fields)
-    shares = [0.0, *sorted({part + mm / made.cord for part, mm in chosen["shorter"]} or SHORTER)]
-    shorter = made.shortened(shares)
-    known = chosen["sheet"] is not None
-    table = _table(shares, shorter, known=known)
+    result = _bow_or_suggestion(requested, sheet, fields)
+    fractions = [0.0, *sorted({part + mm / result.cord for part, mm in chosen["shorter"]} or SHORTER)]
+    shorter = result.shortened(fractions)
+    in_newtons = chosen["sheet"] is not None
+    table = _table(fractions, shorter, in_newtons=in_newtons)
     report = {
-        "length_mm": made.length, "cord_mm": made.cord, "rise_mm": made.rise,
-        "pull_N": made.pull if known else None,
-        "pull_N_per_GPa": made.pull * MPA_PER_GPA / sheet.youngs_modulus, "end_angles": made.end_angles.tolist(),
-        "deviation_mm": made.deviation, "ratio": made.strip.rod.ratio, "max_strain": made.strip.max_strain,
-        "strain_limit": made.strip.strain_limit if known else None,
-        "margin": stability(made.strip.rod).margin, "warnings": list(made.strip.warnings) if known else [],
+        "length_mm": result.length, "cord_mm": result.cord, "rise_mm": result.rise,
+        "pull_N": result.pull if in_newtons else None,
+        "pull_N_per_GPa": result.pull * MPA_PER_GPA / sheet.youngs_modulus,
+        "end_angles": result.end_angles.tolist(),
+        "deviation_mm": result.deviation, "ratio": result.strip.rod.ratio, "max_strain": result.strip.max_strain,
+        "strain_limit": result.strip.strain_limit if in_newtons else None,
+        "margin": stability(result.strip.rod).margin, "warnings": list(result.strip.warnings) if in_newtons else [],
         # JSON has no infinity: the safety of a straight rod becomes null
         "shorter": {name: [v if np.isfinite(v) else None for v in values] for name, values in table.items()},
     }  # fmt: skip
-    written = _write(made, shorter, table, report, requested.name, chosen)
+    written = _write(result, shorter, table, report, requested.name, chosen)
     answer({"bow": report})
-    for row in in_order(_rows(made, known=known)):
+    for row in in_order(_rows(result, in_newtons=in_newtons)):
         say_row(row)
     _print_table(table)
     wrote(written)
 
 
-def _made(requested: RequestedCurve, sheet: Sheet, fields: dict[str, Any]) -> Bow:
-    """Return the bow. If the curve is refused, suggest the nearest curve."""
+def _bow_or_suggestion(requested: RequestedCurve, sheet: Sheet, fields: dict[str, Any]) -> Bow:
     curve = requested.bendable(fields["smooth"]) if "smooth" in fields else requested.curve
 
     suggest_later(lambda _: StripSpec(curve, sheet, supports=ENDS, **fields), typed_change, ["nearest"])
@@ -139,7 +139,7 @@ def _made(requested: RequestedCurve, sheet: Sheet, fields: dict[str, Any]) -> Bo
 
 
 def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
-    """Return the sheet and the fields of the request. Without --sheet, the material has a modulus of 1 GPa."""
+    """Without --sheet, the material has a modulus of 1 GPa, so that forces are in N per GPa."""
     rod, widest, least = chosen["rod"], chosen["max_width"], chosen["min_width"]
     if (rod is None) == (widest is None):
         raise InputError(
@@ -164,47 +164,44 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
     return sheet, fields | {"law": RoundLaw(sheet, *rod), "ends": (Tab(0.0), Tab(0.0))}
 
 
-def _rows(made: Bow, *, known: bool) -> list[Row]:
-    strip, (start, end) = made.strip, np.degrees(made.end_angles)
-    force = f"{made.pull:.3g} N" if known else f"{made.pull:.3g} N per GPa of Young's modulus"
-    shape = f"rise {made.rise:.1f} mm; ends at {start:.1f} and {end:.1f} degrees"
+def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
+    strip, (start, end) = result.strip, np.degrees(result.end_angles)
+    force = f"{result.pull:.3g} N" if in_newtons else f"{result.pull:.3g} N per GPa of Young's modulus"
+    shape = f"rise {result.rise:.1f} mm; ends at {start:.1f} and {end:.1f} degrees"
     verdict = stability(strip.rod)
     rows = [
-        size_row(strip) if known else Row("Size", f"{made.length:.1f} mm long, {strip.breadth('.1f')}"),
-        _curve_row(made),
-        Row("Cord", f"{made.cord:.1f} mm long, pulls with {force}; {shape}"),
+        size_row(strip)
+        if in_newtons
+        else Row("Size", f"{result.length:.1f} mm long, {strip.breadth('.1f')}"),
+        _curve_row(result),
+        Row("Cord", f"{result.cord:.1f} mm long, pulls with {force}; {shape}"),
         Row("Stability", f"{verdict.rating} in its plane")
         if verdict.rating == "stable"
         else warning_row(verdict.rating, "Stability"),
     ]
-    if not known:
+    if not in_newtons:
         return [*rows, Row("Strain", f"{100 * strip.max_strain:.2f} % at {strip.max_strain_at:.0f} mm")]
     reported = {*strip.strain_warnings}
-    others = [warning_row(text) for text in strip.warnings if text not in reported]
-    return [*rows, *strain_rows(strip), *others]
+    warnings = [warning_row(text) for text in strip.warnings if text not in reported]
+    return [*rows, *strain_rows(strip), *warnings]
 
 
-def _curve_row(made: Bow) -> Row:
-    """Return the row with the distance from the drawn curve. It is a warning if this exceeds `FAR_SHARE`."""
-    text = f"at most {made.deviation:.3g} mm from the drawn curve"
-    if made.deviation <= FAR_SHARE * made.length:
+def _curve_row(result: Bow) -> Row:
+    text = f"at most {result.deviation:.3g} mm from the drawn curve"
+    if result.deviation <= FAR_SHARE * result.length:
         return Row("Curve", text)
     return warning_row(f"{text}. Draw a curve that is more like an arch.", "Curve")
 
 
-def _table(shares: list[float], shorter: Travel, *, known: bool) -> dict[str, Any]:
-    """Return the columns of the table: cord, pull, rise, strain and safety.
-
-    Pull and safety require a known material.
-    """
+def _table(fractions: list[float], shorter: Travel, *, in_newtons: bool) -> dict[str, Any]:
     cord = np.hypot(*shorter.end.T)
     return {
-        "shorter_percent": [100 * share for share in shares],
+        "shorter_percent": [100 * fraction for fraction in fractions],
         "cord_mm": cord.tolist(),
-        "pull_N" if known else "pull_N_per_GPa": np.hypot(*shorter.end_force.T).tolist(),
+        "pull_N" if in_newtons else "pull_N_per_GPa": np.hypot(*shorter.end_force.T).tolist(),
         "rise_mm": [rise_of(rod) for rod in shorter.rods],
         "strain_percent": (100 * shorter.strain).tolist(),
-        **({"safety": shorter.safety.tolist()} if known else {}),
+        **({"safety": shorter.safety.tolist()} if in_newtons else {}),
         "margin": shorter.margin.tolist(),
     }
 
@@ -229,14 +226,14 @@ def _print_table(table: dict[str, Any]) -> None:
 
 
 def _write(
-    made: Bow,
+    result: Bow,
     shorter: Travel,
     table: dict[str, Any],
     report: dict[str, Any],
     name: str,
     chosen: dict[str, Any],
 ) -> tuple[Path, ...]:
-    stem, strip = f"{name}-bow", made.strip
+    stem, strip = f"{name}-bow", result.strip
     files = [
         File(f"{stem}.csv", lambda path: write_text(path, csv_text(table))),
         File(f"{stem}.json", lambda path: write_json(path, report)),
@@ -249,5 +246,5 @@ def _write(
         from elastica_cad.plot.bow_picture import bow as draw_bow
         from elastica_cad.plot.canvas import save_figure
 
-        files.append(File(f"{stem}.png", lambda path: save_figure(draw_bow(made, shorter), path)))
+        files.append(File(f"{stem}.png", lambda path: save_figure(draw_bow(result, shorter), path)))
     return write_files(files, chosen["output"], force=chosen["force"])

@@ -57,15 +57,11 @@ if TYPE_CHECKING:
     from elastica_cad.strip.suggestions import Suggestion
 
 MOST_SHEETS = 3
-"""Largest number of sheets in the row of sheets without -v.
+"""Largest number of sheets in the row of sheets without -v."""
 
-The row has the thickest suitable sheet of each kind. If no sheet is suitable, it has the sheets for which the
-curve must be enlarged least.
-"""
-
-EVEN = 1.005  # largest ratio of widths at which a strip looks even
+EVEN = 1.005  # largest ratio of widths that is reported as a constant width
 WIDE_MM = 40.0
-"""Width of a strip, mm, by which messages illustrate a ratio of widths."""
+"""Width of the widest place, mm, in the example of a message on the ratio of widths."""
 
 
 @click.command()
@@ -155,17 +151,7 @@ def check(
 
 @dataclass(frozen=True)
 class _Request:
-    """Options for every curve that is checked.
-
-    Attributes
-    ----------
-    smooth : float or None
-        Largest movement by smoothing, mm.
-    alone : bool
-        True for a single curve, which is checked in more detail.
-    between : tuple of Rail, Pin and Tie
-        Elements that hold the strip between its ends.
-    """
+    """Options for every curve that is checked; `smooth` is the largest movement by smoothing, mm."""
 
     supports: Supports
     natural_curvature: NaturalCurvature
@@ -174,10 +160,6 @@ class _Request:
     between: tuple[Element, ...] = ()
 
     def examined(self, requested: RequestedCurve) -> tuple[StraightEnds, Smoothing, EquilibriumCheck]:
-        """Separate the straight ends of a curve, smooth the curve, and check its bent part.
-
-        Return all three results.
-        """
         supports, rest, smooth = self.supports, self.natural_curvature, self.smooth
         ends = StraightEnds.of(requested.bendable(smooth), supports, rest)
         spec = RodSpec(
@@ -186,13 +168,11 @@ class _Request:
         return ends, spec.smoothing, spec.check if not self.between else _check_on_elements(spec)
 
     def rod(self, curve: PlaneCurve) -> Rod:
-        """Return the rod, with the least stiffness ratio, that bends into a possible curve."""
         return optimal_rod(
             curve, supports=self.supports, natural_curvature=self.natural_curvature, between=self.between
         )
 
     def judged(self, requested: RequestedCurve) -> dict[str, Any]:
-        """Return the report on a curve. If there are several curves, errors of a curve are part of the report."""
         try:
             return self._report(requested)
         except ElasticaError as problem:
@@ -211,17 +191,16 @@ class _Request:
         outcome = self._smoothed(requested, verdict)
         report = report_check(verdict)
         report["advice"] = " ".join([*outcome, report["advice"]])
-        # leave out messages on noise, because the check reports noise, too
+        # omit messages on noise, because the check reports noise, too
         of_curve = (message for message in smoothing.notes if message not in smoothing.noise)
         report["notes"] = [*outcome, *([ends.message] if ends else []), *of_curve]
         if verdict.realizable and self.alone:
             rod = self.rod(smoothing.curve)
-            report |= _fitting_sheets(smoothing.curve, rod.ratio, self.natural_curvature)
-            report |= _on_elements(rod) if self.between else {}
+            report |= _report_on_sheets(smoothing.curve, rod.ratio, self.natural_curvature)
+            report |= _report_on_elements(rod) if self.between else {}
         return report
 
     def _smoothed(self, requested: RequestedCurve, verdict: EquilibriumCheck) -> tuple[Refusal, ...]:
-        """Return a message on whether smoothing makes an impossible curve through noisy points possible."""
         points = measured_points(verdict.curve)
         if verdict.realizable or points is None or points.outlier:
             return ()
@@ -236,32 +215,26 @@ class _Request:
         ),)  # fmt: skip
 
     def request(self, requested: RequestedCurve, problem: ElasticaError) -> "StripSpec | None":
-        """Return the request for a strip of a common sheet, or None if a strip cannot have the options of the
-        check.
-        """
         settled = self.natural_curvature or self.smooth is not None or self.between
         if settled:
             return None
         return common_request(requested.curve, self.supports) if problem.refusal.changes else None
 
     def cures(self, requested: RequestedCurve) -> list[Cure]:
-        """Return changes that make an impossible curve possible."""
         problem = NotRealizable(self.examined(requested)[2])
         spec = self.request(requested, problem)
         return [] if spec is None else cures_of(spec, problem, self.typed)
 
     def typed(self, suggestion: "Suggestion") -> str:
-        """Return the command `elastica strip` that makes a suggested strip."""
         from elastica_cad.cli.strip_options import typed_change  # imports all records
 
         spec = suggestion.requests[0]
         width = typed_length(cast(float, spec.max_width))
         words = "--sheet", spec.material.name, "--max-width", width
-        return typed_change(suggestion, *words, "-o", _new_folder(), instead="strip")
+        return typed_change(suggestion, *words, "-o", _unused_folder(), instead="strip")
 
 
-def _new_folder() -> str:
-    """Return the first of out, out-2, out-3, ... that does not exist."""
+def _unused_folder() -> str:
     names = chain(["out"], (f"out-{k}" for k in count(2)))
     return next(name for name in names if not Path(name).exists())
 
@@ -285,35 +258,33 @@ def _widths_row(ratio: float) -> Row:
 
 
 def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
-    """Return the row with the thickest suitable sheets, or else with the sheets for which the curve must be
-    enlarged least.
-    """
-    known = [(Sheet.named(sheet["name"]), sheet["scale"]) for sheet in sheets]
-    fitting = _kinds_first([sheet for sheet, scale in known if scale <= 1][::-1])
-    larger = [f"{sheet.full_name} at {ceil(100 * scale)} %" for sheet, scale in known if scale > 1]
+    sheets_and_scales = [(Sheet.named(sheet["name"]), sheet["scale"]) for sheet in sheets]
+    fitting = _each_kind_first([sheet for sheet, scale in sheets_and_scales if scale <= 1][::-1])
+    larger = [
+        f"{sheet.full_name} at {ceil(100 * scale)} %" for sheet, scale in sheets_and_scales if scale > 1
+    ]
     details = [f"All: {', '.join(fitting)}."] if fitting else []
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
     return Row(
         "Sheets",
-        _some(fitting) if fitting else f"none at this size; if the curve is enlarged: {_some(larger)}",
+        _first_names(fitting)
+        if fitting
+        else f"none at this size; if the curve is enlarged: {_first_names(larger)}",
         details,
     )
 
 
-def _kinds_first(sheets: Sequence[Sheet]) -> list[str]:
-    """Return the names of sheets, with the first sheet of each kind at the front."""
+def _each_kind_first(sheets: Sequence[Sheet]) -> list[str]:
     first = list({sheet.kind: sheet for sheet in reversed(sheets)}.values())[::-1]
     return [sheet.full_name for sheet in (*first, *(sheet for sheet in sheets if sheet not in first))]
 
 
-def _some(names: Sequence[str]) -> str:
-    """Return a text with the first names and the number of the other names, which are listed with -v."""
+def _first_names(names: Sequence[str]) -> str:
     more = len(names) - MOST_SHEETS
     return f"{', '.join(names[:MOST_SHEETS])}{f' and {more} others (-v)' if more > 0 else ''}"
 
 
 def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
-    """Write the picture of a check, or of a rod with rails, pins or ties and its thrust line."""
     from elastica_cad.plot.canvas import save_figure
     from elastica_cad.plot.check_picture import check as draw_check
     from elastica_cad.plot.strip_pictures import rod as draw_rod
@@ -324,7 +295,7 @@ def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
 
 
 def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
-    """Return the check of a curve with rails, pins or ties. A linear program decides it and gives the reasons."""
+    """A linear program decides about the curve and gives the reasons."""
     try:
         rod = solve_rod(spec)
     except NotRealizable as problem:
@@ -333,14 +304,13 @@ def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
     return replace(spec.check, warnings=tuple(w for w in accepted_rod(rod).warnings if w != undecided))
 
 
-def _on_elements(rod: Rod) -> dict[str, Any]:
-    """Return the stability of a rod with rails, pins or ties, and on which side of it each rail is."""
+def _report_on_elements(rod: Rod) -> dict[str, Any]:
     verdict, sides = stability(rod), []
     for action in rod.between:
         if isinstance(action.element, Rail):
             angle = rod.curve.at(action.s).angle
-            left = action.force[0] @ (-np.sin(angle[0]), np.cos(angle[0])) > 0
-            sides.append({"at": round_numbers(action.s[0]), "side": "right" if left else "left"})
+            presses_left = action.force[0] @ (-np.sin(angle[0]), np.cos(angle[0])) > 0
+            sides.append({"at": round_numbers(action.s[0]), "side": "right" if presses_left else "left"})
     return {
         "stability": {"word": verdict.word, "margin": round_numbers(verdict.margin)},
         "bars": sides,
@@ -358,11 +328,8 @@ def _stability_row(report: Mapping[str, Any]) -> Row:
     )  # fmt: skip
 
 
-def _fitting_sheets(curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature) -> dict[str, Any]:
-    """Return the least stiffness ratio, and the sheets that can be bent into the curve at this or a larger
-    size.
-    """
-    known = sheets_for_curve(curve, natural_curvature)
-    sheets = [{"name": sheet.sheet.name, "scale": round_numbers(sheet.scale)} for sheet in known]
+def _report_on_sheets(curve: PlaneCurve, ratio: float, natural_curvature: NaturalCurvature) -> dict[str, Any]:
+    scaled_sheets = sheets_for_curve(curve, natural_curvature)
+    sheets = [{"name": sheet.sheet.name, "scale": round_numbers(sheet.scale)} for sheet in scaled_sheets]
     advice = [_widths_row(ratio).text, _sheets_row(sheets).text]
     return {"ratio": round_numbers(ratio), "sheets": sheets, "advice_on_sheets": advice}

@@ -1,6 +1,4 @@
-"""The command group `elastica`, and what all commands share: error messages, JSON, limits of numbers,
-watching of files.
-"""
+"""The command group `elastica`, and the error messages, JSON records and option checks of all commands."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, nullcontext
@@ -54,7 +52,7 @@ PER_MM = ("natural_curvature",)
 """Options to which `--units` does not apply: keys as in a design file (lengths in mm), and curvatures (1/mm)."""
 
 ALIKE = {"name": "label"}
-"""For an option that has different names in different commands: the other name, by the name that a user typed."""
+"""Name of an option in other commands, by the name in one command."""
 
 FILES = {
     "curve": "name the file with the curve (DXF, SVG, CSV, JSON, STEP), or - for standard input",
@@ -81,8 +79,6 @@ def _print_version(ctx: click.Context, _: click.Parameter, is_wanted: bool) -> N
 
 
 class _OnDemand(Mapping[str, click.Command]):
-    """Mapping from names to commands, which are imported on first use."""
-
     def __getitem__(self, name: str) -> click.Command:
         return _imported(name)
 
@@ -95,7 +91,6 @@ class _OnDemand(Mapping[str, click.Command]):
 
 @cache
 def _imported(name: str) -> click.Command:
-    """Return the command with the common options, or raise KeyError."""
     module, function = COMMANDS[name].split(":")
     command = getattr(import_module(f"elastica_cad.cli.{module}"), function)
     return _complete(command, huge=name == "sections")
@@ -103,7 +98,9 @@ def _imported(name: str) -> click.Command:
 
 @contextmanager
 def _quiet_pipes() -> Iterator[None]:
-    """End without a message if the program that reads the output has ended, as in `elastica sheets | head -1`."""
+    """The program that reads the output may end first, as in `elastica sheets | head -1`; no message is
+    printed then.
+    """
     try:
         yield
     except BrokenPipeError:
@@ -111,7 +108,7 @@ def _quiet_pipes() -> Iterator[None]:
 
 
 class _Sentences(click.Group):
-    """Command group that prints errors of elastica_cad as sentences with suggestions, and sets the exit code."""
+    """Prints errors of elastica_cad as sentences with suggestions, and sets the exit code."""
 
     def make_context(self, *args: Any, **options: Any) -> click.Context:
         with _quiet_pipes():
@@ -119,7 +116,7 @@ class _Sentences(click.Group):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         ctx.meta[TYPED] = tuple(args)
-        return super().parse_args(ctx, _own_first(args))
+        return super().parse_args(ctx, _common_options_first(args))
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
         near = near_names(args[0], COMMANDS)
@@ -143,14 +140,13 @@ class _Sentences(click.Group):
         except click.NoSuchOption as problem:
             raise click.UsageError(_instead_of(problem), problem.ctx) from problem
         except click.MissingParameter as problem:
-            if needed := _what_to_give(problem.param):
+            if needed := _instruction_for_missing(problem.param):
                 message = problem.format_message().rstrip(".")
                 raise click.UsageError(f"{message}: {needed}.", problem.ctx) from problem
             raise
 
 
 def _spelled(path: str) -> str:
-    """Return the option of the running command that sets a field, or the key of the field if there is no option."""
     context, typed = click.get_current_context(), option_name(path.rpartition(".")[2])
     if any(typed in parameter.opts for parameter in context.command.params):
         return typed
@@ -165,23 +161,21 @@ ANYWHERE = {"-q": 0, "--quiet": 0, "--watch": 0, "--units": 1}
 """Options of `elastica` that may also follow the name of a command, with the number of their values."""
 
 
-def _own_first(args: list[str]) -> list[str]:
-    """Return the arguments with the options of `elastica` moved before the command."""
+def _common_options_first(args: list[str]) -> list[str]:
     first: list[str] = []
-    others: list[str] = []
+    remaining: list[str] = []
     words = iter(args)
     for word in words:
         if word == "--":
-            return [*first, *others, word, *words]
-        name, given, _ = word.partition("=")
-        (first if name in ANYWHERE else others).append(word)
-        if name in ANYWHERE and not given:
+            return [*first, *remaining, word, *words]
+        name, equals_sign, _ = word.partition("=")
+        (first if name in ANYWHERE else remaining).append(word)
+        if name in ANYWHERE and not equals_sign:
             first += islice(words, ANYWHERE[name])
-    return [*first, *others]
+    return [*first, *remaining]
 
 
 def _instead_of(problem: click.NoSuchOption) -> str:
-    """Return the replacement for an option that a command does not have."""
     typed = problem.option_name
     name = typed.lstrip("-").replace("-", "_")
     context = problem.ctx
@@ -200,14 +194,14 @@ def _instead_of(problem: click.NoSuchOption) -> str:
         from elastica_cad.design.records import near_path, paths_of
 
         keys = paths_of(record)
-        listed = [path for path in keys if path.count(".") <= DEEPEST]
-        if path := near_path(name, listed):
+        printed_keys = [path for path in keys if path.count(".") <= DEEPEST]
+        if path := near_path(name, printed_keys):
             return f"use --set {path}=VALUE instead of {typed}: `elastica help {path}` explains it"
     return problem.format_message()
 
 
-def _what_to_give(param: click.Parameter | None) -> str:
-    """Return an instruction for a missing parameter, or "" if click lists the choices."""
+def _instruction_for_missing(param: click.Parameter | None) -> str:
+    """Return an instruction for a missing parameter, or "", because click lists choices itself."""
     if isinstance(param, click.Option) and param.metavar and param.help:
         return f"give {param.opts[0]} {param.metavar}. {param.help.rstrip('.')}"
     return FILES.get(param.name or "", "") if isinstance(param, click.Argument) else ""
@@ -247,15 +241,15 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
 
 
 def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
-    """Return the command with `--json` and `-v`, and with the options of `elastica` applied.
+    """Add `--json` and `-v` to a command, and apply the options of `elastica`.
 
     `huge` means that the command itself rejects numbers that are too large for a drawing.
     """
-    run, own = command.callback, {param.name for param in command.params}
+    run, parameter_names = command.callback, {param.name for param in command.params}
     assert run is not None
     command.params += [
-        _speaking("--json", "as_json", help="Print the answer as one JSON record (docs/json.md)."),
-        _speaking("-v", "--verbose", help="Print every step with its seconds, and all notes."),
+        _output_flag("--json", "as_json", help="Print the answer as one JSON record (docs/json.md)."),
+        _output_flag("-v", "--verbose", help="Print every step with its seconds, and all notes."),
     ]  # fmt: skip
     reads = any(
         isinstance(parameter, click.Argument) and isinstance(parameter.type, click.Path)
@@ -268,21 +262,21 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         voice().quiet = bool(root_options.get("quiet"))
         if watched and not reads:
             raise InputError("--watch applies only to commands that read files. Leave out --watch.")
-        in_mm = [] if root_options.get("units", "mm") == "mm" else _notes_on_mm()
+        notes = [] if root_options.get("units", "mm") == "mm" else _notes_on_mm()
         _check_numbers(chosen, huge=huge)
         if not watched:
-            _once(run, chosen, in_mm)
+            _run_once(run, chosen, notes)
             return
 
         def make() -> None:
             try:
-                _once(run, chosen, in_mm)
+                _run_once(run, chosen, notes)
             except click.exceptions.Exit:
                 pass
             except ElasticaError as problem:
                 _refuse(problem)
                 return
-            if "force" in own:
+            if "force" in parameter_names:
                 chosen["force"] = True  # with --watch, later runs overwrite the files of earlier runs
 
         remake_on_change(make, partial(echo, err=True))
@@ -292,9 +286,6 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
 
 
 def _check_numbers(chosen: Mapping[str, Any], *, huge: bool) -> None:
-    """Refuse nan and inf as values of options; without `huge`, refuse also numbers that are too large for a
-    drawing.
-    """
     for option in click.get_current_context().command.params:
         kinds = option.type.types if isinstance(option.type, click.Tuple) else [option.type]
         is_length = any(isinstance(kind, Length) for kind in kinds)
@@ -315,7 +306,7 @@ def _check_numbers(chosen: Mapping[str, Any], *, huge: bool) -> None:
 
 
 def _numbers(value: Any) -> Iterator[float]:
-    """Yield the numbers in nested tuples; integers too large for a float become 1e300."""
+    """Integers too large for a float become 1e300."""
     if isinstance(value, tuple | list):
         for item in value:
             yield from _numbers(item)
@@ -323,8 +314,8 @@ def _numbers(value: Any) -> Iterator[float]:
         yield float(value) if isinstance(value, float) or abs(value) < 10**300 else 1e300
 
 
-def _speaking(*names: str, help: str) -> click.Option:
-    """Return a flag for the output of a command. It takes effect before other options are processed."""
+def _output_flag(*names: str, help: str) -> click.Option:
+    """The flag is processed before other options, because errors of these depend on it."""
 
     def set_voice(_: click.Context, param: click.Parameter, value: bool) -> None:
         if value:
@@ -336,7 +327,6 @@ def _speaking(*names: str, help: str) -> click.Option:
 
 
 def _notes_on_mm() -> list[str]:
-    """Return messages on the given options to which `--units` does not apply."""
     context = click.get_current_context()
     sentences = {
         MM_IN_KEYS: 'lengths are in mm, as in design files, and not in --units; 5 inches are "5*inch"',
@@ -354,8 +344,7 @@ def _notes_on_mm() -> list[str]:
     return sentences_in_mm
 
 
-def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
-    """Run the command. At its end, print its JSON record, whatever the exit code is."""
+def _run_once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
     voice().begin()
     for sentence in in_mm:
         warn(sentence)
@@ -374,7 +363,6 @@ def _once(run: Any, chosen: dict[str, Any], in_mm: list[str]) -> None:
 
 
 def _refuse(problem: ElasticaError) -> int:
-    """Print an error and suggested changes, and return the exit code."""
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
     begins, code = next((row for kind, row in EXIT_CODES.items() if isinstance(problem, kind)))

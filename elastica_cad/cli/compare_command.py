@@ -16,15 +16,15 @@ from elastica_cad.report_rows import Row
 from elastica_cad.strip.pieces import file_word
 
 
-def _unknown(strip: str, path: Path, known: Sequence[str]) -> InputError:
-    if "" in known:
+def _unknown(strip: str, path: Path, strips: Sequence[str]) -> InputError:
+    if "" in strips:
         return InputError(
             "{path} has the table [{strip}], but the report is of a single strip. Delete this line.",
             path=path, strip=strip,
         )  # fmt: skip
     return InputError(
         "{path}: {strip!r} is not a strip of the model. Write the readings below the lines {tables}.",
-        path=path, strip=strip, tables=", ".join(f"[{name}]" for name in known),
+        path=path, strip=strip, tables=", ".join(f"[{name}]" for name in strips),
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""`elastica coupon`: write a test strip of a sheet, and compute the sheet's properties from its measured droop."""
+"""`elastica coupon`: draw a test strip of a sheet, or compute the properties of the sheet from its droop."""
 
 from dataclasses import replace
 from functools import partial
@@ -75,11 +75,11 @@ def coupon(**chosen: Any) -> None:
     prints the stiffness and writes the sheet as NAME.toml, which all commands read by --sheet NAME.toml. With
     --keep the sheet is saved in the library, and its name is enough: --sheet NAME.
     """
-    known, name = _known(chosen), chosen["name"]
+    sheet, name = _sheet_of_coupon(chosen), chosen["name"]
     if name and ("/" in name or "\\" in name):
         raise InputError("The name {name!r} is used in a file name. Leave out / and \\.", name=name)
     if chosen["measured"]:
-        _calibrate(known, chosen)
+        _calibrate(sheet, chosen)
         return
     for option in ("least_radius", "kerf", "grain", "kind", "keep"):
         if chosen[option] is not None and chosen[option] is not False:
@@ -88,18 +88,18 @@ def coupon(**chosen: Any) -> None:
                 option=option_name(option),
             )
     overhang = chosen["overhang"]
-    drawing = coupon_drawing(known, overhang=overhang, width=chosen["width"], clamp=chosen["clamp"])
+    drawing = coupon_drawing(sheet, overhang=overhang, width=chosen["width"], clamp=chosen["clamp"])
     files = [File(f"{drawing.name}.{kind}", partial(save, drawing)) for kind in ("dxf", "svg")]
     written = write_files(files, chosen["output"], force=chosen["force"])
-    answer({"sheet": known, "measured": None})
+    answer({"sheet": sheet, "measured": None})
     wrote(written)
-    free = coupon_overhang(known) if overhang is None else overhang
-    given = given_of(chosen, ("sheet", "thickness", "density", "name"))
+    free = coupon_overhang(sheet) if overhang is None else overhang
+    options = given_of(chosen, ("sheet", "thickness", "density", "name"))
     if chosen["sheet"] is None:
-        given["name"] = known.name
+        options["name"] = sheet.name
     typed = " ".join(
         f"--{option} {quote_words([value]) if isinstance(value, str) else f'{value:g}'}"
-        for option, value in given.items()
+        for option, value in options.items()
     )
     say_row(
         Row(
@@ -114,21 +114,17 @@ _GRAIN = {"along": "along its grain", "across": "across its grain", "none": "wit
 
 def _warn_of_contradiction(measured: tuple[tuple[float, float], ...], result: Calibration) -> None:
     readings = sorted(zip(result.readings, result.reading_uncertainties, measured, strict=True))
-    (low, low_error, near), (high, high_error, far) = readings[0], readings[-1]
+    (low, low_error, short), (high, high_error, long) = readings[0], readings[-1]
     if high - low > max(SIGMAS * hypot(low_error, high_error), LEAST_CONTRADICTION * low):
         _warn_row(
             "Readings",
-            f"Two measurements contradict each other: a droop of {near[1]:g} mm over {near[0]:g} mm gives an "
-            f"elasto-gravity length of {low:.4g} mm, a droop of {far[1]:g} mm over {far[0]:g} mm gives "
+            f"Two measurements contradict each other: a droop of {short[1]:g} mm over {short[0]:g} mm gives an "
+            f"elasto-gravity length of {low:.4g} mm, a droop of {long[1]:g} mm over {long[0]:g} mm gives "
             f"{high:.4g} mm. Measure again; if the sheet is curved, turn it over.",
         )
 
 
-def _known(chosen: dict[str, Any]) -> Sheet:
-    """Return the named sheet with the measured thickness and density.
-
-    Without a name, return a sheet with assumed modulus and strain limit.
-    """
+def _sheet_of_coupon(chosen: dict[str, Any]) -> Sheet:
     thickness, density = chosen["thickness"], chosen["density"]
     for option, value, key in (
         ("--thickness", thickness, "thickness_mm"),
@@ -150,13 +146,12 @@ def _known(chosen: dict[str, Any]) -> Sheet:
             max_strain=GUESSED_STRAIN,
         )
     sheet = Sheet.named(chosen["sheet"])
-    if thickness is not None:  # the measured thickness does not change the name of the sheet
+    if thickness is not None:  # the name of the sheet does not depend on the measured thickness
         sheet = replace(sheet.with_thickness(thickness), name=sheet.name)
     return sheet if density is None else replace(sheet, density=density, density_range=None)
 
 
-def _kept() -> Path:
-    """Return the folder of the user's library."""
+def _library_folder() -> Path:
     places = library_folders()
     if not places:
         raise InputError(
@@ -172,11 +167,15 @@ def _kept() -> Path:
 
 
 def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
-    """Print the properties from the readings beside the listed properties of a known sheet, and write the
-    sheet.
-    """
-    measured, least_radius, listed = chosen["measured"], chosen["least_radius"], chosen["sheet"] is not None
-    name, output = chosen["name"] or f"my-{sheet.name}", _kept() if chosen["keep"] else chosen["output"]
+    measured, least_radius, is_listed = (
+        chosen["measured"],
+        chosen["least_radius"],
+        chosen["sheet"] is not None,
+    )
+    name, output = (
+        chosen["name"] or f"my-{sheet.name}",
+        _library_folder() if chosen["keep"] else chosen["output"],
+    )
     result = calibrate_cantilever(
         [reading[0] for reading in measured],
         [reading[1] for reading in measured],
@@ -184,12 +183,14 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
         thickness=sheet.thickness,
         density=sheet.density,
     )
-    own = {key: getattr(sheet, key) for key in ("grain", "kerf", "kind", "poisson_ratio", "shear_modulus")}
-    own |= given_of(chosen, ("grain", "kerf", "kind"))
+    properties = {
+        key: getattr(sheet, key) for key in ("grain", "kerf", "kind", "poisson_ratio", "shear_modulus")
+    }
+    properties |= given_of(chosen, ("grain", "kerf", "kind"))
     limit: dict[str, Any] = (
         {"max_strain": sheet.max_strain} if least_radius is None else {"least_radius": least_radius}
     )
-    measured_sheet = _with_readings(result.sheet(name, **limit, **own))
+    measured_sheet = _with_rounded_modulus(result.sheet(name, **limit, **properties))
     file = File(f"{name}.toml", lambda path: write_text(path, measured_sheet.toml()))
     (written,) = write_files([file], output, force=chosen["force"])
     answer({"sheet": measured_sheet, "measured": result})
@@ -202,13 +203,13 @@ def _calibrate(sheet: Sheet, chosen: dict[str, Any]) -> None:
             f"A droop of {least:g} mm is too small for an accurate stiffness. Let more of the coupon hang, until "
             f"it droops at least {LEAST_DROOP_MM:g} mm.",
         )
-    if listed and least_radius is None and measured_sheet.grain != sheet.grain:
+    if is_listed and least_radius is None and measured_sheet.grain != sheet.grain:
         _warn_row(
             "Strain",
             f"The largest strain, {100 * sheet.max_strain:.2g} %, is from {sheet.name}, which is bent "
             f"{_GRAIN[sheet.grain]}. Measure how tightly your sheet bends, and add --least-radius MM.",
         )
-    if listed:
+    if is_listed:
         listed_values = f"{sheet.elasto_gravity_length:.2f} mm, E {sheet.youngs_modulus:.0f} MPa"
         say_row(Row("Listed", f"elasto-gravity length {listed_values}"))
     elif least_radius is None:
@@ -228,8 +229,8 @@ def _warn_row(label: str, text: str) -> None:
     say_row(warning_row(text, label))
 
 
-def _with_readings(sheet: Sheet) -> Sheet:
-    """Return the sheet with its modulus rounded to six digits; readings are less accurate."""
-    given = (sheet.youngs_modulus, *(sheet.youngs_modulus_range or ()))
-    E, *limits = (float(f"{modulus:.6g}") for modulus in given)
+def _with_rounded_modulus(sheet: Sheet) -> Sheet:
+    """Round the modulus to six digits, because readings are less accurate."""
+    moduli = (sheet.youngs_modulus, *(sheet.youngs_modulus_range or ()))
+    E, *limits = (float(f"{modulus:.6g}") for modulus in moduli)
     return replace(sheet, youngs_modulus=E, youngs_modulus_range=(limits[0], limits[1]) if limits else None)

@@ -1,6 +1,4 @@
-"""Command-line options for rails, pins, ties and loads between the ends of a strip, generated from their
-records.
-"""
+"""Options for rails, pins, ties and loads between the ends of a strip."""
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -27,10 +25,7 @@ RECORDS: dict[str, tuple[type, str]] = {
 ELEMENTS, LOADS = ("rail", "pin", "tie"), ("point_force", "point_mass")
 
 CUTS = ("hole", "notch")
-"""Fields of pins and ties for cuts in the strip.
-
-A command has an option for each, which applies to all pins and ties.
-"""
+"""Fields of pins and ties for cuts in the strip; a value of such an option applies to all pins and ties."""
 
 
 class Place(Length):
@@ -68,7 +63,7 @@ def _fields(name: str) -> list[Field]:
 
 
 def _types(field: Field) -> Iterator[tuple[Any, str]]:
-    """Yield the type of each value of a field, and its placeholder in help."""
+    """Yield the type and the placeholder of each value of a field."""
     if field.option.unit == "mm":
         yield Place(), field.name.upper()
     elif field.option.unit == "g":
@@ -114,7 +109,7 @@ def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
     for key, names in (("between", ELEMENTS), ("loads", LOADS)):
         rows = [
             ({"kind": name} if key == "between" else {})
-            | _row(name, values)
+            | _values(name, values)
             | (cuts if name in ("pin", "tie") else {})
             for name in names
             for values in chosen.get(name) or ()
@@ -126,17 +121,16 @@ def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
 def elements_of(chosen: Mapping[str, Any], names: Iterable[str]) -> tuple[Any, ...]:
     """Return a record for every given option."""
     return tuple(
-        RECORDS[name][0](**_row(name, values)) for name in names for values in chosen.get(name) or ()
+        RECORDS[name][0](**_values(name, values)) for name in names for values in chosen.get(name) or ()
     )
 
 
-def _row(name: str, values: Any) -> dict[str, Any]:
-    """Return the values of an option by the names of the fields of its record."""
+def _values(name: str, values: Any) -> dict[str, Any]:
     fields = _fields(name)
-    left = [values] if len(fields) == 1 else list(values)
+    remaining = [values] if len(fields) == 1 else list(values)
     row: dict[str, Any] = {}
     for field in fields:
         count = len(list(_types(field)))
-        row[field.name] = left[0] if count == 1 else left[:count]
-        left = left[count:]
+        row[field.name] = remaining[0] if count == 1 else remaining[:count]
+        remaining = remaining[count:]
     return {key: list(value) if isinstance(value, tuple) else value for key, value in row.items()}

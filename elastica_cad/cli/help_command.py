@@ -12,26 +12,25 @@ from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.design.records import help_with_unit, paths_of, require_path_of, title, written
 
 
-def _completed(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
-    """Return the keys of a strip and of a design file that begin as typed, for completion in shells."""
-    known = {**paths_of(DesignKeys), **paths_of(CommandKeys)}
-    return [path for path in known if path.startswith(typed)]
+def _keys_beginning_with(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
+    keys = {**paths_of(DesignKeys), **paths_of(CommandKeys)}
+    return [path for path in keys if path.startswith(typed)]
 
 
 @click.command("help")
-@click.argument("key", required=False, shell_complete=_completed)
+@click.argument("key", required=False, shell_complete=_keys_beginning_with)
 def help_command(key: str | None) -> None:
     """Explain KEY of a strip or a design file, such as limits.ratio; without KEY list all keys.
 
     Set a key by its option, if `elastica strip --help` has one, by `--set KEY=VALUE`, or in a design file.
     """
-    text = _listed() if key is None else _explained(key, typed_name(key))
+    text = _list_of_keys() if key is None else _explanation(key, typed_name(key))
     answer({"key": key, "text": text})
     say(text)
 
 
 def _in_words(kind: Kind) -> str:
-    """Return a description of valid values.
+    """Return a description of the valid values of a key.
 
     Examples
     --------
@@ -54,14 +53,7 @@ def _in_words(kind: Kind) -> str:
     return plain.get(kind.name, "names and their values")
 
 
-def _explained(path: str, option: str) -> str:
-    """Return the text of `elastica help KEY`.
-
-    Raises
-    ------
-    InputError
-        The key does not exist.
-    """
+def _explanation(path: str, option: str) -> str:
     record: Record = CommandKeys if path in paths_of(CommandKeys) else DesignKeys
     field = require_path_of(path.removeprefix("strips."), record)
     declaration = field.option
@@ -80,24 +72,24 @@ def _explained(path: str, option: str) -> str:
     if inner:
         lines.append(f"Keys below it: {', '.join(inner)}.")
     typed = f"{option}=VALUE" if option.startswith("--set") else option
-    here = f"elastica strip: {typed}" if record is CommandKeys else "elastica model: a design file"
-    return "\n".join([path, *(f"  {line}" for line in [*lines, here])])
+    setting = f"elastica strip: {typed}" if record is CommandKeys else "elastica model: a design file"
+    return "\n".join([path, *(f"  {line}" for line in [*lines, setting])])
 
 
-def _listed() -> str:
-    known = paths_of(CommandKeys)
+def _list_of_keys() -> str:
+    keys = paths_of(CommandKeys)
     lines = []
     for group in GROUPS:
         lines += ["", f"{group}:"]
         lines += [
             f"  {path:<24} {help_with_unit(field.help, field.option.unit)}"
-            for path, field in known.items()
-            if known[path.partition(".")[0]].option.group == group and path.count(".") <= DEEPEST
+            for path, field in keys.items()
+            if keys[path.partition(".")[0]].option.group == group and path.count(".") <= DEEPEST
         ]
     lines += ["", "whole models, in design files:"]
     lines += [
         f"  {path:<24} {help_with_unit(field.help, field.option.unit)}"
         for path, field in paths_of(DesignKeys).items()
-        if path.partition(".")[0] not in {*known, "strips"} and path.count(".") <= DEEPEST
+        if path.partition(".")[0] not in {*keys, "strips"} and path.count(".") <= DEEPEST
     ]
     return "\n".join(lines[1:])

@@ -1,4 +1,4 @@
-"""`elastica model`: write a folder with everything that is needed to build the model of a design file."""
+"""`elastica model`: make the model of a design file, with all files that are needed to build it."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 from elastica_cad.strip.summary import accuracy_row, size_row
 
 MOST_SHOWN = 6
-"""Number of notes that are printed; the report contains all notes."""
+"""Largest number of notes that are printed without -v; the report contains all notes."""
 
 
 @click.command()
@@ -94,25 +94,27 @@ def model(
     """
     changes = parsed_settings(settings, DesignKeys)
     say_step("reading the design")
-    read = read_design(design, _read_with_note, read_surface, below=below, changes=changes)
-    if read.kit.cutting.service and not parts:
+    requested = read_design(design, _read_with_note, read_surface, below=below, changes=changes)
+    if requested.kit.cutting.service and not parts:
         raise InputError(
             'With cut.for = "service" only the separate parts are written, and --no-parts '
             "leaves them out. Leave out --no-parts."
         )
-    read = read.nearest() if nearest else read
-    read = read.with_limits_ignored() if ignore_limits else read
-    check_kit_folder(read.name, output, force=force)
-    suggest_later(partial(_refused, read), _as_line, FIELDS)
+    requested = requested.nearest() if nearest else requested
+    requested = requested.with_limits_ignored() if ignore_limits else requested
+    check_kit_folder(requested.name, output, force=force)
+    suggest_later(partial(_refused_request, requested), _design_line, FIELDS)
     strips, files = count(1), count(1)
 
     def written(_: str, total: int) -> None:
         if (number := next(files)) < total:
             say_step(f"writing {kit.files[number].name}", number + 1, total)
 
-    made = read.model(lambda label: say_step(f"made strip {label}", next(strips), len(read.entries)))
+    result = requested.model(
+        lambda label: say_step(f"made strip {label}", next(strips), len(requested.entries))
+    )
     say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
-    contents = kit_contents(made, read.kit, entries=read.entries, effects=effects)
+    contents = kit_contents(result, requested.kit, entries=requested.entries, effects=effects)
     kit = model_kit(contents, step=step, pictures=pictures, parts=parts, archives=archives)
     say_step(f"writing {kit.files[0].name}", 1, len(kit.files))
     kit.write(
@@ -122,36 +124,33 @@ def model(
         process=click.get_current_context().find_object(DrawingProcess),
     )
     _report(contents, kit, output)
-    for text in left_out(step=step, pictures=pictures, paper=bool(read.kit.pages)):
+    for text in left_out(step=step, pictures=pictures, paper=bool(requested.kit.pages)):
         say(text)
 
 
 KEYS = {"nearest": "limits = {{}}", "lap": "shop = {{ lap = {value:g} }}"}
-"""Lines in a design file for suggested changes that are not of the form FIELD = VALUE."""
+"""Lines in a design file for suggested changes, if they are not of the form FIELD = VALUE."""
 
 FIELDS = ("nearest", "lap", "max_width", "smooth", "thickness")
 """Fields that can be changed by a line in the table of a strip."""
 
 
-def _refused(design: Design, problem: ElasticaError) -> StripSpec | None:
-    """Return the request of the strip that was refused, or None unless exactly one strip has its name."""
+def _refused_request(design: Design, problem: ElasticaError) -> StripSpec | None:
     label = problem.refusal.where.get("strip")
     specs = [entry.spec for entry in design.entries if entry.called == label]
     return specs[0] if len(specs) == 1 else None
 
 
-def _as_line(suggestion: "Suggestion") -> str:
-    """Return the line of the design file that makes a change."""
+def _design_line(suggestion: "Suggestion") -> str:
     change = suggestion.change
     line = KEYS.get(change.field, "{field} = {value:g}").format(field=change.field, value=change.value)
     return f"`{line}` in the table of strip {suggestion.requests[0].label}"
 
 
 def _read_with_note(path: Path, *, unit: str | None = None) -> CurveList:
-    """Read the curves of a file, and print a note if their size is doubtful."""
     curves = read_curves(path, unit=unit)
     message = f"{path.name}: {curves.file.unit.note}"
-    # print a note only once, although several strips may use the file
+    # several strips may use the same file
     if curves.file.unit.note and message not in voice().notes:
         warn(message)
     return curves
@@ -160,11 +159,11 @@ def _read_with_note(path: Path, *, unit: str | None = None) -> CurveList:
 def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     answer(kit.report | {"folder": output})
     voice().files += [str(output / file.name) for file in kit.files]
-    model, listed = contents.model, contents.cut_list
+    model, cut_list = contents.model, contents.cut_list
     sizes: dict[str, list[EqualStrips]] = {}
     for part in model.parts:
-        held = contents.held.get(model.single_name_of(part.members[0]))
-        accuracy = "" if held is None else f"; accurate to about {about(held.expected)}"
+        shape = contents.held.get(model.single_name_of(part.members[0]))
+        accuracy = "" if shape is None else f"; accurate to about {about(shape.expected)}"
         sizes.setdefault(f"{size_row(part.strip).text}{accuracy}", []).append(part)
     for text, parts in sizes.items():
         count, names = sum(part.count for part in parts), [part.name for part in parts]
@@ -174,44 +173,42 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
         Row(
             "Model",
             f"{model.name}: {count_strips(model)}, {counted(len(model.joints), 'joint')}; "
-            f"{counted(listed.count, 'piece')} of {counted(listed.shapes, 'shape')}, "
-            f"{listed.cut_length / 1000:.1f} m of cuts, {listed.mass:.0f} g",
+            f"{counted(cut_list.count, 'piece')} of {counted(cut_list.shapes, 'shape')}, "
+            f"{cut_list.cut_length / 1000:.1f} m of cuts, {cut_list.mass:.0f} g",
         )
     )
-    if moved := _largest_move(contents):
-        say_row(moved)
+    if deviation_row := _row_of_largest_deviation(contents):
+        say_row(deviation_row)
     if contents.held:
         worst = max(contents.held, key=lambda name: contents.held[name].expected)
         row = accuracy_row(contents.held[worst])
         say_row(replace(row, text=f"{worst} deviates most: {row.text}"))
-    _before_you_cut(contents, kit, output)
+    _print_notes(contents, kit, output)
     details = [
         f"{nest.name}: {counted(len(nest.pieces), 'piece')}, {100 * nest.share:.0f} % of the sheet"
         f"{nest.grain and f', {nest.grain}'}"
         for nest in contents.nests
     ]
-    sawn = [f"saw from one rod, mm: {line}" for item in listed.stock for line in item.sawn]
-    say_row(Row("To buy", "; ".join(map(str, listed.stock)), [*details, *sawn]))
+    sawn = [f"saw from one rod, mm: {line}" for item in cut_list.stock for line in item.sawn]
+    say_row(Row("To buy", "; ".join(map(str, cut_list.stock)), [*details, *sawn]))
     start = [f"; open {output / START_PAGE} first" for file in kit.files if file.name == START_PAGE]
     say_row(Row("Files", f"{len(kit.files)} in {output}{''.join(start)}"))
 
 
-def _largest_move(contents: KitContents) -> Row | None:
-    """Return the row with the strip that is farthest from its drawn curve, or None if no curve was changed."""
-    drawn = {entry.label: entry.curve for entry in contents.entries if entry.spec.may_change}
-    moved = [
-        (largest_deviation(drawn[part.strip.label], part.strip.rod.curve), part.name)
+def _row_of_largest_deviation(contents: KitContents) -> Row | None:
+    curves = {entry.label: entry.curve for entry in contents.entries if entry.spec.may_change}
+    deviations = [
+        (largest_deviation(curves[part.strip.label], part.strip.rod.curve), part.name)
         for part in contents.model.parts
-        if part.strip.label in drawn
+        if part.strip.label in curves
     ]
-    if not moved:
+    if not deviations:
         return None
-    far, name = max(moved)
-    return Row("Curves", f"{name} is farthest from its drawn curve: {Length(far)}")
+    distance, name = max(deviations)
+    return Row("Curves", f"{name} is farthest from its drawn curve: {Length(distance)}")
 
 
-def _before_you_cut(contents: KitContents, kit: Kit, output: Path) -> None:
-    """Print messages about the model; without -v, only the first messages."""
+def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
     model = contents.model
     messages = [*contents.notes, *model.reports, *_warnings(model)]
     if old := left_behind(kit, output):
@@ -219,12 +216,12 @@ def _before_you_cut(contents: KitContents, kit: Kit, output: Path) -> None:
             f"{output} holds files of an earlier run that do not belong to this model "
             f"({old[0]}{' and others' if old[1:] else ''}). Delete them, or choose an empty folder."
         )
-    shown = messages if voice().verbose else list(one_of_each(messages))[:MOST_SHOWN]
+    printed = messages if voice().verbose else list(one_of_each(messages))[:MOST_SHOWN]
     if messages:
         warn("Before you cut:", in_notes=False)
-    for text in shown:
+    for text in printed:
         say_row(warning_row(text, "Note"))
-    if len(messages) > len(shown):
+    if len(messages) > len(printed):
         warn(f"All {len(messages)} notes are in {model.name}.json, or printed with -v.", in_notes=False)
 
 

@@ -1,4 +1,4 @@
-"""`elastica new`: write a commented design file that can be used unchanged, and its schema for editors."""
+"""`elastica new`: write a commented design file that can be used unchanged, and the schema for editors."""
 
 import json
 import os
@@ -23,8 +23,8 @@ KINDS = ("arch", "lamp", "pavilion", "revolution", "sections", "schema")
 ARCH_MM = (
     (0, 0), (40, 5), (80, 40), (125, 160), (200, 175), (275, 160), (320, 40), (360, 5), (400, 0),
 )  # fmt: skip
-BOWL_MM = (60.0, 45.0, 140.0)  # least radius, bulge and height, mm, of the mesh for the example of `sections`
-AROUND, UP = 48, 25  # its points
+BOWL_MM = (60.0, 45.0, 140.0)  # least radius, bulge and height of the example mesh of `sections`, mm
+AROUND, UP = 48, 25  # numbers of points of this mesh
 
 
 @click.command()
@@ -49,11 +49,11 @@ def new(kind: str, output: Path, force: bool) -> None:
     template = files("elastica_cad.cli").joinpath("templates", f"{kind}.toml").read_bytes()
     new_files = [File(f"{kind}.toml", lambda path: path.write_bytes(template))]
     if kind == "arch":
-        drawn = [PlaneCurve.spline(ARCH_MM, degree=4)]
-        new_files.append(File("arch.dxf", lambda path: write_curves(drawn, path)))
+        curves = [PlaneCurve.spline(ARCH_MM, degree=4)]
+        new_files.append(File("arch.dxf", lambda path: write_curves(curves, path)))
     if kind == "sections":
         new_files.append(File("bowl.obj", lambda path: write_text(path, _bowl())))
-    if not _holds(output / SCHEMA_FILE, text):
+    if not _contains(output / SCHEMA_FILE, text):
         new_files.append(schema)
     wrote(write_files(new_files, output, force=force))
     typed = quote_words(["model", str(output / f"{kind}.toml"), "-o", str(output / f"{kind}-kit")])
@@ -62,13 +62,11 @@ def new(kind: str, output: Path, force: bool) -> None:
     answer({"kind": kind, "next": following})
 
 
-def _holds(path: Path, text: str) -> bool:
-    """Return True if the file exists and contains this text."""
+def _contains(path: Path, text: str) -> bool:
     return os.path.isfile(path) and path.read_bytes() == text.encode()
 
 
 def _bowl() -> str:
-    """Return a surface of revolution about z as OBJ."""
     t = np.linspace(0.0, 1.0, UP)[:, None]
     turn = 2 * np.pi * np.arange(AROUND) / AROUND
     least, bulge, height = BOWL_MM

@@ -1,4 +1,4 @@
-"""Options that several commands share, and lengths with units."""
+"""Options that several commands share, and the parameter type of lengths."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping
@@ -37,7 +37,7 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         self.positive, self.words = positive, words
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | str:
-        """Return the length in mm, or a permitted word. Numbers (defaults) are in mm."""
+        """Return the length in mm, or a permitted word. A number is in mm."""
         if not isinstance(value, str):
             return float(value)
         if value in self.words:
@@ -50,9 +50,9 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         except ValueError:
             scale = 0.0
         if not scale:
-            known = ", ".join(["a number of mm", *(f"the word {word}" for word in self.words)])
+            accepted = ", ".join(["a number of mm", *(f"the word {word}" for word in self.words)])
             self.fail(
-                f"{value!r} is not a length: give {known}, or a length with its unit such as 1.5in or 4cm",
+                f"{value!r} is not a length: give {accepted}, or a length with its unit such as 1.5in or 4cm",
                 param,
                 ctx,
             )
@@ -91,12 +91,12 @@ def option_of(
     if switch or field.kind.name == "flag":
         words = typed if switch else f"{typed}/--no-{typed[2:]}"
         return click.option(words, is_flag=True, default=None, help=help)
-    kind, shown = _typed_as(field)
-    return click.option(typed, type=kind, metavar=shown, required=required, help=help)
+    kind, placeholder = _typed_as(field)
+    return click.option(typed, type=kind, metavar=placeholder, required=required, help=help)
 
 
 def _typed_as(field: Field) -> tuple[Any, str | None]:
-    from elastica_cad.design.records import written  # imports all records
+    from elastica_cad.design.records import written
 
     kinds = written(field.kind).alternatives
     words = tuple(word for alternative in kinds for word in alternative.choices)
@@ -132,10 +132,7 @@ smooth_option = click.option(
 
 
 class _Folder(click.Path):
-    """Parameter type of the output folder.
-
-    It refuses a name that looks like an option, because the name was probably forgotten.
-    """
+    """It refuses a name that looks like an option, because the name was probably forgotten."""
 
     def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
         if str(value).startswith("-"):
@@ -164,13 +161,7 @@ def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
 
 
 def requested_sheet(chosen: Mapping[str, Any]) -> "Sheet":
-    """Return the sheet that the options of `sheet_options` select.
-
-    Raises
-    ------
-    InputError
-        The sheet or file does not exist, or no sheet has this thickness.
-    """
+    """Return the sheet that the options of `sheet_options` select."""
     from elastica_cad.mechanics.sheets import Sheet
 
     sheet = Sheet.named(chosen["sheet"])

@@ -71,10 +71,13 @@ _WISHES = (
 def pair(**chosen: Any) -> None:
     """Make a part with two rest shapes, the curves of FIRST and SECOND: a clip, a catch, a stand.
 
-    Without SECOND, both curves are in FIRST. The part is cut flat in its unloaded shape, and its thickness in the
-    plane of the sheet varies along it. If the ends of both curves agree in position and direction, the part is
-    bistable and snaps between them; otherwise its end has two settings. A second drawing is the plate that holds
-    the part. FIRST may also be a design file with a table [pair], which sets all of this.
+    Without SECOND, both curves are in FIRST. The part is cut flat in its unloaded shape, and its
+    thickness in the
+    plane of the sheet varies along it. If the ends of both curves agree in position and direction, the
+    part is
+    bistable and snaps between them; otherwise one end is moved between two positions. NAME-holder.dxf is
+    the plate that holds the part. FIRST may also be a design file with a table [pair], which names the
+    curves, the sheet and all options.
     """
     path: Path = chosen["first"]
     settings = parsed_settings(chosen["settings"], PairKeys)
@@ -94,12 +97,12 @@ def pair(**chosen: Any) -> None:
     say_step("looking for the rod that rests in both curves")
     _ = spec.pair
     say_step("following it from one state to the other")
-    made = MadePair(spec, spec.make(), name, cutting)
+    result = MadePair(spec, spec.make(), name, cutting)
     process = click.get_current_context().find_object(DrawingProcess)
-    written = made.kit.write(chosen["output"], force=chosen["force"], process=process)
-    _report(made)
-    answer({"pair": made.kit.report})
-    held = "print, holder" if made.part.pair.bistable else "print, holder without the names of the settings"
+    written = result.kit.write(chosen["output"], force=chosen["force"], process=process)
+    _report(result)
+    answer({"pair": result.kit.report})
+    held = "print, holder" if result.part.pair.bistable else "print, holder without the names of the settings"
     wrote(
         written,
         {f"{name}.dxf": "cut", f"{name}-holder.dxf": "cut, holder", f"{name}-holder.stl": held},
@@ -115,23 +118,22 @@ def _spec_of(chosen: dict[str, Any], settings: dict[str, Any]) -> FlexureSpec:
     names = (first.drawn.chosen_name, second.drawn.chosen_name)
     if names[0] != names[1]:
         table |= dict(zip(("first_state", "second_state"), names, strict=True))
-    given = Reader().given(PairKeys, Table(with_settings(table, settings), "", {}))
-    return FlexureSpec(first.bendable(None), second.bendable(None), requested_sheet(chosen), **given)
+    fields = Reader().given(PairKeys, Table(with_settings(table, settings), "", {}))
+    return FlexureSpec(first.bendable(None), second.bendable(None), requested_sheet(chosen), **fields)
 
 
 def _curves(chosen: dict[str, Any]) -> tuple[RequestedCurve, RequestedCurve]:
-    """Return both curves, in the order of the file if a single drawing has both."""
     path, unit = chosen["first"], chosen["unit"]
     if chosen["second"] is None and chosen["first_curve"] is None and chosen["second_curve"] is None:
-        drawn = requested_curves(path, unit, None, None, every=True, split=True, corners=False)
-        if len(drawn) != 2:
+        curves = requested_curves(path, unit, None, None, every=True, split=True, corners=False)
+        if len(curves) != 2:
             raise InputError(
                 "A part has two rest shapes, but {path} has a different number of curves: {count}. Choose them "
                 "with --first and --second, or name two files.",
                 path=path,
-                count=len(drawn),
+                count=len(curves),
             )
-        return drawn[0], drawn[1]
+        return curves[0], curves[1]
 
     def curve_of(file: Path, which: str) -> RequestedCurve:
         how = f"--{which} 1 .. --{which} {{count}}, or --{which} ID"
@@ -141,7 +143,7 @@ def _curves(chosen: dict[str, Any]) -> tuple[RequestedCurve, RequestedCurve]:
     return curve_of(path, "first"), curve_of(chosen["second"] or path, "second")
 
 
-def _report(made: MadePair) -> None:
-    warnings = [warning_row(text) for text in made.warnings]
-    for row in in_order([*pair_rows(made.part), *warnings]):
+def _report(result: MadePair) -> None:
+    warnings = [warning_row(text) for text in result.warnings]
+    for row in in_order([*pair_rows(result.part), *warnings]):
         say_row(row)

@@ -1,4 +1,4 @@
-"""The CURVE argument of commands: curves of a file, with their names, supports and rest shape."""
+"""The argument CURVE of commands: curves of a file, with their names, supports and rest shape."""
 
 import re
 import sys
@@ -45,13 +45,6 @@ def curve_argument(*, required: bool = True) -> Callable[[F], F]:
 
 
 def _standard_input(ctx: click.Context) -> Path:
-    """Return a temporary file with the contents of standard input, with a suffix that follows from the contents.
-
-    Raises
-    ------
-    InputError
-        Standard input is empty or too large.
-    """
     if ctx.find_root().params.get("watch"):
         raise InputError("--watch needs a file; standard input cannot be watched. Name a file.")
     data = sys.stdin.buffer.read(LARGEST_FILE + 1)
@@ -64,13 +57,12 @@ def _standard_input(ctx: click.Context) -> Path:
         )
     folder = TemporaryDirectory(prefix="elastica-")
     ctx.call_on_close(folder.cleanup)
-    path = Path(folder.name, f"stdin{_kind(data)}")
+    path = Path(folder.name, f"stdin{_suffix(data)}")
     path.write_bytes(data)
     return path
 
 
-def _kind(data: bytes) -> str:
-    """Return the suffix of the kind of file that begins with these bytes."""
+def _suffix(data: bytes) -> str:
     head = data[:4096].lstrip(b"\xef\xbb\xbf \t\r\n")
     if head.startswith((b"<", b"\x1f\x8b")):
         return ".svg"
@@ -106,7 +98,6 @@ which_options = join_options(
 split_option = click.option(
     "--split-corners", is_flag=True, help="Split curves at their corners into separate curves."
 )
-"""Option that splits curves at their corners."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,7 +120,7 @@ class RequestedCurve:
     unit : str or None
         Unit of the file, if it was given.
     own : str
-        Name that a person gave to the curve in a file with several curves, or "".
+        Name of the curve in a file with several curves, or "" without a name.
     alone : bool
         True if no other curve of the file has this name.
     """
@@ -146,40 +137,27 @@ class RequestedCurve:
 
     @property
     def label(self) -> str:
-        """Default for the engraved text: the name of the curve with the number of its piece, or the stem of
-        its files.
-        """
+        """Default of the engraved text: name of the curve and number of the piece, or `name`."""
         piece = f"-{self.drawn.piece}" if self.drawn.pieces > 1 else ""
         return engravable(f"{self.own}{piece}" if self.own else self.name)
 
     @property
     def curve(self) -> PlaneCurve:
-        """The curve as drawn, with its corners.
-
-        Raises
-        ------
-        InputError
-            The numbers do not define a curve; the message names file and curve.
-        """
-        with self._named():
+        """The curve as drawn, with its corners."""
+        with self._with_place_in_errors():
             return self.drawn.curve
 
     def bendable(self, smooth: float | None) -> PlaneCurve:
-        """Return the curve as drawn. Refuse it if smoothing by `smooth` mm does not remove its corners.
-
-        Raises
-        ------
-        InputError
-            The curve is not bendable; the message names file and curve.
+        """Return the curve as drawn. Refuse the curve if smoothing by `smooth` mm does not remove its
+        corners.
         """
-        with self._named():
-            drawn = self.drawn.curve
-            require_bendable(round_corners(drawn, smooth)[0] if smooth else drawn)
-            return drawn
+        with self._with_place_in_errors():
+            curve = self.drawn.curve
+            require_bendable(round_corners(curve, smooth)[0] if smooth else curve)
+            return curve
 
     @contextmanager
-    def _named(self) -> Iterator[None]:
-        """Add the names of file and curve to errors."""
+    def _with_place_in_errors(self) -> Iterator[None]:
         try:
             yield
         except InputError as problem:
@@ -206,18 +184,12 @@ def requested_curves(
     With `every`, several curves may be selected. With `split`, curves are divided at corners. Without
     `corners`, curves that meet at a corner are not joined, and joints are not reported. `how` names the
     options that select a single curve, for messages.
-
-    Raises
-    ------
-    InputError
-        No curve is selected, or several curves are selected although a single curve is required. The message
-        names the file.
     """
     drawing = drawn_curves(path, unit, number, layer, how, corners=corners)
     several = every and len(drawing) > 1 and number is None
-    drawn = drawing.chosen(number, layer) if every else (drawing.one(number, layer, how),)
-    in_files = _names(drawn)
-    in_drawing = _names(drawing.curves) if len(drawing) > 1 else {}
+    selected = drawing.chosen(number, layer) if every else (drawing.one(number, layer, how),)
+    in_files = _names_by_number(selected)
+    in_drawing = _names_by_number(drawing.curves) if len(drawing) > 1 else {}
     return tuple(
         RequestedCurve(
             path,
@@ -233,7 +205,7 @@ def requested_curves(
             unit,
             *in_drawing.get(whole.number, ("", False)),
         )
-        for whole in drawn
+        for whole in selected
         for piece in (whole.split_at_corners() if split else (whole,))
     )
 
@@ -247,13 +219,7 @@ def drawn_curves(
     *,
     corners: bool = True,
 ) -> DrawnFile:
-    """Read a file, print notes about omitted items, and return all its curves.
-
-    Raises
-    ------
-    InputError
-        No curve matches number, id or layer; the message names the file.
-    """
+    """Read a file, print notes about omitted items, and return all its curves."""
     drawing = read_drawing(path, unit=unit, corners=corners)
     for text in drawing.notes:
         warn(f"{path.name}: {text}")
@@ -267,29 +233,27 @@ def drawn_curves(
     return drawing
 
 
-def _names(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
-    """Return a mapping from the number of each curve to its name, and True if the name is unique.
+def _names_by_number(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
+    """Map the number of each curve to its name, and to True if the name is unique.
 
-    A name that several curves have is followed by the number. Curves without a name from a user have an empty name.
+    A name of several curves is followed by the number. A curve without a name from a user has the name "".
     """
-    often = Counter(_word(curve.name).casefold() for curve in curves)
+    counts = Counter(_file_word(curve.name).casefold() for curve in curves)
     names = {}
     for curve in curves:
-        alone = often[_word(curve.name).casefold()] == 1
-        named = re.match(r"_|[^\W\d]", curve.name) is not None
-        called = (curve.name if alone else f"{curve.name}-{curve.number}") if named else ""
-        names[curve.number] = called, named and alone
+        alone = counts[_file_word(curve.name).casefold()] == 1
+        has_name = re.match(r"_|[^\W\d]", curve.name) is not None
+        text = (curve.name if alone else f"{curve.name}-{curve.number}") if has_name else ""
+        names[curve.number] = text, has_name and alone
     return names
 
 
-def _word(name: str) -> str:
-    """Return the name with _ instead of characters that are not valid in file names."""
+def _file_word(name: str) -> str:
     return re.sub(r"[^-.A-Za-z0-9_]+", "_", engravable(name.strip()))
 
 
 def _file_stem(path: Path, number: str | None, piece: int | None) -> str:
-    """Return the stem of file names: the drawing's name, the curve's number or id, and the piece."""
-    words = [] if number is None else [_word(number) or "1"]
+    words = [] if number is None else [_file_word(number) or "1"]
     return "-".join([path.stem, *words, *([] if piece is None else [str(piece)])])
 
 
@@ -298,8 +262,8 @@ END_NAMES = get_args(EndName)
 
 def read_curves_with_note(path: Path, *, unit: str | None = None) -> list[PlaneCurve]:
     """Read the curve of a file that has a single curve, and print a note if its size is doubtful."""
-    (drawn,) = requested_curves(path, unit, None, None)
-    return [drawn.bendable(None)]
+    (curve,) = requested_curves(path, unit, None, None)
+    return [curve.bendable(None)]
 
 
 def natural_curvature_of(value: Any) -> NaturalCurvature:

@@ -1,7 +1,4 @@
-"""`elastica reshape`: deform a curve by moving four handles.
-
-If a strip can be bent into the curve, a strip can be bent into the new curve.
-"""
+"""`elastica reshape`: deform a curve by moving four handles, so that a flat strip can still take it."""
 
 import warnings
 from collections.abc import Sequence
@@ -78,16 +75,20 @@ def reshape(
         if drawn_curve.problem:
             text = f"{curve.name}, {drawn_curve.called} of {len(drawing)} is left out: {drawn_curve.problem}"
             say_row(warning_row(text, "Left out"))
-    drawn = [drawn_curve.curve for drawn_curve in chosen if not drawn_curve.problem] or [chosen[0].curve]
-    matrix = _map(drawn, handles, {name: place for name, place in corners.items() if place is not None})
-    changed = [drawn_curve.transformed(matrix) for drawn_curve in drawn]
+    originals = [drawn_curve.curve for drawn_curve in chosen if not drawn_curve.problem] or [chosen[0].curve]
+    matrix = _map_of_options(
+        originals, handles, {name: place for name, place in corners.items() if place is not None}
+    )
+    changed = [drawn_curve.transformed(matrix) for drawn_curve in originals]
     files = [File(f"{curve.stem}-reshaped.{kind}", partial(_write_curves, changed)) for kind in KINDS]
     written = write_files(files, output, force=force)
     reports = []
-    for count, pair in enumerate(zip(drawn, changed, strict=True), start=1):
-        if len(drawn) > 1:
-            say(f"curve {count} of {len(drawn)}:")
-        reports.append({word: _verdict(shape) for word, shape in zip(("before", "after"), pair, strict=True)})
+    for count, pair in enumerate(zip(originals, changed, strict=True), start=1):
+        if len(originals) > 1:
+            say(f"curve {count} of {len(originals)}:")
+        reports.append(
+            {word: _strip_data(shape) for word, shape in zip(("before", "after"), pair, strict=True)}
+        )
         for word, verdict in reports[-1].items():
             severity: Severity = "note" if verdict["realizable"] else "error"
             say_row(Row(word.capitalize(), _sentence(verdict), severity=severity), is_answer=True)
@@ -96,7 +97,7 @@ def reshape(
     bad = [i for i, report in enumerate(reports) if not report["after"]["realizable"]]
     if bad:
         say_row(warning_row(NO_MAP, "Change"))
-    if bad or len(drawn) < len(chosen):
+    if bad or len(originals) < len(chosen):
         ctx.exit(1)
 
 
@@ -108,12 +109,11 @@ def _write_curves(curves: Sequence[PlaneCurve], path: Path) -> None:
         warn(str(fit.message))
 
 
-def _map(
+def _map_of_options(
     curves: Sequence[PlaneCurve],
     handles: tuple[tuple[float, float, float, float], ...],
     corners: dict[str, tuple[float, float]],
 ) -> FloatArray:
-    """Return the projective map (3, 3) that moves the handles as the options request."""
     if handles and corners:
         raise InputError("Corners of the box and --handle exclude each other. Leave out one of them.")
     if corners:
@@ -132,8 +132,7 @@ def _map(
     return four_point_map([handle[:2] for handle in handles], [handle[2:] for handle in handles])
 
 
-def _verdict(curve: PlaneCurve) -> dict[str, Any]:
-    """Return a dict: whether a strip can be bent into the curve, and the data of the strip."""
+def _strip_data(curve: PlaneCurve) -> dict[str, Any]:
     measured = {"length": curve.length, "realizable": False, "inflections": (), "ratio": None}
     try:
         require_bendable(curve)

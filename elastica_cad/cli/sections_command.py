@@ -1,4 +1,4 @@
-"""`elastica sections`: write curves that strips can follow on a mesh or a CAD body, and a design file for the
+"""`elastica sections`: write the curves of sections of a mesh or a CAD body, and a design file for their
 strips.
 """
 
@@ -55,7 +55,7 @@ GAP_MM = 20.0
 """Distance, mm, between neighbouring curves in the drawing."""
 
 UPRIGHT = 1e-9
-"""A direction counts as parallel to z if its x and y are at most this fraction of it, because of rounding."""
+"""Largest x and y, relative to z, of a direction that counts as parallel to z, because of rounding."""
 
 _IDLE = {
     "--radial": ("up",), "--angle": ("up",), "--parallel": ("zero",), "--offset": ("zero",),
@@ -136,16 +136,18 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     if chosen["stand"] != "none":
         requested_sheet({"sheet": chosen["stand"], "thickness": None})
     require_file(mesh)
-    named = given_of(chosen, ("unit", "scale"))
-    family = _family_named(chosen)
+    size_options = given_of(chosen, ("unit", "scale"))
+    family = _family_option(chosen)
     try:
-        surface = read_sized_surface(read_surface, mesh, **named)
+        surface = read_sized_surface(read_surface, mesh, **size_options)
         spec = _spec(family, chosen, surface)
         say_step("cutting the surface and fitting curves")
         curves, reports = spec.curves(surface)
     except InputError as problem:
         message = str(problem) if str(mesh) in str(problem) else str(problem.at(file=mesh))
-        raise InputError("{told}{option}", told=message, option=_option_for(message, chosen)) from None
+        raise InputError(
+            "{told}{option}", told=message, option=_option_that_splits(message, chosen)
+        ) from None
     verdicts = []
     for number, curve in enumerate(curves, start=1):
         say_step(f"judged {curve.name}", number, len(curves))
@@ -153,17 +155,17 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
     for section in verdicts:
         say_row(Row("Section", f"{section['name'].removeprefix('section ')}: {_sentence(section)}"))
     for text in reports:
-        say_row(warning_row(f"{text}{_option_for(text, chosen)}", "Note"))
+        say_row(warning_row(f"{text}{_option_that_splits(text, chosen)}", "Note"))
     answer({"sections": verdicts})
     name = f"{mesh.stem}-sections"
-    drawn = [curve.curve for curve in curves]
+    plane_curves = [curve.curve for curve in curves]
     files = [
-        File(f"{name}.json", lambda path: write_text(path, curves_json(drawn))),
-        File(f"{name}.dxf", lambda path: write_curves(_side_by_side(drawn), path)),
+        File(f"{name}.json", lambda path: write_text(path, curves_json(plane_curves))),
+        File(f"{name}.dxf", lambda path: write_curves(_side_by_side(plane_curves), path)),
     ]
     if chosen["sheet"] is not None:
-        seen = {"mesh": seen_from(str(mesh), output)} | named
-        text = compose_section_design(name, seen, spec, _strip_keys(chosen, output))
+        mesh_table = {"mesh": seen_from(str(mesh), output)} | size_options
+        text = compose_section_design(name, mesh_table, spec, _strip_keys(chosen, output))
         files.append(File(f"{name}.toml", lambda path: write_text(path, text)))
     wrote(write_files(files, output, force=force))
     if chosen["sheet"] is None:
@@ -172,10 +174,7 @@ def sections(mesh: Path, output: Path, force: bool, **chosen: Any) -> None:
         )
 
 
-def _option_for(message: str, chosen: dict[str, Any]) -> str:
-    """Return the option that splits curves at corners, or closed curves in halves, if it solves the problem
-    in `message`.
-    """
+def _option_that_splits(message: str, chosen: dict[str, Any]) -> str:
     changes = message.all_changes if isinstance(message, Refusal) else ()
     if AT_CORNERS in changes and chosen["split_corners"] is None:
         return " (--split-corners 20)"
@@ -183,28 +182,28 @@ def _option_for(message: str, chosen: dict[str, Any]) -> str:
     return " (--split X Y Z NX NY NZ, a point and a normal)" if AT_TWO_PLACES in changes and unsplit else ""
 
 
-def _family_named(chosen: dict[str, Any]) -> str:
-    """Return the option that selects the cutting planes."""
+def _family_option(chosen: dict[str, Any]) -> str:
     families = {
         "--radial": chosen["radial"], "--angle": chosen["angles"], "--parallel": chosen["parallel"],
         "--offset": chosen["offsets"], "--along": chosen["along"],
     }  # fmt: skip
-    given = [option for option, value in families.items() if value]
-    if len(given) != 1:
-        selected = f", not {' and '.join(given)}" if given else ""
+    options = [option for option, value in families.items() if value]
+    if len(options) != 1:
+        selected = f", not {' and '.join(options)}" if options else ""
         raise InputError(
             f"Exactly one family of planes is needed{selected}. Use one of {', '.join(families)}."
         )
     if chosen["count"] is not None and chosen["along"] is None:
         raise InputError(
-            "--count applies to planes along a path only, not to {given}. Leave out --count.", given=given[0]
+            "--count applies to planes along a path only, not to {given}. Leave out --count.",
+            given=options[0],
         )
-    for option in _IDLE[given[0]]:
+    for option in _IDLE[options[0]]:
         if chosen[option] is not None:
             raise InputError(
                 "--{option} does not apply to the planes of {given}. Leave it out.",
                 option=option,
-                given=given[0],
+                given=options[0],
             )
     if chosen["sheet"] is None:
         lost = [option for option in ("margin", "gravity") if chosen[option]]
@@ -213,7 +212,7 @@ def _family_named(chosen: dict[str, Any]) -> str:
                 "--{lost} applies to the design file, which needs a sheet. Add --sheet NAME.",
                 lost=lost[0],
             )
-    return given[0]
+    return options[0]
 
 
 def _spec(family: str, chosen: dict[str, Any], surface: Surface) -> SectionSpec:
@@ -231,7 +230,6 @@ def _spec(family: str, chosen: dict[str, Any], surface: Surface) -> SectionSpec:
 
 
 def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts | ParallelCuts | AlongPath:
-    """Return the planes; by default they follow from the bounding box of the surface."""
     if family == "--along":
         path = read_path_points(chosen["along"])
         if len(path) < 2:
@@ -260,17 +258,13 @@ def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts |
 
 
 def _up(chosen: dict[str, Any], along: Any) -> Triple:
-    """Return the upward direction in planes perpendicular to `along`.
-
-    It is the option `--up`, or else z, or else y if `along` is parallel to z.
-    """
+    """The default is z, or y if `along` is parallel to z."""
     upright = np.abs(along[:2]).max() <= UPRIGHT * np.abs(along).max()
     up: Triple = chosen["up"] or ((0.0, 1.0, 0.0) if upright else (0.0, 0.0, 1.0))
     return up
 
 
 def _strip_keys(chosen: dict[str, Any], output: Path) -> dict[str, Any]:
-    """Return the table of a design file with the keys for all strips."""
     sheet, limits = chosen["sheet"], {"ratio": chosen["ratio"]}
     limits |= {} if chosen["margin"] is None else {"margin": chosen["margin"]}
     strips: dict[str, Any] = {"sheet": seen_from(sheet, output) if ".toml" in sheet else sheet}
@@ -281,7 +275,6 @@ def _strip_keys(chosen: dict[str, Any], output: Path) -> dict[str, Any]:
 
 
 def _verdict(curve: SectionCurve) -> dict[str, Any]:
-    """Return a text on whether a strip can follow the curve of a section, with the reason if it cannot."""
     verdict: dict[str, Any] = {
         "name": curve.name, "length": curve.curve.length, "deviation": curve.deviation, "realizable": False,
         "ratio": None, "problem": None,
@@ -303,10 +296,10 @@ def _sentence(section: dict[str, Any]) -> str:
 
 
 def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:
-    """Return the curves moved side by side, with gaps, so that their ends do not meet in the drawing."""
+    """Gaps separate the curves, so that their ends do not meet in the drawing."""
     placed, x = [], 0.0
     for curve in curves:
-        (left, low), (right, _) = curve.bounds
-        placed.append(curve.transformed([[1, 0, x - left], [0, 1, -low], [0, 0, 1]]))
-        x += right - left + GAP_MM
+        (lowest_x, low), (highest_x, _) = curve.bounds
+        placed.append(curve.transformed([[1, 0, x - lowest_x], [0, 1, -low], [0, 0, 1]]))
+        x += highest_x - lowest_x + GAP_MM
     return placed

@@ -53,7 +53,7 @@ class FileKeys:
 
 @dataclass(frozen=True)
 class CommandKeys(StripKeys):
-    """All keys of `elastica strip`: the keys of a strip in a design file, and the selection of files."""
+    """All keys of `elastica strip`: the keys of a strip in a design file, and the files to write."""
 
     WITHOUT: ClassVar[tuple[str, ...]] = ("count", "let", "sections")
     curve: Annotated[CurveKeys, Option("Curve of the file.", group="curve")] = CurveKeys()
@@ -75,11 +75,6 @@ class BentKeys(StripKeys):
 def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
     """Return the table that `KEY=VALUE` texts define. Values are TOML; a word without quotes is a string.
 
-    Raises
-    ------
-    InputError
-        A text has no "=", or a key is unknown. The message contains the most similar key.
-
     Examples
     --------
     >>> parsed_settings(["limits.ratio=3", "law.kind=rod"], CommandKeys)
@@ -93,12 +88,11 @@ def parsed_settings(settings: Iterable[str], record: Record) -> dict[str, Any]:
                 "--set {text} has no value. Write KEY=VALUE, such as limits.ratio=3.", text=quoted(text)
             )
         require_path_of(path, record)
-        put(table, path, _value(value))
+        put(table, path, _toml_or_text(value))
     return table
 
 
-def _value(text: str) -> Any:
-    """Return a TOML value, or the text itself if it is not valid TOML."""
+def _toml_or_text(text: str) -> Any:
     try:
         return parse_toml(f"value = {text}")["value"]
     except (tomllib.TOMLDecodeError, RecursionError):
@@ -111,17 +105,17 @@ def _value(text: str) -> Any:
         return text
 
 
-def twice(table: Mapping[str, Any], others: Mapping[str, Any], way: str = "") -> Iterator[str]:
+def twice(table: Mapping[str, Any], other: Mapping[str, Any], prefix: str = "") -> Iterator[str]:
     """Yield the paths of keys that have different values in two tables.
 
     The value `true` of the key `gravity` equals any table or list.
     """
-    for key in table.keys() & others.keys():
-        mine, theirs = table[key], others[key]
+    for key in table.keys() & other.keys():
+        mine, theirs = table[key], other[key]
         if isinstance(mine, dict) and isinstance(theirs, dict):
-            yield from twice(mine, theirs, f"{way}{key}.")
+            yield from twice(mine, theirs, f"{prefix}{key}.")
         elif mine != theirs and not (mine is True and key == "gravity"):
-            yield f"{way}{key}"
+            yield f"{prefix}{key}"
 
 
 class Setting(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
@@ -133,17 +127,15 @@ class Setting(click.ParamType):  # type: ignore[type-arg]  # no generic class be
         self.record = record
 
     def shell_complete(self, _: click.Context, __: click.Parameter, incomplete: str) -> list[Any]:
-        """Return the keys that begin with the typed text, or, after a complete key, its possible values."""
+        """Return the keys that begin with the typed text, or the possible values of a complete key."""
         from click.shell_completion import CompletionItem
 
-        path, given, typed = incomplete.partition("=")
-        known = paths_of(self.record)
-        if given and path in known:
-            words = _values(known[path].kind)
+        path, equals_sign, typed = incomplete.partition("=")
+        keys = paths_of(self.record)
+        if equals_sign and path in keys:
+            words = _possible_words(keys[path].kind)
             return [CompletionItem(f"{path}={word}") for word in words if word.startswith(typed)]
-        return [
-            CompletionItem(f"{key}=", help=known[key].help) for key in known if key.startswith(incomplete)
-        ]
+        return [CompletionItem(f"{key}=", help=keys[key].help) for key in keys if key.startswith(incomplete)]
 
 
 def set_option(record: Record) -> Callable[[F], F]:
@@ -154,16 +146,12 @@ def set_option(record: Record) -> Callable[[F], F]:
     )  # fmt: skip
 
 
-def _values(kind: Kind) -> list[str]:
-    """Return the words that are possible values of a kind, for completion."""
+def _possible_words(kind: Kind) -> list[str]:
     words = list(kind.choices)
     for part in written(kind).alternatives:
-        words += ["true", "false"] if part.name == "flag" else [] if part == kind else _values(part)
+        words += ["true", "false"] if part.name == "flag" else [] if part == kind else _possible_words(part)
     return words
 
 
 DEEPEST = 1
-"""Largest number of dots in the paths that `elastica help` lists.
-
-Keys with longer paths are explained with their table.
-"""
+"""Largest number of dots in the paths that `elastica help` lists; the table of a longer path explains it."""

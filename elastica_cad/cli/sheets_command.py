@@ -24,7 +24,7 @@ def sheets(name: str | None) -> None:
     folder below the list, or the folder in the environment variable ELASTICA_SHEETS.
     """
     if name is None:
-        answer({"sheets": [Sheet.named(known) for known in sheet_names()]})
+        answer({"sheets": [Sheet.named(sheet_name) for sheet_name in sheet_names()]})
         groups = sheets_by_kind()
         every = [sheet for of_kind in groups.values() for sheet in of_kind]
         wide, broad = (max(len(getattr(sheet, text)) for sheet in every) for text in ("full_name", "name"))
@@ -58,7 +58,7 @@ def sheets(name: str | None) -> None:
         "density": f"{sheet.density:g} kg/m3",
         "largest strain": f"{100 * sheet.max_strain:.3g} %",
         "least radius": f"{sheet.least_radius:.4g} mm",
-        **_published(sheet),
+        **_published_radii(sheet),
         "kerf": f"{sheet.kerf:g} mm" if sheet.kerf else "not known: cut a coupon",
         "grain": str(sheet.grain),
         "elasto-gravity length": f"{sheet.elasto_gravity_length:.4g} mm",
@@ -69,9 +69,8 @@ def sheets(name: str | None) -> None:
         say(f"  {label:22} {text}")
 
 
-def _published(sheet: Sheet) -> dict[str, str]:
-    """Return the published bending radii of plywood, along and across its face grain."""
-    along, across = (least_plywood_radius(sheet.thickness, way) for way in ("along", "across"))
+def _published_radii(sheet: Sheet) -> dict[str, str]:
+    along, across = (least_plywood_radius(sheet.thickness, direction) for direction in ("along", "across"))
     if sheet.kind != "plywood" or along is None or across is None:
         return {}
     radii = f"{along:.3g} mm along the face grain, {across:.3g} mm across it ({PLYWOOD_SOURCE})"

@@ -44,16 +44,16 @@ from elastica_cad.strip.makeable_strip import compensate_within
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.summary import size_row, strip_rows
 
-STRAYED_SHARE = 3e-4
-"""If the deviation of a cut strip from its curve exceeds this fraction of its length, corrected widths are
-suggested.
+SUGGESTED_DEVIATION = 3e-4
+"""Corrected widths are suggested if the strip deviates from its curve by more than this fraction of its
+length.
 """
 
 WORTH_CORRECTING = 0.8
 """Corrected widths are suggested if they reduce the expected deviation to at most this fraction."""
 
 MOST_ADVICE = 1
-"""Largest number of suggestions after a strip was made; each requires one or two further solutions."""
+"""Largest number of suggestions for a strip; each requires one or two further solutions."""
 
 
 def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
@@ -66,7 +66,6 @@ def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
 
 class _Grouped(click.Command):
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Write each group with its heading."""
         for group, parameters in grouped(self.get_params(ctx)).items():
             rows = [
                 row
@@ -110,14 +109,14 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     )
     if chosen["save_design"] is not None:
         check_folder(chosen["save_design"].parent, [chosen["save_design"].name], force=chosen["force"])
-    reports, made, wrong, refused = [], list[RequestedCurve](), 0, 0
+    reports, solved, wrong, refused = [], list[RequestedCurve](), 0, 0
     strict = table.get("files", {}).get("strict", False)
     for requested in curves:
         try:
             spec = spec_from_options(requested.curve, requested.label, table)
             if len(curves) == 1:
-                suggest_later(partial(_refused, spec, requested, chosen), typed_change)
-            result = _made(requested, spec)
+                suggest_later(partial(_refused_request, spec, requested, chosen), typed_change)
+            result = _solve(requested, spec)
             say_step(f"writing the files of {requested.name}")
             kit = result.kit(files)
             places = (chosen["output"] / file.name for file in kit.files)
@@ -131,7 +130,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             written = kit.write(chosen["output"], force=chosen["force"], process=process)
             _report(result, written, several=len(curves) > 1)
             reports.append(kit.report)
-            made.append(requested)
+            solved.append(requested)
             wrong += strict and not result.strip.strain_verdict.allowed
         except ElasticaError as problem:
             for outlier in () if requested.drawn.problem else outlier_message(requested.curve):
@@ -145,8 +144,8 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     answer({"strips": reports})
     if len(curves) > 1 and not voice().verbose:
         say_row(Row("Files", f"{len(voice().files)} in {chosen['output']}"))
-    if chosen["save_design"] is not None and made:
-        wrote([_save_design(chosen["save_design"], made, table, force=chosen["force"])])
+    if chosen["save_design"] is not None and solved:
+        wrote([_save_design(chosen["save_design"], solved, table, force=chosen["force"])])
     for missing in left_out(step=files.step, pictures=files.pictures) if reports else ():
         say(missing)
     if wrong:
@@ -161,13 +160,16 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
 def _save_design(
     path: Path, curves: Sequence[RequestedCurve], table: Mapping[str, Any], *, force: bool
 ) -> Path:
-    """Write the request as a design file, with a table for every curve."""
     shared = {
         key: value for key, value in table.items() if key not in ("curve", "files", "label", "slots", *PLANE)
     }
-    own = {key: value for key, value in table.items() if key in ("slots", *PLANE)}
+    own_keys = {key: value for key, value in table.items() if key in ("slots", *PLANE)}
     strips = [
-        {"label": table.get("label", requested.label), "curve": _curve_keys(requested, path.parent), **own}
+        {
+            "label": table.get("label", requested.label),
+            "curve": _curve_keys(requested, path.parent),
+            **own_keys,
+        }
         for requested in curves
     ]
     text = toml_text({"schema": 1, **shared, "strips": strips})
@@ -181,7 +183,7 @@ def _curve_keys(requested: RequestedCurve, folder: Path) -> dict[str, Any]:
     return {"file": seen_from(requested.path, folder), **(which if requested.count > 1 else {}), **unit}
 
 
-def _made(requested: RequestedCurve, spec: StripSpec) -> StripResult:
+def _solve(requested: RequestedCurve, spec: StripSpec) -> StripResult:
     say_step("looking for the nearest curve that can be made" if spec.may_change else "finding the widths")
     if not spec.may_change:
         _ = requested.bendable(spec.smooth)
@@ -189,31 +191,30 @@ def _made(requested: RequestedCurve, spec: StripSpec) -> StripResult:
     return StripResult(spec, rod, spec.make(rod), requested.name, requested.drawn.joints)
 
 
-def _refused(
+def _refused_request(
     spec: StripSpec, requested: RequestedCurve, chosen: Mapping[str, Any], problem: ElasticaError
 ) -> StripSpec | None:
-    """Return the refused request, or None if no change can help."""
-    return spec if problem.refusal.changes and not _is_taken(requested, chosen) else None
+    return spec if problem.refusal.changes and not _is_output_occupied(requested, chosen) else None
 
 
-def _is_taken(requested: RequestedCurve, chosen: Mapping[str, Any]) -> bool:
-    """Return True if output files exist already, so that no change of the request can help."""
+def _is_output_occupied(requested: RequestedCurve, chosen: Mapping[str, Any]) -> bool:
     folder: Path = chosen["output"]
-    there = next(parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists())
-    if not there.is_dir():
+    parent_folder = next(
+        parent for parent in (folder.absolute(), *folder.absolute().parents) if parent.exists()
+    )
+    if not parent_folder.is_dir():
         return True
     names = [folder / f"{requested.name}.{kind}" for kind in ("dxf", "svg", "json", "png", "step")]
     names = [name for name in names if name.exists()]
     return any(name.samefile(requested.path) for name in names) or bool(names and not chosen["force"])
 
 
-def _compensated(result: StripResult) -> Iterator[Row]:
-    """Yield the row with the accuracy of corrected widths, if it is much better."""
+def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
     strip = result.strip
     if result.spec.compensate or result.spec.law is not None or strip.rod.acting:
         return
     with suppress(NotConvergedError):
-        if strip.held_deviation > STRAYED_SHARE * strip.rod.length:
+        if strip.held_deviation > SUGGESTED_DEVIATION * strip.rod.length:
             better = compensate_within(strip, result.spec.shop)
             if better.correction is not None and better.held_deviation < strip.held_deviation / 2:
                 yield Row(
@@ -223,7 +224,7 @@ def _compensated(result: StripResult) -> Iterator[Row]:
 
 
 def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> None:
-    """Print the report in rows. If there are several strips, print only the size and the warnings of each."""
+    """For several strips, print only the size and the warnings."""
     strip = result.strip
     rows = strip_rows(strip, result.near, result.stability)
     voice().notes.extend(text for text in strip.warnings if not is_reported(text))
@@ -245,6 +246,6 @@ def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> N
         rows = (*rows, Row("Change", "use --stable for the nearest stable curve"))
     ends = [Row("Ends", text) for text in (*more, *joined) if text]
     other = [row for row in rows if row.text != tabs]
-    for row in in_order([*other, *ends, *([] if several else _compensated(result))]):
+    for row in in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]):
         say_row(row)
     wrote(written, {f"{result.name}.dxf": "cut", f"{result.name}-holding.dxf": "template"})

@@ -1,4 +1,4 @@
-"""Command-line options of a strip and its supports, and their conversion to a request."""
+"""Options of a strip, and their conversion to a request."""
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -45,7 +45,7 @@ FLAGS = ("keep.length", "ignore_limits")
 
 
 def typed_name(path: str) -> str:
-    """Return how a user sets a key: by its option, or else by `--set`.
+    """Return the option that sets a key, which is `--set KEY` for a key without an option of its own.
 
     Examples
     --------
@@ -58,12 +58,11 @@ def typed_name(path: str) -> str:
 
 
 CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split_corners"}
-"""Keys of a design file for fields that suggested changes call by another name."""
+"""Keys of a design file, by the name of the field in a suggested change, where they differ."""
 
 
-def _option_words(change: Change) -> tuple[str, ...]:
-    """Return the arguments that make a suggested change, or an empty tuple if no option makes it."""
-    if change.field == "between":  # the option is named after the record, and its values are positions
+def _arguments_of(change: Change) -> tuple[str, ...]:
+    if change.field == "between":  # the option is named after the record; its values are positions
         record: Any = type(change.value)
         places = [
             getattr(change.value, entry.name) for entry in declared(record) if entry.default is REQUIRED
@@ -82,21 +81,22 @@ def _option_words(change: Change) -> tuple[str, ...]:
 
 def typed_change(suggestion: "Suggestion", *options: str, instead: str | None = None) -> str:
     """Return the running command with a suggested change, or an instruction if no option makes the change."""
-    words = _option_words(suggestion.change)
+    words = _arguments_of(suggestion.change)
     return f"`{typed_line(*options, *words, instead=instead)}`" if words else suggestion.title
 
 
-def _common() -> dict[str, str]:
-    """Return the options of common keys, by the path of the key."""
+def _names_of_common_keys() -> dict[str, str]:
     names = {}
     for path, entry in paths_of(CommandKeys).items():
-        below_common = all(paths_of(CommandKeys)[way].option.common for way in _ways(path))
+        below_common = all(
+            paths_of(CommandKeys)[parent_path].option.common for parent_path in _parent_paths(path)
+        )
         if entry.option.common and below_common and path not in BY_HAND:
             names[path] = CALLED.get(path, path.rpartition(".")[2])
     return names
 
 
-def _ways(path: str) -> list[str]:
+def _parent_paths(path: str) -> list[str]:
     parts = path.split(".")
     return [".".join(parts[:k]) for k in range(1, len(parts))]
 
@@ -107,7 +107,7 @@ _OWN_OPTIONS = {
     "gravity": "gravity", "between": "rail",
     "natural_curvature": "natural_curvature",
 }  # fmt: skip
-OPTIONS = _common()
+OPTIONS = _names_of_common_keys()
 """Names of the options that are generated from declarations, by the path of the key that they set."""
 
 DEFAULTS = {
@@ -117,7 +117,6 @@ DEFAULTS = {
 
 
 def _option(path: str, name: str) -> Callable[[Any], Any]:
-    """Return the option of a common key."""
     field = paths_of(CommandKeys)[path]
     return option_of(
         field, name, default=DEFAULTS.get(path, ""), switch=path in FLAGS, required=path == "sheet"
@@ -168,13 +167,11 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
 
 
 def strip_options(function: Any) -> Any:
-    """Add all options of a strip, except its file, to a command: options of common keys, and `--set` for the
-    others.
-    """
+    """Add the options of common keys, and `--set` for the other keys, to a command."""
     groups = []
     for group in GROUPS:
-        own = [(path, name) for path, name in OPTIONS.items() if _group(path) == group]
-        groups += [*(_option(*option) for option in own), *_HAND_MADE.get(group, ())]
+        common_keys = [(path, name) for path, name in OPTIONS.items() if _group(path) == group]
+        groups += [*(_option(*option) for option in common_keys), *_HAND_MADE.get(group, ())]
     return join_options(*groups, set_option(CommandKeys))(function)
 
 
@@ -183,7 +180,7 @@ def _group(path: str) -> str:
 
 
 def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter]]:
-    """Return the options by their group in help. Options that every command has are in the last group."""
+    """Return the options by their group in help; options of every command are in the last group."""
     of = {name: _group(path) for path, name in OPTIONS.items()}
     for group, options in _HAND_MADE.items():
         probe: Any = join_options(*options)(lambda: None)
@@ -195,13 +192,7 @@ def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter
 
 
 def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the options as the table of a design file; `--set` is applied first.
-
-    Raises
-    ------
-    InputError
-        Options exclude each other or have no effect, or a key is unknown.
-    """
+    """Return the options as the table of a design file."""
     table: dict[str, Any] = {}
     for path, name in OPTIONS.items():
         if chosen[name] is not None:
@@ -215,8 +206,8 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
     if chosen["keep_tangents"]:
         put(table, "keep.tangents", True)
     if chosen["keep_ends"] is not None:
-        kept = BOTH_ENDS[chosen["keep_ends"]]
-        put(table, "keep.ends", kept if isinstance(kept, bool) else list(kept))
+        ends = BOTH_ENDS[chosen["keep_ends"]]
+        put(table, "keep.ends", ends if isinstance(ends, bool) else list(ends))
     if chosen["gravity"]:
         table["gravity"] = True if chosen["down"] is None else list(chosen["down"])
     elif chosen["down"] is not None:
@@ -235,13 +226,7 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the table of options merged with the table of `--set`.
-
-    Raises
-    ------
-    InputError
-        Both set the same key.
-    """
+    """Return the table of options merged with the table of `--set`; refuse a key that both set."""
     for path in twice(table, settings):
         raise InputError(
             "{option} and --set {path} set the same value. Leave out one of them.",
@@ -252,13 +237,7 @@ def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict
 
 
 def spec_from_options(curve: PlaneCurve, label: str, table: Mapping[str, Any]) -> StripSpec:
-    """Return the request for a strip from the table of the options, with a default for the label.
-
-    Raises
-    ------
-    InputError
-        The reader or `StripSpec` rejects the table; the message names the options.
-    """
+    """Return the request for a strip from the table of the options; errors name the options."""
     keys = {
         "label": label,
         **{k: value for k, value in table.items() if k not in ("curve", "cut", "files")},
@@ -266,7 +245,7 @@ def spec_from_options(curve: PlaneCurve, label: str, table: Mapping[str, Any]) -
     try:
         return read_request(Table(keys, "", {}), Reader(read_curves=read_curves_with_note), curve)
     except InputError as problem:
-        named = problem.refusal.where.get("field", ())
-        fields = (named,) if isinstance(named, str) else named
+        field_names = problem.refusal.where.get("field", ())
+        fields = (field_names,) if isinstance(field_names, str) else field_names
         problem.at(option=", ".join(filter(None, map(typed_name, fields))))
         raise

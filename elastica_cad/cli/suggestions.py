@@ -19,9 +19,7 @@ if TYPE_CHECKING:
 
 
 def name_program() -> str:
-    """Return how this program is run: by its name, by its path if the name runs another program, or as a
-    module.
-    """
+    """Return the name of this program: `elastica`, a path if this name starts another program, or the module."""
     called = Path(sys.argv[0])
     if called.parts[-2:] == ("elastica_cad", "__main__.py"):
         return f"{quote_words([sys.executable])} -m elastica_cad"
@@ -39,7 +37,8 @@ MOST_REFUSALS = 7
 
 
 def typed_line(*added: str, instead: str | None = None) -> str:
-    """Return the running command as typed, with added options that override earlier options of the same name.
+    """Return the running command as typed, with added options, which replace earlier options of the same
+    name.
 
     `instead` is another command with the same options, except output options.
     """
@@ -65,7 +64,7 @@ def listing_note(refused: int) -> str:
 
 
 Cure: TypeAlias = dict[str, Any]
-"""Suggested change as a dict for reports: the keys of `Suggestion.as_dict`, and the printed text."""
+"""Suggested change for reports: the keys of `Suggestion.as_dict`, and the printed text."""
 
 SUGGEST = "elastica.suggest"
 """Key, in click's `meta`, of the function that searches for a suggestion after an error."""
@@ -76,9 +75,9 @@ def suggest_later(
     spelled: "Callable[[Suggestion], str]",
     fields: Collection[str] | None = None,
 ) -> None:
-    """Register the search for changes that runs after an error of the running command was printed.
+    """Register a search for changes, which runs after an error of the running command was printed.
 
-    `request` returns the refused request, or None. `spelled` converts a change to a command or
+    `request` returns the refused request, or None. `spelled` converts a change to a command or an
     instruction.
     """
 
@@ -109,12 +108,12 @@ def cures_of(
     spelled: "Callable[[Suggestion], str]",
     fields: Collection[str] | None = None,
 ) -> list[Cure]:
-    """Return the changes that make the request possible, as dicts with a printed text. Ctrl-C ends the search."""
+    """Return the changes that make the request possible. Ctrl-C ends the search."""
     from elastica_cad.strip.suggestions import suggest
 
-    found: list[Cure] = []
+    cures: list[Cure] = []
     with suppress(KeyboardInterrupt, MemoryError):
         for suggestion in suggest(spec, problem, fields):
             text = f"This works: {spelled(suggestion).rstrip('.')} ({suggestion.effect})."
-            found.append(suggestion.as_dict() | {"text": text})
-    return found
+            cures.append(suggestion.as_dict() | {"text": text})
+    return cures

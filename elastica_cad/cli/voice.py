@@ -1,7 +1,4 @@
-"""Output of commands: messages, warnings, answers and the JSON record.
-
-Repetition of commands when files change.
-"""
+"""Output of commands (messages, warnings, answers, JSON), and repetition when a file changes."""
 
 import json
 import sys
@@ -38,8 +35,7 @@ class Voice:
     step : str
         Current step of the command.
     as_json, quiet, verbose : bool
-        `as_json` prints a single record instead of lines, `quiet` prints only problems, and `verbose` all
-        steps and notes.
+        Print a single record instead of lines, only problems, or all steps and notes.
     """
 
     command: str
@@ -108,7 +104,7 @@ def voice() -> Voice:
 
 
 def echo(text: str, *, nl: bool = True, err: bool = False) -> None:
-    """Write a line with escaped control codes, so that text from a file cannot control a terminal."""
+    """Write a line with escaped control codes, because text from a file could control a terminal."""
     click.echo(printable(text), nl=nl, err=err)
 
 
@@ -164,13 +160,14 @@ def say_table(columns: Mapping[str, Sequence[str]]) -> None:
 
 def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyType({})) -> None:
     """Report the written files in a row. `contents` maps the names of files to descriptions."""
-    listed = list(paths)
-    voice().files += map(str, listed)
+    written = list(paths)
+    voice().files += map(str, written)
     names = [
-        str(path) if k == 0 or path.parent != listed[0].parent else path.name for k, path in enumerate(listed)
+        str(path) if k == 0 or path.parent != written[0].parent else path.name
+        for k, path in enumerate(written)
     ]
     files = [f"{name} ({contents[path.name]})" if path.name in contents else name
-            for name, path in zip(names, listed, strict=True)]  # fmt: skip
+            for name, path in zip(names, written, strict=True)]  # fmt: skip
     if files:
         say_row(Row("Files", ", ".join(files)))
 
@@ -181,9 +178,7 @@ def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
 
 
 def say_step(text: str, number: int = 0, count: int = 0) -> None:
-    """Report the current step to stderr: on a terminal in a line that is overwritten, with -v in separate
-    lines.
-    """
+    """Report the current step to stderr, with -v in a line of its own."""
     speaker = voice()
     speaker.step = counted = f"{text} ({number} of {count})" if count > 1 else text
     if speaker.verbose:
@@ -194,12 +189,12 @@ def say_step(text: str, number: int = 0, count: int = 0) -> None:
 
 
 PATIENCE_S = 5.0
-"""Time, s, after which a command reports its progress, and the interval between further reports."""
+"""Time, s, before the first report of progress, and between reports."""
 
 
 @contextmanager
 def progress_shown() -> Iterator[None]:
-    """Report on stderr each step that takes more than a few seconds, with the running time of the command."""
+    """Report on stderr, every few seconds, the current step and the running time."""
     speaker, screen, ended = voice(), sys.__stderr__, Event()
 
     def show() -> None:
@@ -229,7 +224,7 @@ def _print_json(record: Any) -> None:
 
 
 def _simplify(value: Any) -> Any:
-    """Return the value for JSON. Numbers are rounded to ten digits; numbers that are not finite become null.
+    """Return the value for JSON, with numbers of ten digits, and null for infinity and nan.
 
     Examples
     --------
@@ -259,13 +254,13 @@ LOOK_S = 0.2
 """Interval between two checks of the files, s."""
 
 GONE_LOOKS = 5
-"""A file that a program is replacing may be missing for this many checks."""
+"""Number of checks for which a file may be missing, because programs replace files when they save."""
 
 
 def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> None:
-    """Run `make`, and run it again after every change of a file that it read, until the user presses Ctrl-C.
+    """Run `make`, and again after every change of a file that it read, until the user presses Ctrl-C.
 
-    It waits until programs have finished writing or replacing a file. Changes while `make` runs also count.
+    Changes while `make` runs count too.
 
     Raises
     ------
@@ -285,7 +280,7 @@ def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> N
 
 
 def _wait_for_change(read: dict[Path, FileMark]) -> None:
-    """Wait until a file differs from the version that was read, and no file is being written."""
+    """Wait until a file differs from the version that was read, and all files are unchanged between checks."""
     before, still = read, 0
     while True:
         time.sleep(LOOK_S)
