@@ -49,12 +49,6 @@ SUGGESTED_DEVIATION = 3e-4
 length.
 """
 
-WORTH_CORRECTING = 0.8
-"""Corrected widths are suggested if they reduce the expected deviation to at most this fraction."""
-
-MOST_ADVICE = 1
-"""Largest number of suggestions for a strip; each requires one or two further solutions."""
-
 
 def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
     reader, below = Reader(), Table({"cut": {}, "files": {}, **table}, "", {})
