@@ -1,5 +1,5 @@
-"""Sketch and part objects of strips (flat, bent, placed), joints for moving their ends, and blocks that hold
-them.
+"""Objects of build123d for strips (flat, bent, placed), for joints that move their ends, and for blocks that
+hold them.
 """
 
 from collections.abc import Iterable, Sequence
@@ -51,8 +51,7 @@ def _read_frame(location: bd.Location) -> Frame:
     return Frame(tuple(plane.origin), tuple(plane.x_dir), tuple(plane.y_dir))
 
 
-def _numbered(name: str, number: int) -> str:
-    """Return the name of a joint on copy `number` of a body."""
+def _joint_of_copy(name: str, number: int) -> str:
     return name if number == 1 else f"{name}:{number}"
 
 
@@ -65,10 +64,7 @@ COLOR = "_color"  # private attribute in which shapes of build123d store their c
 
 class _Pickled:
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state for `pickle`.
-
-        Colours are stored as numbers, because colours of the kernel cannot be pickled.
-        """
+        """Colours are stored as numbers, because colours of the kernel cannot be pickled."""
         color = self.__dict__.get(COLOR)
         return self.__dict__ | {COLOR: None if color is None else tuple(color)}
 
@@ -82,10 +78,7 @@ class Layer(_Pickled, bd.Solid):
 
 
 class _Jointed(_Pickled):
-    """Shape whose joints are moved, rotated and mirrored with it."""
-
     def _apply_transform(self, transformation: Any) -> Any:
-        """Return the moved or mirrored shape with its joints."""
         body: Any = self
         image = bd.Shape._apply_transform(body, transformation)
         occt.lock(image.wrapped)
@@ -97,8 +90,8 @@ class _Jointed(_Pickled):
         return image
 
 
-class _Made(_Jointed, StripBody):
-    """Base of shapes that are made from a strip. Copies share the strip. Properties return its other bodies."""
+class _StripShape(_Jointed, StripBody):
+    """Base of shapes of a strip; copies of a shape share the strip."""
 
     def _start(self) -> Frame | None:
         if self._parts:
@@ -111,7 +104,7 @@ class _Made(_Jointed, StripBody):
 
     @property
     def _parts(self) -> list[bd.Compound]:
-        """Parts that were made from the body at several `Locations`; empty for a single location."""
+        """A part for each of several `Locations`; empty for a single location."""
         body: Any = self
         return [part for part in body if isinstance(part, bd.Compound)]
 
@@ -121,21 +114,17 @@ class _Made(_Jointed, StripBody):
         body: Any = self
         parts = self._parts
         shapes = bd.ShapeList([] if parts else [self])
-        names = [name for name in body.joints if _numbered(name, 2) in body.joints]
+        names = [name for name in body.joints if _joint_of_copy(name, 2) in body.joints]
         for number, part in enumerate(parts, start=1):
             other_body = copy(body)
             other_body.wrapped, other_body.joints = part.wrapped, {}
             for name in names:
-                bd.RigidJoint(name, other_body, body.joints[_numbered(name, number)].location)
+                bd.RigidJoint(name, other_body, body.joints[_joint_of_copy(name, number)].location)
             shapes.append(other_body)
         return shapes
 
     def _publish_to_context(self, object_scope: Any) -> None:
-        """Add the body to its builder.
-
-        Copies at several `Locations` have separate joints; from the second copy on, their names are
-        numbered.
-        """
+        """Copies at several `Locations` have separate joints, with numbered names from the second copy on."""
         body: Any = self
         bd.BaseObject._publish_to_context(body, object_scope)
         occt.lock(body.wrapped)
@@ -146,7 +135,7 @@ class _Made(_Jointed, StripBody):
         body.joints = {}
         for number, part in enumerate(parts, start=1):
             for name, place in places.items():
-                bd.RigidJoint(_numbered(name, number), body, part.location * place)
+                bd.RigidJoint(_joint_of_copy(name, number), body, part.location * place)
 
     @property
     def flat(self) -> "FlatStrip":
@@ -210,7 +199,6 @@ class _Made(_Jointed, StripBody):
         return EndFixture(self, end=end, mode=bd.Mode.PRIVATE, **sizes)
 
     def _apply_transform(self, transformation: Any) -> Any:
-        """Return the moved or mirrored shape with its joints. In a mirror image, the strip is turned over."""
         image = super()._apply_transform(transformation)
         if transformation.IsNegative():
             image._made = self._made.mirrored()
@@ -234,39 +222,33 @@ class _Made(_Jointed, StripBody):
 
 
 @dataclass(frozen=True)
-class _Kept:
+class _Numbers:
     """Axis or vector of a joint as numbers, for `pickle`."""
 
     kind: Any
     numbers: tuple[Any, ...]
 
     def make(self) -> Any:
-        """Make the axis or vector from its numbers."""
         return self.kind(*self.numbers)
 
 
-class _Travelled:
-    """Base of the joints at the end of a strip: the strip and its path of movement."""
-
+class _TravelJoint:
     travel: "Travel"
     parent: Any
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the state for `pickle`.
-
-        Axes and vectors are stored as numbers, because they cannot be pickled.
-        """
+        """Axes and vectors are stored as numbers, because they cannot be pickled."""
         state = dict(self.__dict__)
         for name, value in self.__dict__.items():
             if isinstance(value, bd.Axis):
-                state[name] = _Kept(bd.Axis, (tuple(value.position), tuple(value.direction)))
+                state[name] = _Numbers(bd.Axis, (tuple(value.position), tuple(value.direction)))
             elif isinstance(value, bd.Vector):
-                state[name] = _Kept(bd.Vector, tuple(value))
+                state[name] = _Numbers(bd.Vector, tuple(value))
         return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        made = {name: value.make() for name, value in state.items() if isinstance(value, _Kept)}
-        self.__dict__.update(state | made)
+        geometry = {name: value.make() for name, value in state.items() if isinstance(value, _Numbers)}
+        self.__dict__.update(state | geometry)
 
     def bent(self, position: float) -> "BentStrip":
         """Return the strip with its end at a position on the path, mm or degrees."""
@@ -285,11 +267,11 @@ class _Travelled:
 
     @property
     def _frame(self) -> Frame:
-        """Current plane of the strip. It changes when the body is joined to other bodies."""
-        return self.parent.frame if isinstance(self.parent, _Made) else self.travel.frame
+        """Current plane of the strip, which changes when the body is joined to other bodies."""
+        return self.parent.frame if isinstance(self.parent, _StripShape) else self.travel.frame
 
 
-class Slider(_Travelled, bd.LinearJoint):
+class Slider(_TravelJoint, bd.LinearJoint):
     """Linear joint "slider": the end of a strip moves straight to another point, and its direction is constant.
 
     `connect_to(joint, position=...)` moves the part that is attached to the end. `bent(position)` returns the
@@ -323,7 +305,7 @@ class Slider(_Travelled, bd.LinearJoint):
     (145.0, 145.0)
     """
 
-    def __init__(self, rib: "_Made", end: Point | None) -> None:
+    def __init__(self, rib: "_StripShape", end: Point | None) -> None:
         from elastica_cad.kernel.end_travel import travel_of
 
         self.travel = travel_of(rib, end, None)
@@ -333,7 +315,7 @@ class Slider(_Travelled, bd.LinearJoint):
         )
 
 
-class AngleSlider(_Travelled, bd.RevoluteJoint):
+class AngleSlider(_TravelJoint, bd.RevoluteJoint):
     """Revolute joint "slider": the end of a strip rotates in place.
 
     `connect_to(joint, angle=...)` rotates the part that is attached to the end, with the x axis of the part
@@ -368,7 +350,7 @@ class AngleSlider(_Travelled, bd.RevoluteJoint):
     0.349066
     """
 
-    def __init__(self, rib: "_Made", angle: float, end: Point | None = None) -> None:
+    def __init__(self, rib: "_StripShape", angle: float, end: Point | None = None) -> None:
         from elastica_cad.kernel.end_travel import travel_of
 
         self.travel = travel_of(rib, end, angle)
@@ -395,7 +377,7 @@ class AngleSlider(_Travelled, bd.RevoluteJoint):
 
 
 @lists(StripOptions, drawn=True)
-class StripOutline(_Made, bd.BaseSketchObject):
+class StripOutline(_StripShape, bd.BaseSketchObject):
     """Sketch object: the flat pattern of the strip that bends into a curve.
 
     The x axis is along the strip from the start of its free part, and y = 0 is the centre line.
@@ -433,12 +415,12 @@ class StripOutline(_Made, bd.BaseSketchObject):
         mode: bd.Mode = bd.Mode.ADD,
         **options: Unpack[StripOptions],
     ) -> None:
-        made = make_strip_on(path, sheet, max_width=max_width, **options)
-        super().__init__(bd.Face(made.face), rotation, align, mode)
-        _dress(self, made)
+        made_strip = make_strip_on(path, sheet, max_width=max_width, **options)
+        super().__init__(bd.Face(made_strip.face), rotation, align, mode)
+        _set_strip(self, made_strip)
 
 
-class _StripPart(_Made, bd.BasePartObject):
+class _StripPart(_StripShape, bd.BasePartObject):
     def __init__(
         self,
         path: Drawn,
@@ -450,13 +432,13 @@ class _StripPart(_Made, bd.BasePartObject):
         mode: bd.Mode = bd.Mode.ADD,
         **options: Unpack[StripOptions],
     ) -> None:
-        made = make_strip_on(path, sheet, max_width=max_width, **options)
-        records = self._records(made)
+        made_strip = make_strip_on(path, sheet, max_width=max_width, **options)
+        records = self._records(made_strip)
         super().__init__(_jointed(records), rotation, align, mode)
         stands = isinstance(records[0], BentSolid)
-        _dress(self, replace(made, home=records[0].joints["start"]) if stands else made)
+        _set_strip(self, replace(made_strip, home=records[0].joints["start"]) if stands else made_strip)
 
-    def _records(self, made: MadeStrip) -> Sequence[BodyRecord]:
+    def _records(self, made_strip: MadeStrip) -> Sequence[BodyRecord]:
         raise NotImplementedError
 
 
@@ -475,8 +457,8 @@ class FlatStrip(_StripPart):
         As in every part object of build123d.
     """
 
-    def _records(self, made: MadeStrip) -> Sequence[BodyRecord]:
-        return FlatSolid.layers(made.strip)
+    def _records(self, made_strip: MadeStrip) -> Sequence[BodyRecord]:
+        return FlatSolid.layers(made_strip.strip)
 
 
 @lists(StripOptions, drawn=True)
@@ -494,12 +476,12 @@ class BentStrip(_StripPart):
         As in every part object of build123d.
     """
 
-    def _records(self, made: MadeStrip) -> Sequence[BodyRecord]:
-        return BentSolid.layers(made.strip, made.frame)
+    def _records(self, made_strip: MadeStrip) -> Sequence[BodyRecord]:
+        return BentSolid.layers(made_strip.strip, made_strip.frame)
 
 
 @lists(BlockOptions, StripOptions, drawn=True)
-class EndFixture(_Made, bd.BasePartObject):
+class EndFixture(_StripShape, bd.BasePartObject):
     """Part object: the block that holds an end of the bent strip, positioned for the `BentStrip` of the same path.
 
     Its rigid joint "tab" is at the end of the free part, with x out of the strip. Connect it to the joint of
@@ -535,11 +517,11 @@ class EndFixture(_Made, bd.BasePartObject):
         mode: bd.Mode = bd.Mode.ADD,
         **options: Unpack[FixtureOptions],
     ) -> None:
-        made, block = make_fixture_on(path, sheet, max_width=max_width, end=end, floor=floor, **options)
+        made_strip, block = make_fixture_on(path, sheet, max_width=max_width, end=end, floor=floor, **options)
         solid = bd.Solid(occt.make_solid(block.solid))
         add_joints(solid, block.solid)
         super().__init__(solid, rotation, align, mode)
-        _dress(self, made)
+        _set_strip(self, made_strip)
         self.label = block.label
 
 
@@ -588,13 +570,13 @@ class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
         align: bd.Align | tuple[bd.Align, bd.Align, bd.Align] | None = None,
         mode: bd.Mode = bd.Mode.ADD,
     ) -> None:
-        self._made = made = MadeFlexure.of(flexure, state, color)
-        record = made.solid
+        self._made = made_flexure = MadeFlexure.of(flexure, state, color)
+        record = made_flexure.solid
         solid = bd.Solid(occt.make_solid(record))
         add_joints(solid, record)
         super().__init__(solid, rotation, align, mode)
         occt.lock(self.wrapped)
-        self.label, self.color = made.name, bd.Color(*made.color)
+        self.label, self.color = made_flexure.name, bd.Color(*made_flexure.color)
 
     def in_state(self, state: "State | None") -> "FlexurePart":
         """Return the part in another state. Its first pad is where the first pad of this body is."""
@@ -604,20 +586,19 @@ class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
         return part
 
 
-class PlacedStrip(_Made, bd.Part):
+class PlacedStrip(_StripShape, bd.Part):
     """Bent strip at its position in a model, with properties `strip`, `rod`, `check` and `warnings`."""
 
 
 def _jointed(records: Sequence[BodyRecord]) -> bd.Solid | bd.Part:
-    """Return the sheets of a strip with the joints of its base."""
     solids = make_solids(records)
     body = solids[0] if len(solids) == 1 else bd.Part(bd.Compound(solids).wrapped)
     add_joints(body, records[0])
     return body
 
 
-def _dress(shape: Any, made: MadeStrip) -> None:
+def _set_strip(shape: Any, made_strip: MadeStrip) -> None:
     occt.lock(shape.wrapped)
-    shape._made = made
-    shape.label = made.name
-    shape.color = bd.Color(*made.body_color)
+    shape._made = made_strip
+    shape.label = made_strip.name
+    shape.color = bd.Color(*made_strip.body_color)

@@ -119,9 +119,9 @@ def elastic_strip(
             )
         context.pending_edges = bd.ShapeList()
         path = list(bd.Wire.combine(path)) if len(path) > 1 else path
-        # a bent strip is not placed again, because the builder has placed its pending edges
-        drawn = bd.LocationList([bd.Location()]) if form == "bent" else nullcontext()
-        with drawn:
+        # the builder has placed its pending edges already
+        location = bd.LocationList([bd.Location()]) if form == "bent" else nullcontext()
+        with location:
             strips: list[Any] = [
                 forms[form](chain, sheet, max_width=max_width, mode=mode, **options) for chain in path
             ]
@@ -276,19 +276,18 @@ def model_compound(model: "Model", *, others: "Iterable[Holder]" = ()) -> bd.Com
         An item of `others` is not a holder.
     """
     parts = model_parts(model, others, lambda part: make_solids(part.solids))
-    children = [_child(part, solids) for part, solids in parts]
+    children = [_placed_part(part, solids) for part, solids in parts]
     return bd.Compound(label=model.name, children=children)
 
 
-def _child(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
-    """Return a part of an assembly at its position. A strip has the property `strip`."""
+def _placed_part(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
     child: Any = bd.Part(solids[0].wrapped)
     if part.strip is not None:
         child = PlacedStrip(bd.Compound(solids).wrapped, label=part.name)
         base: Any = part.solids[0]
         child._made = MadeStrip(part.strip, Frame(), home=base.joints["start"])
         if len(solids) > 1:
-            # make new objects, because equal strips share shapes, but a child can have only one parent
+            # equal strips share shapes, but a child can have only one parent
             layers = [Layer(solid.wrapped) for solid in solids]
             for layer, name, color in zip(layers, part.names, part.colors, strict=True):
                 layer.label, layer.color = name, bd.Color(*color)

@@ -1,4 +1,4 @@
-"""The curve of a bent strip, strips along sections of a body, models as assemblies, and the methods
+"""Curves of bent strips, strips along sections of a body, models as assemblies, and the methods
 `elasticStrip`.
 """
 
@@ -200,12 +200,11 @@ def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Ass
 
 
 def _part_shapes(part: "AssemblyPart") -> list[cq.Shape]:
-    """Return the body of a holder, or the sheets of a strip. The base of a strip has the property `strip`."""
     base, *glued_on = map(cq.Solid, occt.make_sheets(part.solids))
     if part.strip is not None:
         home = part.solids[0].joints["start"]
-        made = MadeStrip(part.strip, Frame(), home=home)
-        base = dress(StripSolid(base.wrapped), part.solids[0].joints, made)
+        made_strip = MadeStrip(part.strip, Frame(), home=home)
+        base = dress(StripSolid(base.wrapped), part.solids[0].joints, made_strip)
     return [base, *glued_on]
 
 
@@ -274,34 +273,38 @@ def _workplane_strip(
             "An outline is a face and cannot be combined with a solid. Extrude it first, or choose form='flat'."
         )
     pending = [*self.ctx.popPendingEdges(False), *self.ctx.popPendingWires(False)]
-    drawn = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
-    if not drawn:
+    selected = pending or [item for item in self.objects if isinstance(item, cq.Edge | cq.Wire)]
+    if not selected:
         raise InputError("There is no curve. Draw a curve on the workplane, or select edges.")
     bodies: list[StripFace | StripSolid | StripCompound] = []
-    for chain in cq.Wire.combine(_edges(drawn), CHAIN):
-        made = make_strip_of(chain, sheet, max_width=max_width, workplane=self.plane, **options)
+    for chain in cq.Wire.combine(_edges(selected), CHAIN):
+        made_strip = make_strip_of(chain, sheet, max_width=max_width, workplane=self.plane, **options)
         if form == "outline":
-            bodies.append(strip_outline(made.strip))
+            bodies.append(strip_outline(made_strip.strip))
             continue
-        records = FlatSolid.layers(made.strip) if form == "flat" else BentSolid.layers(made.strip, made.frame)
-        bodies.append(make_body(records, made))
-    # skip clean() for bodies that are not combined, because it would return a body without the data of the strip
+        records = (
+            FlatSolid.layers(made_strip.strip)
+            if form == "flat"
+            else BentSolid.layers(made_strip.strip, made_strip.frame)
+        )
+        bodies.append(make_body(records, made_strip))
+    # clean() would return a body without the data of the strip
     tidy = clean and bool(combine)
     points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
     places = points or [cq.Location()]
     local = form != "bent" or bool(points)  # a bent strip at the position of its curve is not moved
     if local and form == "bent":
         bodies = [body.moved(self.plane.location.inverse) for body in bodies]
-    left = iter([body for body in bodies for _ in places])
-    put = []
+    remaining = iter([body for body in bodies for _ in places])
+    placed = []
 
     def at_place(place: cq.Location) -> StripFace | StripSolid | StripCompound:
-        put.append(next(left).moved(place) if local else next(left))
-        return put[-1]
+        placed.append(next(remaining).moved(place) if local else next(remaining))
+        return placed[-1]
 
     strips: Work = self.newObject(places * len(bodies)).eachpoint(at_place, local, combine, tidy)
     for end in ENDS:
-        self.newObject([body.end_face(end) for body in put if not isinstance(body, StripFace)]).tag(end)
+        self.newObject([body.end_face(end) for body in placed if not isinstance(body, StripFace)]).tag(end)
     return strips
 
 
@@ -311,8 +314,8 @@ class Workplane(cq.Workplane):
     elasticStrip = _workplane_strip
 
 
-def _edges(drawn: Iterable[cq.Edge | cq.Wire]) -> list[cq.Edge]:
-    return [edge for item in drawn for edge in (item.Edges() if isinstance(item, cq.Wire) else [item])]
+def _edges(shapes: Iterable[cq.Edge | cq.Wire]) -> list[cq.Edge]:
+    return [edge for item in shapes for edge in (item.Edges() if isinstance(item, cq.Wire) else [item])]
 
 
 @lists(StripOptions)

@@ -1,4 +1,4 @@
-"""Faces, solids and compounds of strips in CadQuery, functions that make them, and blocks that hold the strips."""
+"""Faces, solids and compounds of strips in CadQuery, and blocks that hold the strips."""
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
@@ -42,15 +42,14 @@ def make_location(frame: Frame) -> cq.Location:
     return cq.Location(occt.make_location(frame))
 
 
-def _plain_name(name: str) -> str:
-    """Return the name with "_" for characters that CadQuery's queries do not permit."""
+def _query_name(name: str) -> str:
     plain = re.sub(r"\W", "_", name, flags=re.ASCII)
     return plain if plain[:1].isalpha() else f"strip_{plain}"
 
 
 def free_name(name: str, assembly: cq.Assembly) -> str:
     """Return a name for CadQuery's queries that is unique in the assembly."""
-    plain = _plain_name(name)
+    plain = _query_name(name)
     tries = (plain, *(f"{plain}_{number}" for number in range(2, len(assembly.children) + 3)))
     return next(text for text in tries if text not in assembly.objects)
 
@@ -58,25 +57,24 @@ def free_name(name: str, assembly: cq.Assembly) -> str:
 Drawn: TypeAlias = cq.Edge | cq.Wire | cq.Workplane | PlaneCurve | Strip | StripBody | Iterable[cq.Edge]
 """Drawn curve, or a finished strip, which is not computed again."""
 
-KEPT = ("_made", "_joints", "_label", "label", "color")
+COPIED_ATTRIBUTES = ("_made", "_joints", "_label", "label", "color")
 
 
 class _Pickled(cq.Shape):
     color: cq.Color
 
     def __getstate__(self) -> tuple[Any, ...]:
-        """Return the state for `copy`, `deepcopy` and `pickle`, including the strip."""
-        kept = {k: v for k, v in self.__dict__.items() if k in KEPT}
-        if "color" in kept:
-            kept["color"] = self.color.toTuple()
-        return super().__getstate__(), kept
+        attributes = {k: v for k, v in self.__dict__.items() if k in COPIED_ATTRIBUTES}
+        if "color" in attributes:
+            attributes["color"] = self.color.toTuple()
+        return super().__getstate__(), attributes
 
     def __setstate__(self, state: tuple[Any, ...]) -> None:
-        shape, kept = state
+        shape, attributes = state
         super().__setstate__(shape)
-        self.__dict__.update(kept)
-        if "color" in kept:
-            self.color = cq.Color(*kept["color"])
+        self.__dict__.update(attributes)
+        if "color" in attributes:
+            self.color = cq.Color(*attributes["color"])
 
 
 class _Layer(_Pickled, cq.Solid):
@@ -84,47 +82,44 @@ class _Layer(_Pickled, cq.Solid):
 
 
 class _Moved(_Pickled):
-    """Shape with the data of a strip and joints, which copies and moved shapes also have."""
+    """Shape that passes the data and joints of a strip to its copies."""
 
     _joints: Mapping[str, cq.Location] = MappingProxyType({})
 
     def moved(self, *args: Any, **options: Any) -> Any:
-        """Do the same as `Shape.moved`. A single copy has the data of this shape."""
+        """A single copy has the data of this shape."""
         return self._with_record(super().moved(*args, **options))
 
     def located(self, loc: cq.Location) -> Self:
-        """Do the same as `Shape.located`. The copy has the data of this shape."""
-        made: Self = self._with_record(super().located(loc))
-        return made
+        result: Self = self._with_record(super().located(loc))
+        return result
 
     def copy(self, mesh: bool = False) -> Self:
-        """Do the same as `Shape.copy`. The copy has the data of this shape."""
-        made: Self = self._with_record(super().copy(mesh))
-        return made
+        result: Self = self._with_record(super().copy(mesh))
+        return result
 
     def clean(self) -> Self:
-        """Do the same as `Shape.clean`. The result has the data of this shape."""
-        made: Self = self._with_record(super().clean())
-        return made
+        result: Self = self._with_record(super().clean())
+        return result
 
     def _apply_transform(self, Tr: Any) -> Any:
-        made = self._with_record(super()._apply_transform(Tr))
-        if isinstance(made, type(self)) and "_made" in self.__dict__:
-            here, back = self.location(), made.location().inverse
-            made._joints = {
+        image = self._with_record(super()._apply_transform(Tr))
+        if isinstance(image, type(self)) and "_made" in self.__dict__:
+            here, back = self.location(), image.location().inverse
+            image._joints = {
                 name: back * make_location(occt.moved_frame(_read_frame(here * at), Tr))
                 for name, at in self._joints.items()
             }
-        return made
+        return image
 
     def _with_record(self, copy: Any) -> Any:
         if isinstance(copy, type(self)):
-            copy.__dict__.update({k: v for k, v in self.__dict__.items() if k in KEPT})
+            copy.__dict__.update({k: v for k, v in self.__dict__.items() if k in COPIED_ATTRIBUTES})
         return copy
 
 
-class _Made(StripBody, _Moved):
-    """Base of shapes that are made from a strip. Properties return the other bodies of the strip."""
+class _StripShape(StripBody, _Moved):
+    """Base of shapes of a strip."""
 
     def _start(self) -> Frame | None:
         return _read_frame(self.location() * self._joints["start"]) if "start" in self._joints else None
@@ -178,10 +173,10 @@ class _Made(StripBody, _Moved):
     @property
     def assembly(self) -> cq.Assembly:
         """Sheets of the bent strip as children of an assembly, with names and colours."""
-        made = cq.Assembly(name=_plain_name(self._made.name))
+        assembly = cq.Assembly(name=_query_name(self._made.name))
         for solid in self.layers:
-            made.add(solid, name=free_name(solid.label, made), color=solid.color)
-        return made
+            assembly.add(solid, name=free_name(solid.label, assembly), color=solid.color)
+        return assembly
 
     @lists(BlockOptions)
     def fixture(self, end: "StripEnd" = "start", **sizes: Unpack[BlockOptions]) -> "FixtureSolid":
@@ -197,9 +192,7 @@ class _Made(StripBody, _Moved):
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
-            """Refuse properties of a strip on a changed body.
-
-            CadQuery returns filleted or shelled bodies as objects of the same class, but they are not
+            """CadQuery returns filleted or shelled bodies as objects of the same class, but they are not
             strips.
             """
             if "_made" in self.__dict__ or name.startswith("__"):
@@ -209,10 +202,10 @@ class _Made(StripBody, _Moved):
             )
 
     def _apply_transform(self, Tr: Any) -> Any:
-        made = super()._apply_transform(Tr)
-        if isinstance(made, type(self)) and "_made" in self.__dict__ and Tr.IsNegative():
-            made._made = self._made.mirrored()
-        return made
+        image = super()._apply_transform(Tr)
+        if isinstance(image, type(self)) and "_made" in self.__dict__ and Tr.IsNegative():
+            image._made = self._made.mirrored()
+        return image
 
 
 class Slider:
@@ -255,7 +248,7 @@ class Slider:
     30.0
     """
 
-    def __init__(self, rib: "_Made", end: Point | None = None, *, angle: float | None = None) -> None:
+    def __init__(self, rib: "_StripShape", end: Point | None = None, *, angle: float | None = None) -> None:
         from elastica_cad.kernel.end_travel import travel_of
 
         self.travel = travel_of(rib, end, angle)
@@ -277,9 +270,7 @@ class Slider:
         return bent_strip(strip, plane=self.travel.frame, color=self._rib.color)
 
     def constrain(self, assembly: cq.Assembly, name: str, position: float) -> cq.Assembly:
-        """Constrain a child of the assembly, or a tagged face of it ("carriage?foot"), to the end of the
-        strip for `solve()`.
-        """
+        """Constrain a child of the assembly, or its tagged face ("carriage?foot"), to the end of the strip."""
         at, turn = self.place(position).toTuple()
         child, _, _ = name.partition("?")
         return assembly.constrain(name, "FixedPoint", at).constrain(child, "FixedRotation", turn)
@@ -295,11 +286,11 @@ class Slider:
         self.travel.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
 
 
-class StripFace(_Made, cq.Face):
+class StripFace(_StripShape, cq.Face):
     """Flat pattern of a strip, with properties `strip`, `rod`, `check` and `warnings`."""
 
 
-class _Jointed(_Made):
+class _Jointed(_StripShape):
     def __init__(self, obj: Any) -> None:
         super().__init__(obj)
         occt.lock(self.wrapped)
@@ -408,16 +399,16 @@ def flexure_solid(flexure: "Flexure", state: "State | None" = None, *, color: An
     >>> round(up.in_state("second").Volume() / up.Volume(), 4)
     1.0
     """
-    made = MadeFlexure.of(flexure, state, color)
-    record = made.solid
+    made_flexure = MadeFlexure.of(flexure, state, color)
+    record = made_flexure.solid
     part = FlexureSolid(occt.lock(occt.make_solid(record)))
-    part._made = made
+    part._made = made_flexure
     part._joints = {name: make_location(frame) for name, frame in record.joints.items()}
-    part.label, part.color = made.name, cq.Color(*made.color)
+    part.label, part.color = made_flexure.name, cq.Color(*made_flexure.color)
     return part
 
 
-S = TypeVar("S", bound=_Made)
+S = TypeVar("S", bound=_StripShape)
 
 
 @lists(StripOptions, drawn=True)
@@ -445,8 +436,8 @@ def strip_outline(
     >>> strip_outline(arch, "card-200gsm", max_width=20).geomType()
     'PLANE'
     """
-    made = make_strip_of(path, sheet, max_width=max_width, **options)
-    return dress(StripFace(made.face), {}, made)
+    made_strip = make_strip_of(path, sheet, max_width=max_width, **options)
+    return dress(StripFace(made_strip.face), {}, made_strip)
 
 
 @lists(StripOptions, drawn=True)
@@ -458,8 +449,8 @@ def flat_strip(
     **options: Unpack[StripOptions],
 ) -> StripSolid | StripCompound:
     """Return the strip as cut, from z = 0 upward. Errors and axes are those of `strip_outline`."""
-    made = make_strip_of(path, sheet, max_width=max_width, **options)
-    return make_body(FlatSolid.layers(made.strip), made)
+    made_strip = make_strip_of(path, sheet, max_width=max_width, **options)
+    return make_body(FlatSolid.layers(made_strip.strip), made_strip)
 
 
 @lists(StripOptions, drawn=True)
@@ -474,8 +465,8 @@ def bent_strip(
 
     Errors are as for `strip_outline`.
     """
-    made = make_strip_of(path, sheet, max_width=max_width, **options)
-    return make_body(BentSolid.layers(made.strip, made.frame), made)
+    made_strip = make_strip_of(path, sheet, max_width=max_width, **options)
+    return make_body(BentSolid.layers(made_strip.strip, made_strip.frame), made_strip)
 
 
 @lists(BlockOptions, StripOptions, drawn=True)
@@ -500,29 +491,30 @@ def end_fixture(
         The end has no tab, sizes do not fit, or the floor is not perpendicular to the plane of the curve.
         Errors of `strip_outline` are passed on.
     """
-    edges, drawn_on = _drawn(path)
-    made, block = make_fixture_on(
+    edges, drawn_on = _shapes_and_plane(path)
+    made_strip, block = make_fixture_on(
         edges, sheet, max_width=max_width, end=end, floor=floor, **drawn_on, **options
     )
-    fixture = dress(FixtureSolid(occt.make_solid(block.solid)), block.solid.joints, made)
+    fixture = dress(FixtureSolid(occt.make_solid(block.solid)), block.solid.joints, made_strip)
     fixture.label = block.label
     return fixture
 
 
-def _drawn(path: Drawn) -> tuple[Any, dict[str, Any]]:
-    """Return the drawn shapes, and the plane of a Workplane."""
+def _shapes_and_plane(path: Drawn) -> tuple[Any, dict[str, Any]]:
     if not isinstance(path, cq.Workplane):
         return path, {}
     return [*path.ctx.pendingEdges, *path.ctx.pendingWires] or path.vals(), {"workplane": path.plane}
 
 
 def make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> MadeStrip:
-    """Make the strip of the drawn shapes. For a Workplane, its plane is the plane of the curve."""
-    edges, drawn_on = _drawn(path)
+    """Make the strip of the drawn shapes; the plane of a Workplane is the plane of the curve."""
+    edges, drawn_on = _shapes_and_plane(path)
     return make_strip_on(edges, sheet, **(drawn_on | options))
 
 
-def make_body(records: Sequence[BodyRecord | PrismSolid], made: MadeStrip) -> StripSolid | StripCompound:
+def make_body(
+    records: Sequence[BodyRecord | PrismSolid], made_strip: MadeStrip
+) -> StripSolid | StripCompound:
     """Return the body of a strip with the property `strip`. For several sheets it is a compound."""
     solids = occt.make_sheets(records)
     shape: StripSolid | StripCompound
@@ -531,14 +523,14 @@ def make_body(records: Sequence[BodyRecord | PrismSolid], made: MadeStrip) -> St
     else:
         shape = StripCompound(cq.Compound.makeCompound(map(cq.Solid, solids)).wrapped)
     if isinstance(records[0], BentSolid):
-        made = replace(made, home=records[0].joints["start"])
-    return dress(shape, records[0].joints, made)
+        made_strip = replace(made_strip, home=records[0].joints["start"])
+    return dress(shape, records[0].joints, made_strip)
 
 
-def dress(shape: S, joints: Mapping[str, Frame], made: MadeStrip) -> S:
+def dress(shape: S, joints: Mapping[str, Frame], made_strip: MadeStrip) -> S:
     """Set the strip, joints, name and colour of a shape, and return the shape."""
-    shape._made = made
+    shape._made = made_strip
     shape._joints = {name: make_location(frame) for name, frame in joints.items()}
-    shape.label = made.name
-    shape.color = cq.Color(*made.body_color)
+    shape.label = made_strip.name
+    shape.color = cq.Color(*made_strip.body_color)
     return shape

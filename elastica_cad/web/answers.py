@@ -1,4 +1,4 @@
-"""Requests of the page and their answers, which are JSON records. Each kind of request has a function."""
+"""Answers to the requests of the page, as JSON records."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -64,10 +64,10 @@ LEAST_STEP = 1e-3
 """Smallest tolerance, mm, to which the last possible position of a dragged point is searched."""
 
 DIRECTIONS = 2
-"""Largest number of directions per answer in this search; the next answer tries the others."""
+"""Largest number of directions that an answer tries in the search for the last possible position."""
 
 HALVINGS = 2
-"""Largest number of bisection steps per answer in the search for the last possible position of a dragged point."""
+"""Largest number of bisection steps of an answer in the search for the last possible position."""
 
 PLACE_DIGITS = 6
 """Decimals of a position along the curve, mm. With fewer decimals, the rounded end could be beyond the curve."""
@@ -93,13 +93,12 @@ BENT_STEPS, PRESSED_STEPS = 32, 12
 """Number of shapes between the flat strip and the design, and of shapes with the ends pressed further together."""
 
 NEARLY_FLAT = 0.9999
-"""Largest distance of the ends of a strip, as a fraction of its length.
-
-At the full length, the strip could bend to either side.
+"""Largest distance of the ends, relative to the length of the strip: a straight strip could bend to either
+side.
 """
 
-PRESSED_SHARE = 0.4
-"""Largest reduction of the distance between the pressed ends, as a fraction of this distance."""
+PRESSED_FRACTION = 0.4
+"""Largest reduction of the distance between the ends of a strip, as a fraction of this distance."""
 
 
 @dataclass(frozen=True)
@@ -118,11 +117,6 @@ def answer(request: Mapping[str, Any], saved: FilePath | None = None) -> Record 
     request : mapping
     saved : Path, optional
         The design file of the studio.
-
-    Raises
-    ------
-    InputError
-        The kind of request is unknown.
     """
     answering = QUESTIONS.get(str(request.get("do")))
     if answering is None:
@@ -143,12 +137,12 @@ def answer(request: Mapping[str, Any], saved: FilePath | None = None) -> Record 
 
 
 def refused(problem: ElasticaError) -> Record:
-    """Return the record of an error, with its message, which is translated later."""
+    """Return the record of an error, whose message is translated later."""
     return {"refused": problem.refusal.record | {"message": problem.refusal}}
 
 
 def _refuse_files(value: object, key: str = "") -> None:
-    """Refuse requests that name a file, because the page reads only files that are dropped on it."""
+    """The page reads only files that are dropped on it."""
     if isinstance(value, Mapping):
         for name, item in value.items():
             _refuse_files(item, str(name))
@@ -170,13 +164,7 @@ def _design(request: Mapping[str, Any]) -> Design:
 
 
 def requested_spec(design: Mapping[str, Any], k: object = 0) -> StripSpec:
-    """Return the request for strip number `k` of a design.
-
-    Raises
-    ------
-    InputError
-        The strip does not exist, or the request is invalid.
-    """
+    """Return the request for strip number `k` of a design."""
     strips = design.get("strips")
     if not isinstance(strips, list) or not isinstance(k, int) or not 0 <= k < len(strips):
         raise InputError("The design has no strip. Add a strip.")
@@ -189,92 +177,89 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 
 def _strip(request: Mapping[str, Any]) -> Record:
-    """Return the data of a strip that the page shows.
-
-    If the request contains `hold`, a dragged point stops at its last possible position.
-    """
-    spec, kept = _with_kept_fractions(request)
+    """With `hold`, a dragged control point stops at the last possible position."""
+    spec, scaled = _scaled_request(request)
     if "hold" in request:
-        possible = _made_quickly(spec)
-        return _stopped(request) if possible is None else _shown(spec, kept, *possible, live=True)
+        possible = _solve_if_possible(spec)
+        return (
+            _strip_of_drag(request) if possible is None else _strip_record(spec, scaled, *possible, live=True)
+        )
     try:
-        rod, strip = _made(spec)
+        rod, strip = _solve(spec)
     except ElasticaError as problem:
         curve, at = spec.rod_spec.curve_to_bend, problem.refusal.where.get("at")
         places = [] if at is None else _rounded(curve.at([np.clip(at, 0, curve.length)]).position, 3)
-        refusal = {"elements": _elements(spec), "places": places} | _drawn(spec) | refused(problem)
-        return _checked(spec, kept) | refusal
-    return _shown(spec, kept, rod, strip, live=bool(request.get("live")))
+        refusal = {"elements": _elements(spec), "places": places} | _drawn_points(spec) | refused(problem)
+        return _check_record(spec, scaled) | refusal
+    return _strip_record(spec, scaled, rod, strip, live=bool(request.get("live")))
 
 
-def _checked(spec: StripSpec, kept: Record) -> Record:
-    """Return the drawn curve of a strip, and its check unless an element is not on the curve."""
-    drawn = spec.rod_spec.drawn or spec.rod_spec.curve
-    path = {"points": _rounded(drawn.sample(DRAWN_NODES + 1).position, 3), "length": drawn.length}
-    record: Record = {"path": path, "kept": kept}
+def _check_record(spec: StripSpec, scaled: Record) -> Record:
+    """Return the drawn curve, and the check unless an element is not on the curve."""
+    curve = spec.rod_spec.drawn or spec.rod_spec.curve
+    path = {"points": _rounded(curve.sample(DRAWN_NODES + 1).position, 3), "length": curve.length}
+    record: Record = {"path": path, "kept": scaled}
     with suppress(InputError):  # the refusal reports the element
         check = spec.rod_spec.check
         record |= {"theorem": _theorem(check), "text": str(check)}
     return record
 
 
-def _shown(spec: StripSpec, kept: Record, rod: Rod | NearestRod, strip: Strip, *, live: bool) -> Record:
-    """Return the check, shape, flat part and numbers of a strip.
-
-    The page requests them at every move of the pointer.
-    """
-    record = _checked(spec, kept)
+def _strip_record(
+    spec: StripSpec, scaled: Record, rod: Rod | NearestRod, strip: Strip, *, live: bool
+) -> Record:
+    record = _check_record(spec, scaled)
     record |= {"elements": _elements(spec, strip), "thrust": _thrust_line(strip.rod)}
     near = rod if isinstance(rod, NearestRod) else None
-    record |= _shape(strip) | {
-        "flat": _flat(strip.drawings()),
+    record |= _stations(strip) | {
+        "flat": _flat_loops(strip.drawings()),
         "length": round(strip.rod.length, 2),
         "deviation": None if near is None else round(near.deviation, 3),
         "rows": _rows(strip_rows(strip, near, quick=live)),
     }
-    return record | (_drawn(spec) if spec.may_change else {})
+    return record | (_drawn_points(spec) if spec.may_change else {})
 
 
-def _made(spec: StripSpec) -> tuple[Rod | NearestRod, Strip]:
+def _solve(spec: StripSpec) -> tuple[Rod | NearestRod, Strip]:
     rod = solve_rod(spec.rod_spec)
     return rod, spec.make(rod)
 
 
-def _stopped(request: Mapping[str, Any]) -> Record:
-    """Return the strip for a possible position of a dragged control point, on its way to the mouse.
+def _strip_of_drag(request: Mapping[str, Any]) -> Record:
+    """Return the strip for a possible position of a dragged control point.
 
-    `request["hold"]` has the index of the point, its last possible position `from`, the tolerance `step`, mm, and
-    the first direction `turn` of this answer. If the point cannot move, the record has this position and, unless
-    all directions were tried, the `turn` of the next answer.
+    `request["hold"]` has the index of the point, its last possible position `from`, the tolerance `step`, mm,
+    and the first direction `turn` of this answer. If the point cannot move, the answer has the position
+    `from` and, unless all directions were tried, the `turn` of the next answer.
     """
     hold, design, k = request["hold"], request["design"], request.get("strip", 0)
     strip = design["strips"][k]
     curve, index = strip["curve"], hold["point"]
 
-    def shown(place: FloatArray) -> Callable[[], Record] | None:
+    def record_with(place: FloatArray) -> Callable[[], Record] | None:
         spline = [*curve["spline"]]
         spline[index] = place.round(PLACE_DIGITS).tolist()
         strips = [*design["strips"]]
         strips[k] = strip | {"curve": curve | {"spline": spline}}
         with suppress(ElasticaError):
-            spec, kept = _with_kept_fractions({**request, "design": design | {"strips": strips}})
-            if (made := _made_quickly(spec)) is not None:
-                return lambda: _shown(spec, kept, *made, live=True) | {"point": spline[index]}
+            spec, scaled = _scaled_request({**request, "design": design | {"strips": strips}})
+            if (solved := _solve_if_possible(spec)) is not None:
+                return lambda: _strip_record(spec, scaled, *solved, live=True) | {"point": spline[index]}
         return None
 
     start, end = (np.array(xy, dtype=float) for xy in (hold["from"], curve["spline"][index]))
     step, turn = max(float(hold["step"]), LEAST_STEP), int(hold.get("turn", 0))
-    found = move_while_possible(start, end, shown, step, HALVINGS, slice(turn, turn + DIRECTIONS))
-    if found is not None:
-        return found()
+    record_at = move_while_possible(start, end, record_with, step, HALVINGS, slice(turn, turn + DIRECTIONS))
+    if record_at is not None:
+        return record_at()
     turn += DIRECTIONS
     return {"point": hold["from"]} | ({"turn": turn} if turn < ALL_DIRECTIONS.stop else {})
 
 
-def _made_quickly(spec: StripSpec) -> tuple[Rod | NearestRod, Strip] | None:
-    """Return the rod and strip, or None if the strip cannot be made. The reason is not computed."""
+def _solve_if_possible(spec: StripSpec) -> tuple[Rod | NearestRod, Strip] | None:
+    """Return the rod and the strip, or None if the strip is impossible; the reason is not computed."""
     with suppress(ElasticaError):
-        if _is_too_sharp(spec):
+        if _curve_breaks_strip(spec):
             return None
         rod = solve_rod(spec.rod_spec)
         solid = isinstance(spec.style, Plain) and spec.law is None
@@ -286,8 +271,8 @@ def _made_quickly(spec: StripSpec) -> tuple[Rod | NearestRod, Strip] | None:
     return None
 
 
-def _is_too_sharp(spec: StripSpec) -> bool:
-    """Return True if the drawn curve alone shows that the strip would break. The rod is not computed."""
+def _curve_breaks_strip(spec: StripSpec) -> bool:
+    """Return True if the drawn curve alone, without the rod, shows that the strip would break."""
     bends = spec.smooth or spec.natural_curvature or spec.loads or spec.gravity is not None
     if spec.may_change or spec.ignore_limits or bends or not isinstance(spec.style, Plain):
         return False
@@ -295,11 +280,10 @@ def _is_too_sharp(spec: StripSpec) -> bool:
     return judge_strain(spec.material, sharpest * spec.material.thickness / 2).refused
 
 
-def _with_kept_fractions(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
-    """Return the request for a strip, and its ties and loads if their positions were scaled with the curve.
+def _scaled_request(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
+    """Scale the positions of ties and loads with the curve, and return the request and the scaled tables.
 
-    When the curve is edited, the page sends the previous length (mm), to which the positions of ties and
-    loads refer. Their positions as fractions of the length are unchanged.
+    The page sends the previous length (mm) of an edited curve, to which the positions refer.
     """
     design, k, before = request["design"], request.get("strip", 0), request.get("length")
     spec = requested_spec(design, k)
@@ -307,57 +291,51 @@ def _with_kept_fractions(request: Mapping[str, Any]) -> tuple[StripSpec, Record]
     if not isinstance(before, int | float) or not before > 0 or before == after:
         return spec, {}
     strip = design["strips"][k]
-    listed = {key: strip.get(key, design.get(key)) for key in ("between", "loads")}
-    kept = scaled_places(listed, after / before)
-    strips = [*design["strips"][:k], strip | kept, *design["strips"][k + 1 :]]
-    return requested_spec(design | {"strips": strips}, k), kept
+    tables = {key: strip.get(key, design.get(key)) for key in ("between", "loads")}
+    scaled = scaled_places(tables, after / before)
+    strips = [*design["strips"][:k], strip | scaled, *design["strips"][k + 1 :]]
+    return requested_spec(design | {"strips": strips}, k), scaled
 
 
 def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
-    """Return the rails, pins, ties and loads with their positions, and with their forces in N if these are
-    known.
-    """
+    """Return rails, pins, ties and loads with their positions, and with forces in N if they are known."""
     curve = spec.rod_spec.curve_to_bend
-    drawn = spec.rod_spec.drawn or spec.rod_spec.curve
+    drawn_curve = spec.rod_spec.drawn or spec.rod_spec.curve
     loads = () if isinstance(spec.loads, Weight) else spec.loads
     forces = {id(load): np.array(load.force) for load in loads if isinstance(load, PointForce)}
     if strip is not None:
-        forces |= {id(held.element): strip.bending_stiffness * held.force[0] for held in strip.rod.between}
-    found: list[Record] = []
-    listed: Mapping[str, Sequence[Any]] = {"between": spec.between, "loads": loads}
-    for key, records in listed.items():
+        forces |= {
+            id(action.element): strip.bending_stiffness * action.force[0] for action in strip.rod.between
+        }
+    elements: list[Record] = []
+    records_of_key: Mapping[str, Sequence[Any]] = {"between": spec.between, "loads": loads}
+    for key, records in records_of_key.items():
         for k, record in enumerate(records):
             mass = record.mass if isinstance(record, PointMass) else None
             element = PointForce(record.at, (0, 0)) if isinstance(record, PointMass) else record
             with suppress(InputError):  # the check reports a position that is not on the curve
-                places = curve.at(PlacedElement.on(element, drawn, curve).s).position
+                places = curve.at(PlacedElement.on(element, drawn_curve, curve).s).position
                 force = forces.get(id(record))
-                found.append({
+                elements.append({
                     "key": key, "index": k, "noun": NOUNS[type(element)] if mass is None else "point mass",
                     "places": _rounded(places, 3), "force": None if force is None else _rounded(force, 6),
                     "mass": mass, "slot": isinstance(element, Rail) and not element.one_sided,
                 })  # fmt: skip
-    return found
+    return elements
 
 
 def _thrust_line(rod: Rod) -> list[Any]:
-    """Return the sides of the thrust line, as lists of points, clipped to the box of the curve enlarged by
-    its size.
-    """
+    """Clip the thrust line to the box of the curve, enlarged by the size of the box."""
     low, high = rod.position.min(axis=0), rod.position.max(axis=0)
     size = max(high - low)
     return [_rounded(side, 3) for side in thrust_sides(rod, low - size, high + size)]
 
 
-def _drawn(spec: StripSpec) -> Record:
+def _drawn_points(spec: StripSpec) -> Record:
     return {"drawn": _rounded(spec.curve.sample(DRAWN_NODES + 1).position, 3)}
 
 
 def _theorem(check: EquilibriumCheck) -> Record:
-    """Return the data of Theorem 1: numbered inflections, their line, and its inadmissible contacts with the
-    curve.
-    """
-
     def places(s: Sequence[float]) -> list[Any]:
         return _rounded(check.curve.at(s).position, 3) if len(s) else []
 
@@ -371,14 +349,13 @@ def _theorem(check: EquilibriumCheck) -> Record:
     }
 
 
-def _shape(strip: Strip, rod: Rod | None = None) -> Record:
-    """Return stations along a strip from tab to tab, with position, width, curvature and strain."""
+def _stations(strip: Strip, rod: Rod | None = None) -> Record:
     rod = rod or strip.rod
     k = np.unique(np.linspace(0, rod.s.size - 1, DRAWN_NODES + 1).round().astype(int))
     s, kappa = rod.s[k], rod.curvature[k]
     rest = np.broadcast_to(rod.natural_curvature, rod.s.shape)[k]
     layers = strip.layout.strains(Bends(np.abs(kappa - rest), s))
-    share = np.max([layer.strain / layer.limit for layer in layers], axis=0)
+    fraction = np.max([layer.strain / layer.limit for layer in layers], axis=0)
     position, width = rod.position[k], strip.width(s)
     along = np.column_stack([np.cos(rod.angle[k]), np.sin(rod.angle[k])])
     first, last = strip.ends
@@ -388,7 +365,7 @@ def _shape(strip: Strip, rod: Rod | None = None) -> Record:
         "position": _rounded(np.concatenate(ends), 3),
         "width": _rounded(np.array(wide), 3),
         "curvature": _rounded(kappa, 6),
-        "shares": _rounded(share, 3),
+        "shares": _rounded(fraction, 3),
     }
 
 
@@ -399,9 +376,8 @@ def _rows(rows: Iterable[Row]) -> list[Record]:
     ]
 
 
-def _flat(drawings: Iterable[Drawing]) -> list[Record]:
-    """Return the loops, mm, of each cut or engraved layer. Drawings are placed one below another."""
-    drawn: list[Record] = []
+def _flat_loops(drawings: Iterable[Drawing]) -> list[Record]:
+    layers: list[Record] = []
     below = 0.0
     for drawing in drawings:
         paths = [(item.layer, item.path) for item in drawing.paths]
@@ -411,21 +387,17 @@ def _flat(drawings: Iterable[Drawing]) -> list[Record]:
         shift = np.array([0.0, below - heights.max()])
         for layer in LAYERS:
             loops = [_rounded(points + shift, 2) for name, points in lines if name == layer]
-            drawn += [{"layer": layer, "loops": loops}] if loops else []
+            layers += [{"layer": layer, "loops": loops}] if loops else []
         below -= 1.1 * np.ptp(heights)
-    return drawn
+    return layers
 
 
-def _cures(request: Mapping[str, Any]) -> Record:
-    """Return the changes that make a refused strip possible.
-
-    Each change has the tables of the resulting strips.
-    """
+def _suggestions(request: Mapping[str, Any]) -> Record:
     spec = _spec(request)
     try:
         spec.make()
     except ElasticaError as problem:
-        found = [
+        changes = [
             {
                 "text": suggestion.title,
                 "effect": suggestion.effect,
@@ -433,12 +405,11 @@ def _cures(request: Mapping[str, Any]) -> Record:
             }
             for suggestion in suggest(spec, problem)
         ]
-        return {"cures": found}
+        return {"cures": changes}
     return {"cures": []}
 
 
 def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[Record]:
-    """Return the tables of the strips that replace a strip of the design."""
     design = request["design"]
     strip, change = design["strips"][request.get("strip", 0)], suggestion.change
     match change.field:
@@ -458,11 +429,8 @@ def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[
     return [strip | {change.field: suggestion.table}]
 
 
-def _sheets(request: Mapping[str, Any]) -> Record:
-    """Return the strain as a fraction of its limit, or else why no strip is possible, for the sheets in `names`.
-
-    By default, all sheets are tried. The rod is only computed again if it depends on the sheet.
-    """
+def _sheet_rows(request: Mapping[str, Any]) -> Record:
+    """Try all sheets, or those in `names`; the rod is only solved again if it depends on the sheet."""
     spec, names, rod, rows = _spec(request), request.get("names"), None, []
     solved = spec.rod_spec
     for sheet in cut_sheets():
@@ -487,11 +455,7 @@ def _sheets(request: Mapping[str, Any]) -> Record:
     return {"sheets": rows}
 
 
-def _bend(request: Mapping[str, Any]) -> Record:
-    """Return the shapes of a strip from flat to its design and beyond.
-
-    Each has the force and moment at an end, and True if it is stable.
-    """
+def _bending_frames(request: Mapping[str, Any]) -> Record:
     spec = _spec(request)
     strip = spec.make()
     if strip.rod.acting:
@@ -504,27 +468,31 @@ def _bend(request: Mapping[str, Any]) -> Record:
         raise InputError("A closed strip has no ends to move. Open it to bend it here.")
     out = np.arctan2(chord[1], chord[0])
     flat = start + NEARLY_FLAT * strip.rod.length * np.array([np.cos(out), np.sin(out)])
-    held = [support.angle for support in strip.rod.supports.ends]
+    clamped_ends = [support.angle for support in strip.rod.supports.ends]
     level = out + 2 * np.pi * np.round((angles.mean() - out) / (2 * np.pi))
 
-    def led(part: float, there: FloatArray, turn: float) -> Record:
-        turned = (angles + turn * part * (level - angles)).tolist()
-        turned = [angle if clamped else None for angle, clamped in zip(turned, held, strict=True)]
-        return {"end": end + part * (there - end), "angles": tuple(turned)}
+    def bend_keywords(part: float, there: FloatArray, turn: float) -> Record:
+        new_angles = (angles + turn * part * (level - angles)).tolist()
+        new_angles = [
+            angle if clamped else None for angle, clamped in zip(new_angles, clamped_ends, strict=True)
+        ]
+        return {"end": end + part * (there - end), "angles": tuple(new_angles)}
 
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
-    pulled = bend_strip(strip, [led(part, flat, 1.0) for part in parts])
+    pulled = bend_strip(strip, [bend_keywords(part, flat, 1.0) for part in parts])
     frames = [_frame(strip, pulled, k, 1 - parts[k]) for k in range(len(parts))][::-1]
     # if the strip cannot be pressed further, only the shapes from flat to the design are shown
     with suppress(ElasticaError):
         more = np.arange(1, PRESSED_STEPS + 1) / PRESSED_STEPS
-        pressed = bend_strip(strip, [led(part, end - PRESSED_SHARE * chord, 0.0) for part in more])
-        frames += [_frame(strip, pressed, k, 1 + PRESSED_SHARE * more[k]) for k in range(len(more))]
+        pressed = bend_strip(
+            strip, [bend_keywords(part, end - PRESSED_FRACTION * chord, 0.0) for part in more]
+        )
+        frames += [_frame(strip, pressed, k, 1 + PRESSED_FRACTION * more[k]) for k in range(len(more))]
     return {"frames": frames}
 
 
 def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
-    shape = _shape(strip, travel.rods[k])
+    shape = _stations(strip, travel.rods[k])
     return {
         "part": round(float(part), 4),
         "force": float(f"{np.hypot(*travel.end_force[k]):.3g}"),
@@ -548,14 +516,14 @@ def _model(request: Mapping[str, Any]) -> Record:
         key = id(member.strip.rod)
         if key not in strips:
             strips[key] = len(shapes)
-            shapes.append(_shape(member.strip))
+            shapes.append(_stations(member.strip))
         places.append([strips[key], _matrix(member.frame)])
     solids = [
         solid
         for part in assembly_parts((), (*kit.model.plates, *kit.holders))
         for solid in _plates(part.solids)
     ]
-    listed = kit.cut_list
+    cut_list = kit.cut_list
     return {
         "shapes": shapes,
         "places": places,
@@ -574,10 +542,10 @@ def _model(request: Mapping[str, Any]) -> Record:
             else "{strips} strips, {pieces} pieces on {sheets} sheets, {cuts:.1f} m of cuts, {mass:.0f} g",
             strips=len(places),
             blocks=len(kit.blocks),
-            pieces=listed.count,
+            pieces=cut_list.count,
             sheets=len(kit.nests),
-            cuts=listed.cut_length / 1000,
-            mass=listed.mass,
+            cuts=cut_list.cut_length / 1000,
+            mass=cut_list.mass,
         ),
         "warnings": warnings,
         "notes": [message for message in messages if message not in warnings],
@@ -593,14 +561,13 @@ def _plates(solids: Sequence[object]) -> Iterator[FlatSolid]:
 
 
 def _matrix(frame: Frame) -> list[float]:
-    """Return the matrix (4, 4) of a frame as a list of columns, as graphics libraries expect."""
+    """Return the columns of the matrix (4, 4) of a frame, as graphics libraries expect."""
     rows = np.eye(4)
     rows[:3, :3], rows[:3, 3] = frame.axes.T, frame.origin
     return [round(float(x), 6) for x in rows.T.ravel()]
 
 
 def _pair(request: Mapping[str, Any]) -> Record:
-    """Return the data of a two-state part: both rest shapes, its flat pattern, holder and numbers."""
     part = _pair_spec(request).make()
     pair, limit, places = part.pair, part.sheet.max_strain, []
     for rod, strain in zip((pair.first, pair.second), part.strain, strict=True):
@@ -621,7 +588,7 @@ def _pair(request: Mapping[str, Any]) -> Record:
     faults = [Row(note("Warning"), text, severity="warning") for text in part.rest_warnings]
     return {
         "states": places,
-        "flat": _flat((part.drawing(), part.holder())),
+        "flat": _flat_loops((part.drawing(), part.holder())),
         "text": str(pair.check),
         "length": round(pair.length, 2),
         "rows": _rows(in_order([*rows, together, *faults])),
@@ -633,7 +600,7 @@ def _pair_spec(request: Mapping[str, Any]) -> FlexureSpec:
 
 
 def _edit(request: Mapping[str, Any]) -> Record:
-    """Return the curve of the strip with a control point added, which does not change the shape, or removed."""
+    """Add a control point, which does not change the shape, or remove a control point."""
     if "pair" in request["design"]:
         spec = _pair_spec(request)
         curve = spec.second if request.get("strip") else spec.first
@@ -686,8 +653,7 @@ def without_point(curve: PlaneCurve, k: object) -> PlaneCurve:
     return PlaneCurve(np.delete(curve.knots, knot), points, degree, weights)
 
 
-def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
-    """Return the curves, or the design, in a file that was dropped on the page."""
+def _read_dropped(request: Mapping[str, Any], folder: FilePath) -> Record:
     name, text = FilePath(str(request.get("name", ""))).name, request.get("text")
     if not isinstance(text, str) or FilePath(name).suffix.lower() not in DROPPED:
         raise InputError(
@@ -705,32 +671,28 @@ def _read(request: Mapping[str, Any], folder: FilePath) -> Record:
     return {
         "curves": [
             {
-                "called": f"{name} {drawn.number} {drawn.name}".rstrip(),
-                "curve": curve_table(drawn.curve),
-                "read": str(curves.file.report([drawn])),
+                "called": f"{name} {item.number} {item.name}".rstrip(),
+                "curve": curve_table(item.curve),
+                "read": str(curves.file.report([item])),
             }
-            for drawn in curves.file
-            if not drawn.problem
+            for item in curves.file
+            if not item.problem
         ],
         "notes": list(curves.notes),
     }
 
 
-def _open(_: Mapping[str, Any], saved: FilePath | None) -> Record:
-    """Return the design file as it is on the disk, and its digest."""
+def _open_saved(_: Mapping[str, Any], saved: FilePath | None) -> Record:
     mark = file_mark(saved)
     return {"mark": mark, "design": open_design(saved) if saved and mark else None}
 
 
 def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
-    """Return the text that the server writes to the design file.
-
-    If another program has changed the file, its new contents are returned instead.
-    """
+    """If another program has changed the file, the answer has the new contents."""
     before, mark = "", file_mark(saved)
     if saved is not None and not request.get("copy"):
         if request.get("mark") != mark:
-            return _open(request, saved) | refused(InputError(CHANGED, name=saved.name))
+            return _open_saved(request, saved) | refused(InputError(CHANGED, name=saved.name))
         before = saved.read_text(encoding="utf-8-sig") if mark else ""
     try:
         return {"text": compose_design(request["design"], before), "mark": mark}
@@ -740,8 +702,7 @@ def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
         ) from problem
 
 
-def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
-    """Return a file for download, or a zip of all files of a model."""
+def _download(request: Mapping[str, Any], folder: FilePath) -> Download:
     kind = request.get("kind")
     if kind not in DOWNLOADS:
         raise InputError("{file!r} is not a file of this page. Load the page again.", file=kind)
@@ -769,8 +730,8 @@ def _file(request: Mapping[str, Any], folder: FilePath) -> Download:
     strip_spec = _spec(request)
     rod = solve_rod(strip_spec.rod_spec)
     paper = "A4" if kind == "pdf" else None
-    wanted = StripFiles(design.kit.cutting, paper, step=kind == "step", pictures=False, stl=kind == "stl")
-    kit = StripResult(strip_spec, rod, strip_spec.make(rod), name).kit(wanted)
+    files = StripFiles(design.kit.cutting, paper, step=kind == "step", pictures=False, stl=kind == "stl")
+    kit = StripResult(strip_spec, rod, strip_spec.make(rod), name).kit(files)
     paths = zip(kit.files, kit.write(folder), strict=True)
     (path,) = (path for file, path in paths if file.description == kind)
     return Download(path.name, path.read_bytes())
@@ -791,21 +752,21 @@ def _rounded(values: Any, digits: int) -> list[Any]:
 
 QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
     "strip": _strip,
-    "sheets": _sheets,
-    "cures": _cures,
-    "bend": _bend,
+    "sheets": _sheet_rows,
+    "cures": _suggestions,
+    "bend": _bending_frames,
     "model": _model,
     "pair": _pair,
     "edit": _edit,
-    "read": _read,
-    "file": _file,
-    "open": _open,
+    "read": _read_dropped,
+    "file": _download,
+    "open": _open_saved,
     "save": _save,
 }
 """Function that answers each kind of request."""
 
-WITH_FILES = (_read, _file)
+WITH_FILES = (_read_dropped, _download)
 """Functions that get a temporary folder, and read only from this folder."""
 
-OF_THE_FILE = (_open, _save)
+OF_THE_FILE = (_open_saved, _save)
 """Functions that get the path of the studio's design file."""

@@ -24,7 +24,7 @@ MODULES = (
     "channel.js", "colors.js", "design.js", "drawing.js", "flat.js", "forms.js", "vendor/three.module.min.js",
     "space.js", "starts.js", "studio.js",
 )  # fmt: skip
-"""Script files of the page. A file comes after the files that it imports."""
+"""Script files of the page; a file comes after the files that it imports."""
 
 
 @installed_modules()
@@ -44,9 +44,8 @@ def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
     Returns
     -------
     AnyWidget
-        Widget. Its `value` is the drawn curve (PlaneCurve) and the request (StripSpec); `design` has the tables of
-        a
-        design file.
+        Widget, whose `value` is the drawn curve (PlaneCurve) and the request (StripSpec), and whose `design`
+        has the tables of a design file.
 
     Raises
     ------
@@ -81,8 +80,6 @@ def _widget() -> type["AnyWidget"]:
     texts = {f"./{name}": page.joinpath(name).read_text(encoding="utf-8") for name in MODULES}
 
     class Studio(AnyWidget):
-        """Widget that shows the page and answers its requests in this process."""
-
         _esm = (
             f"const MODULES = {json.dumps(texts)};\n{page.joinpath('widget.js').read_text(encoding='utf-8')}"
         )
@@ -102,7 +99,6 @@ def _widget() -> type["AnyWidget"]:
 
         @property
         def value(self) -> tuple[PlaneCurve, StripSpec]:
-            """The drawn curve and the request for its strip."""
             spec = requested_spec(self.design)
             return spec.curve, spec
 

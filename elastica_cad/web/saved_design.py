@@ -27,26 +27,13 @@ STARTS = ("pavilion", "revolution")
 
 
 def open_design(path: Path) -> Tables:
-    """Return the tables of a design file, with curves as editable splines.
-
-    Raises
-    ------
-    InputError
-        For the reasons of `read_design`, or because the design has strips along sections of a mesh, which the
-        page cannot edit.
-    """
+    """Return the tables of a design file, with curves as editable splines."""
     with read_below(path.parent, Path()):
         return drawable(parse_design(path), path, read_curves)
 
 
 def file_mark(path: Path | None) -> str:
-    """Return a digest of the contents of a file, by which changes are detected. It is empty if there is no file.
-
-    Raises
-    ------
-    InputError
-        The file cannot be read.
-    """
+    """Return a digest of the contents of a file, or "" if there is no file."""
     if path is None or not path.exists():
         return ""
     return sha256(require_file(path).read_bytes()).hexdigest()
@@ -62,16 +49,11 @@ def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
     """Convert the curves in the tables of a design to splines.
 
     `path` is the file of the design, and `read_curves` reads the curve files that it names.
-
-    Raises
-    ------
-    InputError
-        As `open_design`.
     """
     if "pair" in tables:
         spec = pair_of(tables, path, read_curves)
         for state, curve in (("first", spec.first), ("second", spec.second)):
-            if not _is_drawn(tables["pair"][state]):
+            if not _has_movable_points(tables["pair"][state]):
                 tables["pair"][state] = curve_table(curve)
         return tables
     design_of(tables, path, read_curves)
@@ -81,7 +63,7 @@ def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
                 "{path}: the page cannot draw strips along sections of a mesh. Run `elastica model`.",
                 path=path,
             )
-        if "count" in strip or _is_drawn(strip["curve"]):
+        if "count" in strip or _has_movable_points(strip["curve"]):
             continue
         alone = {key: value for key, value in tables.items() if key not in OF_MODELS}
         (entry,) = design_of(alone | {"strips": [strip]}, path, read_curves).entries
@@ -89,8 +71,7 @@ def drawable(tables: Tables, path: Path, read_curves: CurveReader) -> Tables:
     return tables
 
 
-def _is_drawn(curve: object) -> bool:
-    """Return True if the curve is a spline whose control points are numbers, so that the page can move them."""
+def _has_movable_points(curve: object) -> bool:
     points = curve.get("spline") if isinstance(curve, Mapping) and "reshape" not in curve else None
     return isinstance(points, list) and all(
         isinstance(x, int | float) for point in points if isinstance(point, list) for x in point

@@ -1,7 +1,4 @@
-"""Server of the page.
-
-It answers only requests from this computer that have its token and come from its own pages.
-"""
+"""Server of the page, which answers only requests of its own pages on this computer."""
 
 import asyncio
 import hmac
@@ -52,9 +49,8 @@ NO_ENTRY = "This page is for the person who started it: open the address that `e
 
 @dataclass(frozen=True)
 class Entrance:
-    """Check of requests.
-
-    It admits requests that have the token, name this computer as host, and do not come from another site.
+    """Admission of requests that have the token, name this computer as host, and do not come from another
+    site.
     """
 
     port: int
@@ -67,18 +63,20 @@ class Entrance:
 
     @property
     def cookie(self) -> str:
-        """Name of the cookie. It contains the port, because all ports of a host share their cookies."""
+        """Name of the cookie, with the port because all ports of a host share their cookies."""
         return f"elastica-studio-{self.port}"
 
-    def refusal(self, seen: HTTPConnection) -> str:
+    def refusal(self, connection: HTTPConnection) -> str:
         """Return the reason why a request is refused, or "" if it is permitted."""
-        host = seen.headers.get("host", "")
+        host = connection.headers.get("host", "")
         if host not in (f"{HOST}:{self.port}", f"localhost:{self.port}"):
             return "This server answers to its own name only.\n"
-        origin = seen.headers.get("origin", "" if seen.scope["type"] == "websocket" else f"http://{host}")
+        origin = connection.headers.get(
+            "origin", "" if connection.scope["type"] == "websocket" else f"http://{host}"
+        )
         if origin != f"http://{host}":
             return "This server answers to its own page only.\n"
-        token = seen.query_params.get("token") or seen.cookies.get(self.cookie, "")
+        token = connection.query_params.get("token") or connection.cookies.get(self.cookie, "")
         return "" if hmac.compare_digest(token.encode(), self.token.encode()) else NO_ENTRY
 
 
@@ -96,18 +94,20 @@ class Guard:
         if scope["type"] == "lifespan":
             await self.app(scope, receive, send)
             return
-        seen = HTTPConnection(scope)
-        refusal = self.entrance.refusal(seen)
+        connection = HTTPConnection(scope)
+        refusal = self.entrance.refusal(connection)
 
         async def guarded(message: Message) -> None:
             if message["type"] == "http.response.start":
                 headers = MutableHeaders(scope=message)
-                headers["Content-Security-Policy"] = POLICY.format(socket=f"ws://{seen.headers.get('host')}")
+                headers["Content-Security-Policy"] = POLICY.format(
+                    socket=f"ws://{connection.headers.get('host')}"
+                )
                 headers["X-Content-Type-Options"] = "nosniff"
                 headers["Referrer-Policy"] = "no-referrer"
                 headers["Cross-Origin-Resource-Policy"] = "same-origin"
                 headers["Cache-Control"] = "no-cache"
-                if not refusal and "token" in seen.query_params:
+                if not refusal and "token" in connection.query_params:
                     cookie = f"{self.entrance.cookie}={self.entrance.token}"
                     headers.append("Set-Cookie", f"{cookie}; Path=/; HttpOnly; SameSite=Strict")
             await send(message)
@@ -133,7 +133,7 @@ class Studio:
     def __init__(self, entrance: Entrance, path: Path | None = None) -> None:
         self.path = path
         if path is not None and path.exists():
-            # read the design once, so that an invalid design is refused in the terminal before the page opens
+            # an invalid design is refused in the terminal before the page opens
             open_design(path)
         file = None if path is None else path.name
         self._hello = page_words() | {
@@ -158,7 +158,6 @@ class Studio:
         await self._workers.stop()
 
     async def _talk(self, talk: WebSocket) -> None:
-        """Receive the requests of a page, and send each answer when it is available."""
         page = next(self._pages)
         await talk.accept()
 
@@ -172,7 +171,7 @@ class Studio:
             self._workers.request(page, {"do": "open"}, b'{"do": "open"}', greet)
             while True:
                 await self._take(page, await talk.receive_text(), send)
-        # the connection ends if the page was closed, or if another program sent bytes
+        # the page was closed, or another program sent bytes
         except (WebSocketDisconnect, KeyError):
             with suppress(RuntimeError):
                 await talk.close()
@@ -188,20 +187,16 @@ class Studio:
         path = self.path
 
         async def written(kind: bytes, content: bytes) -> None:
-            await send(kind, content if path is None else _written(path, content))
+            await send(kind, content if path is None else _save_if_unchanged(path, content))
 
         saves = request.get("do") == "save" and not request.get("copy")
-        # replace line feeds, which are only white space in JSON, because a worker reads a request as a line
+        # a worker reads a request as a line; line feeds are only white space in JSON
         line = text.replace("\n", " ").encode()
         if not self._workers.request(page, head_of(request), line, written if saves else send):
             await send(b"text", refused_answer(request, InputError(TOO_MUCH)))
 
 
-def _written(path: Path, content: bytes) -> bytes:
-    """Write the text that a worker composed, unless the file has changed in the meantime.
-
-    Return the answer for the page.
-    """
+def _save_if_unchanged(path: Path, content: bytes) -> bytes:
     answer = json.loads(content)
     if "refused" in answer:
         return content
@@ -217,13 +212,7 @@ def _written(path: Path, content: bytes) -> bytes:
 
 
 def bound_socket(port: int) -> socket.socket:
-    """Return a listening socket for connections from this computer only. Port 0 selects any free port.
-
-    Raises
-    ------
-    InputError
-        Another program uses the port.
-    """
+    """Return a listening socket for connections from this computer only. Port 0 selects any free port."""
     bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
     # without SO_REUSEADDR, recently closed connections would block the port for a minute
     if os.name == "posix":

@@ -1,7 +1,7 @@
 """Worker process that answers requests of the page one after another. Each request is a line of JSON.
 
 An answer consists of its kind (`text` or `file`), its size in bytes, and its contents. A worker that needs
-too much memory returns an error. The server replaces a worker that takes too long.
+too much memory returns an error.
 """
 
 import json
@@ -25,13 +25,7 @@ CATALOGUES = {"de": "de", "zh": "zh-CN"}
 
 
 def read_question(text: str | bytes) -> dict[str, Any]:
-    """Parse a request of the page from JSON.
-
-    Raises
-    ------
-    InputError
-        The text is not JSON, or not a request of a page.
-    """
+    """Parse a request of the page from JSON."""
     try:
         question = json.loads(text, parse_constant=_refuse_constant)
     except (ValueError, RecursionError):
@@ -45,7 +39,7 @@ def read_question(text: str | bytes) -> dict[str, Any]:
 
 
 def _refuse_constant(name: str) -> None:
-    raise ValueError(name)  # refuse NaN and Infinity, which are not JSON
+    raise ValueError(name)  # NaN and Infinity are not JSON
 
 
 def head_of(question: Mapping[str, Any]) -> dict[str, Any]:
@@ -75,7 +69,7 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
         response = refused(problem)
     except MemoryError:
         response = refused(InputError("There is not enough memory. Request less, such as fewer strips."))
-    # answer any exception, such as for an invalid request of an old page, so that the worker continues
+    # an invalid request of an old page must not end the worker
     except Exception:
         traceback.print_exc()
         response = refused(
@@ -84,37 +78,35 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
     words, head = _PageWords(request.get("language", "en")), head_of(request)
     if isinstance(response, Download):
         return b"file", json.dumps(head | {"name": response.name}).encode() + b"\n" + response.content
-    return b"text", json.dumps(head | _worded(response, words), allow_nan=False).encode()
+    return b"text", json.dumps(head | _translated(response, words), allow_nan=False).encode()
 
 
 class _PageWords(Translated):
-    """Wording of messages in a language of the page. Fields have the names that the page displays."""
+    """Wording of messages, with the names of fields that the page displays."""
 
     def __init__(self, language: str) -> None:
         super().__init__(CATALOGUES.get(language, "en"))
         self.point = "," if language == "de" else "."
 
     def field(self, name: str) -> str:
-        """Return the label of a field in quotation marks."""
         label = name.rpartition(".")[2].replace("_", " ")
         words = self.template(f"page|{label}")
         words = self.template(label) if words.startswith("page|") else words
         return f"„{words}“" if self.point == "," else f"“{words}”"
 
 
-def _worded(value: Any, words: Wording) -> Any:
-    """Return the answer with every message translated to the language of the user."""
+def _translated(value: Any, words: Wording) -> Any:
     if isinstance(value, Refusal):
         return words.sentence(value)
     if isinstance(value, dict):
-        return {key: _worded(item, words) for key, item in value.items()}
+        return {key: _translated(item, words) for key, item in value.items()}
     if isinstance(value, list) and value and isinstance(value[0], str | dict):
-        return [_worded(item, words) for item in value]
+        return [_translated(item, words) for item in value]
     return value
 
 
 def _limit_memory() -> None:
-    # ignore errors, because Windows cannot limit the address space
+    # Windows cannot limit the address space
     with suppress(ImportError, OSError, ValueError):
         import resource
 

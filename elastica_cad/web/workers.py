@@ -72,41 +72,41 @@ class Workers:
         process = None
         try:
             while True:
-                process = process or await _started(self._saved)
+                process = process or await _start_worker(self._saved)
                 await self._arrived.acquire()
                 head, line, send = self._waiting.pop(next(iter(self._waiting)))
                 if not line:
                     continue
                 seconds = LONGEST_S.get(str(head.get("do")), USUAL_S)
                 try:
-                    kind, content = await asyncio.wait_for(_answered(process, line), seconds)
+                    kind, content = await asyncio.wait_for(_response(process, line), seconds)
                 except (TimeoutError, asyncio.IncompleteReadError, OSError, ValueError) as problem:
-                    await _ended(process)
+                    await _end(process)
                     process = None
                     late = isinstance(problem, TimeoutError)
                     reason = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
                     refusal = InputError(f"The request {reason}. Use fewer strips, samples or holes.")
                     kind, content = b"text", refused_answer(head, refusal)
-                # sending fails if the page was closed while its request was computed
+                # the page may be closed while its request is computed
                 with suppress(Exception):
                     await send(kind, content)
         finally:
             if process is not None:
-                await _ended(process)
+                await _end(process)
 
 
 async def _nobody(_: bytes, __: bytes) -> None:
     """Discard an answer for which no page is waiting."""
 
 
-async def _started(saved: Path | None) -> asyncio.subprocess.Process:
+async def _start_worker(saved: Path | None) -> asyncio.subprocess.Process:
     command = [*python_command("elastica_cad.web.worker", "main"), *([str(saved)] if saved else [])]
     pipe = asyncio.subprocess.PIPE
-    # start it in a separate session, because Ctrl-C must not reach a worker; the server ends it
+    # in a separate session, because Ctrl-C must not reach a worker, which the server ends
     return await asyncio.create_subprocess_exec(*command, stdin=pipe, stdout=pipe, start_new_session=True)
 
 
-async def _answered(process: asyncio.subprocess.Process, line: bytes) -> tuple[bytes, bytes]:
+async def _response(process: asyncio.subprocess.Process, line: bytes) -> tuple[bytes, bytes]:
     assert process.stdin is not None
     assert process.stdout is not None
     process.stdin.write(line + b"\n")
@@ -115,7 +115,7 @@ async def _answered(process: asyncio.subprocess.Process, line: bytes) -> tuple[b
     return kind, await process.stdout.readexactly(int(size))
 
 
-async def _ended(process: asyncio.subprocess.Process) -> None:
+async def _end(process: asyncio.subprocess.Process) -> None:
     with suppress(ProcessLookupError):
         process.kill()
     await process.wait()
