@@ -22,7 +22,7 @@ _ROUNDS = 100  # largest number of steps of Brent's method; a dozen are usual
 @cache
 def lapack() -> Any:
     """Return the double precision functions of `scipy.linalg.lapack`: dgtsv, dpbsv and so on."""
-    return _alone("linalg", "_flapack", "dgtsv") or import_module("scipy.linalg.lapack")
+    return _compiled_module("linalg", "_flapack", "dgtsv") or import_module("scipy.linalg.lapack")
 
 
 def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -58,18 +58,16 @@ def crossing(
 
 @cache
 def _brent() -> Any:
-    alone = _alone("optimize", "_zeros", "_brentq") or import_module("scipy.optimize._zeros")
+    alone = _compiled_module("optimize", "_zeros", "_brentq") or import_module("scipy.optimize._zeros")
     return alone._brentq
 
 
-def _alone(package: str, name: str, needed: str) -> Any | None:
-    """Import a compiled module of scipy without its package.
-
-    Return None if this build of scipy has another layout.
+def _compiled_module(package: str, name: str, needed: str) -> Any | None:
+    """Import a compiled module of scipy without its package, or return None if scipy has another layout.
 
     The module is not added to `sys.modules`, because scipy loads its own copy later.
     """
-    # scipy is only located, because importing it would also import network modules and others
+    # scipy is only located, because importing it also imports network modules and others
     scipy = find_spec("scipy")
     places = None if scipy is None else scipy.submodule_search_locations
     spec = PathFinder.find_spec(

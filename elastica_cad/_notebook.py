@@ -29,14 +29,14 @@ def svg_of_lines(lines: Iterable[tuple[FloatArray, str, bool]], title: str) -> s
     >>> svg_of_lines([(np.array([[0, 0], [10, 5]]), BLUE, False)], "two points")[:4]
     '<svg'
     """
-    drawn = [(np.asarray(points, dtype=float), color, closed) for points, color, closed in lines]
-    everything = np.concatenate([points for points, _, _ in drawn])
+    polylines = [(np.asarray(points, dtype=float), color, closed) for points, color, closed in lines]
+    everything = np.concatenate([points for points, _, _ in polylines])
     low, high = everything.min(axis=0), everything.max(axis=0)
     span = np.maximum(high - low, 1e-9 * max(1.0, float(np.abs(everything).max())))
     scale = min((WIDTH_PX - 2 * EDGE_PX) / span[0], (TALLEST_PX - 2 * EDGE_PX) / span[1])
     size = span * scale + 2 * EDGE_PX
     paths = []
-    for points, color, closed in drawn:
+    for points, color, closed in polylines:
         x = (points[:, 0] - low[0]) * scale + EDGE_PX
         y = (high[1] - points[:, 1]) * scale + EDGE_PX
         run = " ".join(f"{a:.{FIGURES}g},{b:.{FIGURES}g}" for a, b in zip(x, y, strict=True))

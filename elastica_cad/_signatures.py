@@ -13,7 +13,7 @@ class PlainText(str):
 
 
 class _RecordSignature:
-    """Signature of a record, computed when it is read, so that a subclass has its own."""
+    """Signature of a record, computed on access, because a subclass has another signature."""
 
     def __get__(self, _: object, record: Any) -> inspect.Signature:
         initializer = inspect.signature(record.__init__)
@@ -82,7 +82,6 @@ def _plain_type(hint: Any) -> Any:
 
 
 def _with_array_like(parts: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Return the members of a union, with `ArrayLike` in place of its many members."""
     if not any(getattr(part, "__module__", "").startswith("numpy._typing") for part in parts):
         return parts
     from numpy.typing import ArrayLike

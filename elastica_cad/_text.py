@@ -26,7 +26,7 @@ def printable(text: str) -> str:
     >>> printable("plain"), printable("a\x1b[31m\u202eb")
     ('plain', 'a\\u001b[31m\\u202eb')
     """
-    return _SUSPECT.sub(_shown, text)
+    return _SUSPECT.sub(_escaped, text)
 
 
 def html_text(text: object) -> str:
@@ -40,7 +40,7 @@ def html_text(text: object) -> str:
     return escape(printable(str(text)))
 
 
-def _shown(match: re.Match[str]) -> str:
+def _escaped(match: re.Match[str]) -> str:
     sign = match[0]
     if sign.isprintable():
         return sign
@@ -87,14 +87,14 @@ def command_of_drawings(words: Iterable[str], *, windows: bool = os.name == "nt"
     >>> command_of_drawings(["strip", "/home/jo/arch.dxf", "--sheet", "pom-1", "-o", "out"], windows=False)
     'elastica strip arch.dxf --sheet pom-1'
     """
-    kept, rest = ["elastica"], iter(words)
+    command, rest = ["elastica"], iter(words)
     path: type[PurePath] = PureWindowsPath if windows else PurePosixPath
     for word in rest:
-        option, given, value = word.partition("=") if word.startswith("--") else ("", "", word)
+        option, equals_sign, value = word.partition("=") if word.startswith("--") else ("", "", word)
         if (name := option or word) in _NOT_OF_DRAWINGS or word.startswith("-o"):
-            if not given and _NOT_OF_DRAWINGS.get(name):  # the value of the option is the next word
+            if not equals_sign and _NOT_OF_DRAWINGS.get(name):  # the value of the option is the next word
                 next(rest, "")
             continue
-        shown = path(value).name if path(value).is_absolute() else value
-        kept.append(f"{option}{given}{shown}")
-    return quote_words(kept, windows=windows)
+        text = path(value).name if path(value).is_absolute() else value
+        command.append(f"{option}{equals_sign}{text}")
+    return quote_words(command, windows=windows)

@@ -38,7 +38,5 @@ EMPTY: Any = ()
 
 
 def required() -> Any:
-    """Return the placeholder for the missing default of a field with the type `Takes`, because mypy requires
-    a value.
-    """
+    """Return the default of a required field with the type `Takes`, because mypy requires a value."""
     return field()

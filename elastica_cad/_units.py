@@ -90,11 +90,10 @@ def read_number(text: str) -> float:
 
 
 def read_offset(text: str) -> float | None:
-    """Return a length in inches from feet, inches and eighths ("3-4-5", as in tables of offsets), or from
-    feet and inches with their units (3' 4 5/8", 2 ft 11 in).
+    """Return a length in inches, or None for any other text.
 
-    A plus sign after the eighths adds a sixteenth, and a minus sign subtracts a sixteenth. The result is None
-    for any other text.
+    The text has feet, inches and eighths ("3-4-5", as in tables of offsets), or feet and inches with their units
+    (3' 4 5/8", 2 ft 11 in). A plus sign after the eighths adds a sixteenth, and a minus sign subtracts a sixteenth.
 
     Examples
     --------
@@ -115,7 +114,5 @@ def read_offset(text: str) -> float | None:
 
 
 def is_in_inches(text: str) -> bool:
-    """Return True if the notation of a number implies inches: a fraction, feet and inches, or feet, inches
-    and eighths.
-    """
+    """Return True for a fraction, feet and inches, or feet, inches and eighths, which imply inches."""
     return _FRACTION.fullmatch(text) is not None or read_offset(text) is not None

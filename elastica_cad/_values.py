@@ -45,7 +45,7 @@ def is_whole(value: object) -> TypeGuard[int]:
 
 
 def require_positive(value: object, what: str, unit: str = "mm") -> None:
-    """Raise InputError unless the value is a finite number above 0."""
+    """Refuse a value that is not a finite number above 0."""
     if not (is_number(value) and value > 0):
         shown_value = repr(value) if isinstance(value, str) else value
         requirement = "positive" if is_number(value) else "a number above 0"
@@ -60,7 +60,7 @@ def require_positive(value: object, what: str, unit: str = "mm") -> None:
 
 
 def require_number(value: object, what: str, unit: str = "") -> float:
-    """Return the number, or raise InputError unless it is a finite number."""
+    """Return a finite number, or refuse the value."""
     if not is_number(value):
         shown_value = quoted(value) if isinstance(value, str) else value
         raise InputError(
@@ -152,27 +152,24 @@ def require_flag(value: object, what: str) -> bool:
 
 
 def is_one_of(value: object, choices: Iterable[object]) -> bool:
-    """Return True if the value equals one of the choices.
-
-    The result is False for arrays, which are compared by element.
-    """
+    """Return True if the value equals one of the choices, and False for an array."""
     return not isinstance(value, np.ndarray) and value in choices
 
 
 def is_series(value: object) -> TypeGuard[Iterable[Any]]:
-    """Return True if the value is iterable. Strings and arrays of dimension 0 are not."""
+    """Return True if the value is iterable, but not a string or an array of dimension 0."""
     alone = isinstance(value, str) or (isinstance(value, np.ndarray) and value.ndim == 0)
     return isinstance(value, Iterable) and not alone
 
 
 def require_executor(executor: object, method: str) -> None:
-    """Raise InputError unless the value is None or has the method of an executor that the caller uses."""
+    """Refuse an executor without the method that the caller uses; None is accepted."""
     if not (executor is None or callable(getattr(executor, method, None))):
         raise InputError(f"executor is {quoted(executor)}: give a concurrent.futures.Executor, or None")
 
 
 def require_record(value: object, record: type[Any] | UnionType, what: str, cure: str) -> None:
-    """Raise InputError unless the value is a record of a class. In the message, `cure` is the instruction."""
+    """Refuse a value that is not a record of a class; `cure` is the instruction in the message."""
     if not isinstance(value, record):
         raise InputError(f"{what} is a {type(value).__name__}. Pass {cure}.")
 
@@ -187,10 +184,7 @@ def require_path(path: object) -> Path:
 def several(
     name: str, values: object, record: type[Any] | UnionType, kind: str, cure: str = ""
 ) -> tuple[Any, ...]:
-    """Return a tuple of records of a class. A single record becomes a tuple of length 1.
-
-    In the message, `cure` is the instruction.
-    """
+    """Return one or several records of a class as a tuple; `cure` is the instruction in the message."""
     many = is_series(values) and not isinstance(values, record)
     items: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for item in items:
@@ -199,15 +193,13 @@ def several(
     return items
 
 
-_KEPT = "_value_key"  # attribute of a record in which its key is cached
+_CACHED_KEY = "_value_key"  # attribute of a record in which its key is cached
 # values of these types are used as keys unchanged; most fields have one of these types
 _PLAIN = frozenset({type(None), bool, int, float, str})
 
 
 class EqualByValue:
-    """Base of a frozen dataclass, declared with `eq=False`, whose equality and hash depend on the values of
-    all fields.
-    """
+    """Base of a frozen dataclass, declared with `eq=False`, that is equal by the values of all fields."""
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, type(self)) and _record_key(self) == _record_key(other)
@@ -231,7 +223,7 @@ def value_key(value: Any) -> Any:
         return value
     if isinstance(value, np.ndarray):
         return value.shape, (np.asarray(value, dtype=float) + 0.0).tobytes()  # -0.0 becomes 0.0
-    if _compared(kind) is not None:
+    if _compared_fields(kind) is not None:
         return _record_key(value)
     if isinstance(value, tuple | list):
         return tuple(value_key(item) for item in value)
@@ -239,19 +231,18 @@ def value_key(value: Any) -> Any:
 
 
 def _record_key(record: Any) -> tuple[Any, ...]:
-    """Return the key of a record. Frozen records cache it, because a curve may be part of several requests."""
-    kept = getattr(record, "__dict__", {}) if record.__dataclass_params__.frozen else {}
-    if _KEPT not in kept:
+    """Frozen records cache the key, because a curve may be part of several requests."""
+    attributes = getattr(record, "__dict__", {}) if record.__dataclass_params__.frozen else {}
+    if _CACHED_KEY not in attributes:
         kind: Any = type(record)
-        names = _compared(kind) or ()
-        kept[_KEPT] = kind, *(value_key(getattr(record, name)) for name in names)
-    key: tuple[Any, ...] = kept[_KEPT]
+        names = _compared_fields(kind) or ()
+        attributes[_CACHED_KEY] = kind, *(value_key(getattr(record, name)) for name in names)
+    key: tuple[Any, ...] = attributes[_CACHED_KEY]
     return key
 
 
 @cache
-def _compared(kind: type) -> tuple[str, ...] | None:
-    """Return the names of the fields by which records of a class are compared, or None for other classes."""
+def _compared_fields(kind: type) -> tuple[str, ...] | None:
     if not is_dataclass(kind):
         return None
     return tuple(field.name for field in fields(kind) if field.compare)

@@ -153,7 +153,7 @@ def declared(record: Record) -> tuple[Field, ...]:
     Examples
     --------
     >>> def hang(at: Annotated[float, Option("Place along the strip.", "mm")], mass: float = 1.0): ...
-    >>> [(one.name, one.kind.name, one.option.unit) for one in declared(hang)]
+    >>> [(field.name, field.kind.name, field.option.unit) for field in declared(hang)]
     [('at', 'number', 'mm')]
     """
     hints = get_type_hints(record, include_extras=True)
@@ -206,7 +206,6 @@ def require_bounds(entry: Field, value: Any, place: str) -> None:
 
 
 def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
-    """Return the error that a value is not valid for a declared field."""
     return InputError(
         "{field} is {given}: it must be {wanted}",
         field=place, given=quoted(value), wanted=_valid_values(entry.kind, entry.option), **where,
@@ -214,10 +213,7 @@ def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
 
 
 def _fits(value: Any, kind: Kind, option: Option) -> bool:
-    """Return True if a value has the kind and is within bounds.
-
-    Kinds of values that occur only in files are not checked.
-    """
+    """Kinds of values that occur only in files are not checked."""
     match kind.name:
         case "number" | "count":
             return (is_number if kind.name == "number" else is_whole)(value) and option.holds(value)
@@ -296,8 +292,8 @@ def kind_of(hint: Any) -> Kind:
 
 
 def name_of(record: Record) -> str:
-    """Return the title of a record's table in the manual: the name of its class in words, without a final
-    "keys" or "table".
+    """Return the title of a record's table in the manual: its name in words, without a final "keys" or
+    "table".
 
     Examples
     --------

@@ -41,7 +41,6 @@ R = TypeVar("R")
 
 class _Quoted(Repr):
     def repr_date(self, value: date | time, _: int) -> str:
-        """Format a date or time as in a TOML file."""
         return value.isoformat()
 
     repr_datetime = repr_time = repr_date
@@ -117,7 +116,7 @@ class ElasticaError(Exception):
 
 
 def _restored(kind: type[ElasticaError], message: str) -> ElasticaError:
-    """Restore a pickled error, whatever the signature of its class is."""
+    """Restore a pickled error without its constructor, whose signature depends on the class."""
     return kind.__new__(kind, message)
 
 
@@ -215,9 +214,7 @@ def missing_library(use: str, library: str) -> MissingDependencyError:
 
 
 def installed_version(package: str) -> str | None:
-    """Return the version of an installed package, or None. elastica_cad may run from a checkout without being
-    installed.
-    """
+    """Return the version of an installed package, or None; elastica_cad may run from a checkout."""
     from importlib.metadata import PackageNotFoundError, version
 
     try:
@@ -266,13 +263,7 @@ def near_names(name: str, known: Iterable[str], *, cutoff: float = 0.6) -> list[
 
 
 def refuse_options_unlike(names: Iterable[str], function: Callable[..., object], what: str) -> None:
-    """Raise an error for the first option that is not a keyword of the function.
-
-    Raises
-    ------
-    UnknownOptionError
-        An option is not a keyword.
-    """
+    """Raise UnknownOptionError for the first option that is not a keyword of the function."""
     refuse_unknown(names, _keywords(function), what)
 
 

@@ -212,9 +212,7 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
 
 
 def step_trouble() -> str:
-    """Return the reason why STEP files cannot be written, with the command that installs the library, or ""
-    if they can.
-    """
+    """Return why STEP files cannot be written, with the command that installs the library, or ""."""
     if find_spec("OCP") is None:
         return how_to_install("build123d")
     from elastica_cad.kernel.ocp_import import kernel_trouble
@@ -262,18 +260,18 @@ def save(made: "Drawing | Strip | Flexure", path: str | Path, **options: Any) ->
     return write_drawing(drawing, path, **options)
 
 
-def _is_flexure(made: object) -> bool:
+def _is_flexure(part: object) -> bool:
     from elastica_cad.pairs.flexure import Flexure
 
-    return isinstance(made, Flexure)
+    return isinstance(part, Flexure)
 
 
-def _save_step(made: "Strip | Flexure", path: Path, options: dict[str, Any]) -> Path:
+def _save_step(part: "Strip | Flexure", path: Path, options: dict[str, Any]) -> Path:
     try:
         from elastica_cad.kernel.step_files import write_flexure_step, write_strip_step
     except ImportError as error:
         raise _no_kernel(path, "writing") from error
-    write: Callable[..., None] = write_flexure_step if _is_flexure(made) else write_strip_step
+    write: Callable[..., None] = write_flexure_step if _is_flexure(part) else write_strip_step
     refuse_options_unlike(options, write, "a STEP file")
-    write(made, path, **options)
+    write(part, path, **options)
     return path

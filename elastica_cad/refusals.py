@@ -1,6 +1,4 @@
-"""Records of refusals and other messages: English template and values, position of the problem, suggested
-changes.
-"""
+"""Messages as records: English template, values, position of the problem, and suggested changes."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from contextvars import ContextVar

@@ -37,7 +37,7 @@ A4 = np.array([595.0, 842.0])  # points
 MARGIN, TITLE_POINTS, LEADING = 36.0, 44.0, 12.5  # points: margin, height of the title, height of a line
 TEXT_POINTS = 8.5
 LETTER_POINTS = 0.57 * TEXT_POINTS  # mean width of a letter
-SHARED = 0.55  # least scale of a picture above text, relative to its scale on a page of its own
+SHARED = 0.55  # least scale of the picture above text, relative to the scale on a separate page
 FEWEST = 3  # least number of lines of a table at the end of a page
 LABEL_HIGH, LABEL_PAD = 13.0, 6.0  # height of a label in the picture, and space beside its letters, points
 LABEL_OFF = 3.0  # distance of a label from the point beside it, points
@@ -48,11 +48,11 @@ GAP_LETTERS = 2  # space between columns
 TOWARD, SCREEN = look_from(24.0, -60.0), screen_of(24.0, -60.0)
 # distance by which plates and blocks are moved away from the strips, as a fraction of the extent of the model
 APART = 0.3
-BEHIND = 1.4  # distance of the second plate of a pair, relative to that of the first
+BEHIND = 1.4  # distance of the second plate of a pair from the strips, relative to the first plate
 SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from the middle
 PARALLEL = 1e-6  # largest difference of the cosine from -1 for plates that face each other
 EDGE_MM = 0.5  # largest distance, mm, between outlines and the polylines that are drawn
-BLOCK_SHARE = 0.02  # size of the patches of blocks, as a fraction of the extent of the model
+BLOCK_PATCH = 0.02  # size of the patches of blocks, as a fraction of the extent of the model
 BLOCK = np.array([0.75, 0.79, 0.85])
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
 # resolution of the pixel image of the strips; thousands of vector patches take minutes to open
@@ -123,22 +123,22 @@ def _pages(
     pairs = tuple(_plate_pairs(holders))
     view = View.of(model, holders, {id(second) for _, second, _ in pairs})
     tables = [table for table in _tables(model, holders, pairs, steps, cut_list) if table.rows]
-    # the paper, upright or across, on which the picture is larger; with the text below it, if there is room
+    # the paper, upright or across, on which the picture is larger; text is below the picture if there is room
     layouts = []
     for paper in (A4, A4[::-1]):
-        room = paper - [2 * MARGIN, 2 * MARGIN + TITLE_POINTS]
-        blocks = [_block(table, int(room[0] / LETTER_POINTS)) for table in tables]
-        picture = room - [0.0, LEADING * sum(len(head) + len(body) + 1 for head, body in blocks)]
-        shared = bool(picture[1] > 0 and view.scale(picture) >= SHARED * view.scale(room))
-        layouts.append((shared, view.scale(picture if shared else room), paper, blocks))
+        space = paper - [2 * MARGIN, 2 * MARGIN + TITLE_POINTS]
+        blocks = [_block(table, int(space[0] / LETTER_POINTS)) for table in tables]
+        picture = space - [0.0, LEADING * sum(len(head) + len(body) + 1 for head, body in blocks)]
+        shared = bool(picture[1] > 0 and view.scale(picture) >= SHARED * view.scale(space))
+        layouts.append((shared, view.scale(picture if shared else space), paper, blocks))
     shared, scale, paper, blocks = max(layouts, key=lambda layout: layout[:2])
     lines = int((paper[1] - 2 * MARGIN - TITLE_POINTS) / LEADING)
     texts = [*_paginated(blocks, lines)]
-    first, others = (texts[0], texts[1:]) if shared and texts else ([], texts)
-    for k, page in enumerate([first, *others]):
+    first, further = (texts[0], texts[1:]) if shared and texts else ([], texts)
+    for k, page in enumerate([first, *further]):
         figure = _page(model.name, paper)
-        if len(others) > 0:
-            figure.text(1 - MARGIN / paper[0], 0.5 * MARGIN / paper[1], f"{k + 1} / {len(others) + 1}",
+        if len(further) > 0:
+            figure.text(1 - MARGIN / paper[0], 0.5 * MARGIN / paper[1], f"{k + 1} / {len(further) + 1}",
                         fontsize=TEXT_POINTS, color=INK, ha="right")  # fmt: skip
         top = paper[1] - MARGIN - TITLE_POINTS
         if k == 0:
@@ -167,13 +167,15 @@ def _by(size: FloatArray) -> str:
 
 
 def _plate_pairs(holders: Sequence[Holder]) -> Iterator[tuple[BasePlate, BasePlate, float]]:
-    """Yield the plates that hold the same tabs, the nearer to the strips first, and the distance between them."""
+    """Yield plates that hold the same tabs, first the plate nearer to the strips, and the gap between them,
+    mm.
+    """
     plates = _plates(holders)
     for i, first in enumerate(plates):
         for second in plates[i + 1 :]:
-            apart = float((first.frame.origin - second.frame.origin) @ first.frame.z_axis)
-            if _tabs_of(first) & _tabs_of(second) and apart > first.sheet.thickness:
-                yield first, second, apart - first.sheet.thickness
+            distance = float((first.frame.origin - second.frame.origin) @ first.frame.z_axis)
+            if _tabs_of(first) & _tabs_of(second) and distance > first.sheet.thickness:
+                yield first, second, distance - first.sheet.thickness
 
 
 def _tabs_of(plate: BasePlate) -> set[object]:
@@ -192,12 +194,12 @@ def _tables(
     yield Table("Order of assembly", (), [(f"{k}   {text}",) for k, text in enumerate(sentences, 1)])
     head = ("step", "strip", "cut as", "start (1)", "end (2)", "locks into")
     yield Table("" if sentences else "Order of assembly", head, rows)
-    yield Table("", (), [(text,) for text in _closing_sentences(holders)])
+    yield Table("", (), [(text,) for text in _sentences_below_steps(holders)])
     head = ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance")
     title = "Positions in the blocks (mm; degrees from the line between the ends)"
     yield Table(title, head, [*_block_rows(model, holders)])
     head = ("strip", "element", "place (x, y, z), mm", "angle, degrees", "force, N", "length, mm")
-    yield Table("Rails, pins, ties and loads", head, [*_held_rows(model)])
+    yield Table("Rails, pins, ties and loads", head, [*_element_rows(model)])
     if cut_list is not None:
         yield Table("Parts", ("part", "count", "sheet", "size, mm", "file"), [*_part_rows(cut_list)])
 
@@ -211,54 +213,51 @@ def _plate_sentences(
     rails = [plate.name for plate in _plates(singles) if any(slot.tab is None for slot in plate.slots)]
     if rails:
         ribs = [holder.name for holder in singles if isinstance(holder, Rib)]
-        yield f"Push the tongues of {_range(ribs)} into {_listed(rails)}."
+        yield f"Push the tongues of {_range(ribs)} into {_joined(rails)}."
 
 
 def _plates(holders: Sequence[Holder]) -> list[BasePlate]:
     return [holder for holder in single_holders(holders) if isinstance(holder, BasePlate)]
 
 
-def _listed(names: Sequence[str]) -> str:
+def _joined(names: Sequence[str]) -> str:
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
 def _step_rows(steps: Sequence[AssemblyStep], number: int) -> Iterator[tuple[str, ...]]:
-    """Yield a row of the table, numbered from `number`, for each run of strips that go to the same holders."""
     count = Counter(step.part for step in steps)
 
     def alike(step: AssemblyStep) -> tuple[Any, ...]:
         return step.holders, step.locks_into, step.part if count[step.part] > 1 else ""
 
     for k, ((places, locks, part), run) in enumerate(groupby(steps, alike), number):
-        first, *others = run
-        strips = _range([first.strip, *(step.strip for step in others)])
-        if part and others:
-            strips = f"strips {first.number} to {others[-1].number}"
-        yield str(k), strips, part, *map(_listed, places), ", ".join(locks)
+        first, *following = run
+        strips = _range([first.strip, *(step.strip for step in following)])
+        if part and following:
+            strips = f"strips {first.number} to {following[-1].number}"
+        yield str(k), strips, part, *map(_joined, places), ", ".join(locks)
 
 
 def _range(names: Sequence[str]) -> str:
-    return f"{names[0]} to {names[-1]}" if len(names) > 2 else _listed(names)
+    return f"{names[0]} to {names[-1]}" if len(names) > 2 else _joined(names)
 
 
-def _closing_sentences(holders: Sequence[Holder]) -> Iterator[str]:
-    """Yield the sentences below the table of steps."""
+def _sentences_below_steps(holders: Sequence[Holder]) -> Iterator[str]:
     plates = _plates(holders)
     if any(plate.glued for plate in plates):
         yield "Glue each foot into the angle of its plate and the tab whose name it has."
     if holders:
         yield "A strip starts (1) where its label starts. Each slot and block has the name of its end, such as A:1."
-    # the plates next to the strips are before their second plates
+    # the plate next to the strips replaces the second plate of the pair
     sides = {tuple(np.sign(plate.frame.z_axis).tolist()): plate for plate in reversed(plates)}
     if len(sides) == 2:
-        one, other = reversed(sides.values())
-        if one.frame.z_axis @ other.frame.z_axis < -1 + PARALLEL:
-            apart = abs(float((one.frame.origin - other.frame.origin) @ one.frame.z_axis))
-            yield f"The inner faces of {one.name} and {other.name} are {apart:.1f} mm apart."
+        near_plate, opposite = reversed(sides.values())
+        if near_plate.frame.z_axis @ opposite.frame.z_axis < -1 + PARALLEL:
+            distance = abs(float((near_plate.frame.origin - opposite.frame.origin) @ near_plate.frame.z_axis))
+            yield f"The inner faces of {near_plate.name} and {opposite.name} are {distance:.1f} mm apart."
 
 
 def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
-    """Yield a row for each strip with an end in a block: positions, angles and distance of its ends."""
     blocks = {holder.tab.key for holder in holders if isinstance(holder, EndFixture)}
     for i, member in enumerate(model.placed):
         tabs = place_tabs([member])
@@ -267,50 +266,44 @@ def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, 
         cells = []
         for tab, end in zip(tabs, held_ends(member.strip), strict=True):
             cells += [_point(tab.frame.origin), f"{end.tilt:z.1f}"]
-        apart = float(np.linalg.norm(tabs[1].frame.origin - tabs[0].frame.origin))
-        yield model.single_name_of(i), *cells, f"{apart:.1f}"
+        distance = float(np.linalg.norm(tabs[1].frame.origin - tabs[0].frame.origin))
+        yield model.single_name_of(i), *cells, f"{distance:.1f}"
 
 
 def _point(position: FloatArray) -> str:
     return f"({', '.join(f'{x:z.1f}' for x in position)})"
 
 
-def _held_rows(model: Model) -> Iterator[tuple[str, ...]]:
-    """Yield a row of the table for each rail, pin, tie and load.
-
-    Angles are between the strip, or the force of a load, and the line between the ends.
-    """
+def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
+    """Angles are between the strip, or the force of a load, and the line between the ends."""
     for i, member in enumerate(model.placed):
-        for held in held_elements(member.strip):
-            points = member.frame.point(held.position)
+        for element in held_elements(member.strip):
+            points = member.frame.point(element.position)
             at = " to ".join(map(_point, points))
-            apart = float(np.linalg.norm(points[-1] - points[0]))
-            tied = len(points) > 1
-            noun = f"{held.name} {held.noun}"
-            angle, length = ("", f"{apart:.1f}") if tied else (f"{held.tilt:.1f}", "")
-            yield model.single_name_of(i), noun, at, angle, f"{held.force:.2g}", length
+            distance = float(np.linalg.norm(points[-1] - points[0]))
+            is_tie = len(points) > 1
+            noun = f"{element.name} {element.noun}"
+            angle, length = ("", f"{distance:.1f}") if is_tie else (f"{element.tilt:.1f}", "")
+            yield model.single_name_of(i), noun, at, angle, f"{element.force:.2g}", length
 
 
 def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
-    """Yield a row for each shape. Parts of equal shape differ only in their engraving."""
+    """Each shape has a row, because parts of equal shape differ only in the engraving."""
     flat, solid = "{0.length:.1f} x {0.width:.1f}", "{0.length:.1f} x {0.width:.1f} x {0.thickness:.1f}"
-    for listed, size in ((cut_list.rows, flat), (cut_list.printed, solid)):
+    for cut_rows, size in ((cut_list.rows, flat), (cut_list.printed, solid)):
         shapes: dict[str, list[int]] = {}
-        for k, row in enumerate(listed):
+        for k, row in enumerate(cut_rows):
             shapes.setdefault(row.like or (row.part if size is flat else size.format(row)), []).append(k)
         for places in shapes.values():
-            rows = [listed[k] for k in places]
+            rows = [cut_rows[k] for k in places]
             names = [row.part for row in rows]
-            name = _range(names) if places[-1] - places[0] < len(places) else _listed(names)
+            name = _range(names) if places[-1] - places[0] < len(places) else _joined(names)
             count, file = sum(row.count for row in rows), f"{rows[0].file}{and_more(rows)}"
             yield name, str(count), rows[0].sheet, size.format(rows[0]), file
 
 
 def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
-    """Return the heading and the rows of a table as lines of at most `most` letters, without empty columns.
-
-    The longest cells are continued on further lines.
-    """
+    """Wrap the longest cells of a table, without empty columns, to lines of at most `most` letters."""
     used = [k for k in range(len(table.rows[0])) if any(row[k] for row in table.rows)]
     rows = [[row[k] for k in used] for row in ([table.head] if table.head else []) + [*table.rows]]
     widths = [max(map(len, column)) + GAP_LETTERS for column in zip(*rows, strict=True)]
@@ -328,13 +321,13 @@ def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
     return heads, [line for row in lines for line in row]
 
 
-def _paginated(blocks: Sequence[tuple[list[Line], list[Line]]], room: int) -> Iterator[list[Line]]:
-    """Yield the lines of each page, at most `room`. A table that continues on a page has its heading there, too."""
+def _paginated(blocks: Sequence[tuple[list[Line], list[Line]]], most: int) -> Iterator[list[Line]]:
+    """Yield the lines of each page; a table repeats its heading on each page."""
     page: list[Line] = []
     for head, body in blocks:
         start = 0
         while start < len(body):
-            free = room - len(page) - len(head)
+            free = most - len(page) - len(head)
             if free < min(FEWEST, len(body) - start):
                 yield page
                 page = []
@@ -354,9 +347,9 @@ def _write(figure: Any, lines: Sequence[Line], top: float) -> None:
 
 
 class Label(NamedTuple):
-    """Text of the picture. It is drawn at the first of its positions (k, 3) where it covers no other text.
+    """Text of the picture, drawn at the first of `positions` (k, 3) where it covers no other text.
 
-    `sides` has the side of each position on which the text is: (1, 0) is to the right, (0, 1) above.
+    `sides` has, for each position, the side on which the text is: (1, 0) to the right, (0, 1) above.
     """
 
     text: str
@@ -393,32 +386,32 @@ class View:
     size: FloatArray
 
     @classmethod
-    def of(cls, model: Model, holders: Sequence[Holder], behind: Collection[int]) -> "View":
-        """Return the exploded view of a model. `behind` has the ids of the second plates of pairs."""
+    def of(cls, model: Model, holders: Sequence[Holder], second_plates: Collection[int]) -> "View":
+        """Return the exploded view of a model. `second_plates` has the ids of the second plates of pairs."""
         bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
         middle, extent = bent.mean(axis=0), float(np.ptp(bent, axis=0).max())
-        shown, boxes, outlines = [], [], list[tuple[FloatArray, FloatArray, str]]()
+        painted, boxes, outlines = [], [], list[tuple[FloatArray, FloatArray, str]]()
         moved, outs = list[Placed](), dict[object, FloatArray]()
         for member in model.placed:
             out = SPREAD * (member.frame.point(member.strip.rod.position).mean(axis=0) - middle)
             moved.append(replace(member, origin=member.origin + out))
             outs |= {tab.key: out for tab in place_tabs([member])}
-            shown.append(rule_strip(moved[-1]))
-            boxes.append(shown[-1][0].reshape(-1, 3) - out)
+            painted.append(rule_strip(moved[-1]))
+            boxes.append(painted[-1][0].reshape(-1, 3) - out)
         names, targets = dict[str, Label](), dict[object, FloatArray]()
         for holder in single_holders(holders):
-            shift = _shift(holder, APART * extent * (BEHIND if id(holder) in behind else 1.0))
+            shift = _shift_away(holder, APART * extent * (BEHIND if id(holder) in second_plates else 1.0))
             if isinstance(holder, EndFixture):
                 shift = shift + outs.get(holder.tab.key, 0.0)
-                for patches, _ in holder_patches([holder], BLOCK_SHARE * extent):
-                    shown.append((patches + shift, lit(patches) * BLOCK))
+                for patches, _ in holder_patches([holder], BLOCK_PATCH * extent):
+                    painted.append((patches + shift, lit(patches) * BLOCK))
                     boxes.append(patches.reshape(-1, 3))
                 targets[holder.tab.key] = holder.tab.frame.origin + shift
                 continue
             loops = [*_loops(holder)]
             boxes.append(loops[0][0])
             outlines += [(loop + shift, depth + shift, color) for loop, depth, color in loops]
-            names.setdefault(holder.name, _name_of_plate(holder.name, loops[0][0] + shift))
+            names.setdefault(holder.name, _plate_label(holder.name, loops[0][0] + shift))
             for slot in () if isinstance(holder, Rib) else holder.slots:
                 if slot.tab is not None:
                     targets[slot.tab.key] = holder.frame.point([*slot.corners.mean(axis=0), 0.0]) + shift
@@ -430,10 +423,12 @@ class View:
         }
         elements = []
         for member in moved:
-            for held in held_elements(member.strip):
-                tip = member.frame.point(held.position + ARROW_MM * held.outward)[0]
-                elements.append((held, member.frame.point(held.position), tip if held.is_load else None))
-        labels = [*names.values(), *(_name_of_element(*element) for element in elements)]
+            for placed in held_elements(member.strip):
+                tip = member.frame.point(placed.position + ARROW_MM * placed.outward)[0]
+                elements.append(
+                    (placed, member.frame.point(placed.position), tip if placed.is_load else None)
+                )
+        labels = [*names.values(), *(_element_label(*element) for element in elements)]
         for part in model.parts:
             for k in range(len(ENDS)):
                 nearest = max((2 * i + k for i in part.members), key=lambda at: float(ends[at].tip @ TOWARD))
@@ -442,7 +437,7 @@ class View:
                 labels.append(
                     Label(f"{times}{part.name}:{k + 1}", line[0] + LABEL_AT[:, None] * (line[1] - line[0]))
                 )
-        patches, colors = (np.concatenate(arrays) for arrays in zip(*shown, strict=True))
+        patches, colors = (np.concatenate(arrays) for arrays in zip(*painted, strict=True))
         size = np.ptp(np.concatenate(boxes), axis=0)
         return cls(patches, colors, outlines, [*leads.values()], elements, labels, size)
 
@@ -473,8 +468,7 @@ class View:
         axes.set_xlim(*(middle[0] + [-size[0] / 2, size[0] / 2]))
         axes.set_ylim(*(middle[1] + [-size[1] / 2, size[1] / 2]))
         depths = [*(self.patches.mean(axis=1) @ TOWARD), *(depth @ TOWARD for _, depth, _ in self.outlines)]
-        # paint from far to near; consecutive patches with equal numbers of corners are drawn together, because
-        # this is much faster than single polygons
+        # paint from far to near; runs of patches are drawn together, because this is much faster
         order = np.argsort(depths, kind="stable")
         whole = order >= len(self.patches)
         for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):
@@ -491,32 +485,30 @@ class View:
             if tip is not None:
                 arrow = {"arrowstyle": "->", "color": LEAD, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
                 axes.annotate("", tip @ to_points, points[0] @ to_points, arrowprops=arrow)
-        taken = np.zeros((0, 2, 2))
+        occupied = np.zeros((0, 2, 2))
         inside = np.array([middle - size / 2, middle + size / 2])
         for label in self.labels:
             half = np.array([len(label.text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2
             for at, side in zip(label.positions @ to_points, label.sides, strict=True):
                 center = at + np.multiply(side, half + LABEL_OFF)
                 box = np.array([center - half, center + half])
-                apart = (box[0] > taken[:, 1]) | (box[1] < taken[:, 0])
-                if apart.any(axis=1).all() and (box[0] >= inside[0]).all() and (box[1] <= inside[1]).all():
-                    taken = np.concatenate([taken, box[None]])
+                separate = (box[0] > occupied[:, 1]) | (box[1] < occupied[:, 0])
+                if separate.any(axis=1).all() and (box[0] >= inside[0]).all() and (box[1] <= inside[1]).all():
+                    occupied = np.concatenate([occupied, box[None]])
                     frame = {"boxstyle": "round,pad=0.15", "fc": "white", "ec": LEAD, "lw": 0.4}
                     axes.text(*center, label.text, fontsize=TEXT_POINTS, color=INK, ha="center", va="center",
                               bbox=frame)  # fmt: skip
                     break
 
 
-def _name_of_plate(name: str, loop: FloatArray) -> Label:
-    """Return the label of a plate, to the right or left of its outline, or above or below it."""
+def _plate_label(name: str, loop: FloatArray) -> Label:
     across, up = (loop @ SCREEN).T
     sides = ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0))
     return Label(name, loop[[np.argmax(across), np.argmin(across), np.argmax(up), np.argmin(up)]], sides)
 
 
-def _name_of_element(held: HeldElement, points: FloatArray, tip: FloatArray | None) -> Label:
-    """Return the label of a rail, pin, tie or load, with the force of a load."""
-    text = held.name if tip is None else f"{held.name}, {held.force:.2g} N"
+def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | None) -> Label:
+    text = element.name if tip is None else f"{element.name}, {element.force:.2g} N"
     at = points[0] if tip is None else tip
     return Label(text, np.array([at, at]), ((1.0, 0.0), (-1.0, 0.0)))
 
@@ -532,13 +524,9 @@ def _loops(plate: BasePlate | Rib) -> Iterator[tuple[FloatArray, FloatArray, str
         yield loop, depth + 1e-6 * k * TOWARD, HOLE if k else PLATE
 
 
-def _shift(holder: SingleHolder, far: float) -> FloatArray:
-    """Return the vector by which a holder is moved away from the strips.
-
-    Ribs are moved farther than their rails.
-    """
+def _shift_away(holder: SingleHolder, distance: float) -> FloatArray:
     if isinstance(holder, EndFixture):
-        return 0.5 * far * holder.tab.frame.x_axis
+        return 0.5 * distance * holder.tab.frame.x_axis
     if isinstance(holder, Rib):
-        return np.array([0.0, 0.0, -1.6 * far])
-    return -far * holder.frame.z_axis
+        return np.array([0.0, 0.0, -1.6 * distance])
+    return -distance * holder.frame.z_axis

@@ -18,15 +18,13 @@ def bow(bow: Bow, shorter: Travel) -> Figure:
 
     Raises
     ------
-    InputError
-        `bow` is not a Bow, or `shorter` is not a Travel.
     MissingDependencyError
         matplotlib is not installed.
     """
     require_record(bow, Bow, "what is drawn", "a Bow")
     require_record(shorter, Travel, "the bow with shorter cords", "a Travel")
-    rod, drawn = bow.strip.rod, bow.drawn.sample(600).position
-    low, high = box_about(np.concatenate([drawn, rod.position, *(shape.position for shape in shorter.rods)]))
+    rod, wish = bow.strip.rod, bow.drawn.sample(600).position
+    low, high = box_about(np.concatenate([wish, rod.position, *(shape.position for shape in shorter.rods)]))
     width, height = np.maximum(high - low, 0.3 * np.max(high - low))
     panel = NUMBERED._replace(height=float(np.clip(1.1 * WIDE * height / width, 2.2, 5.2)))
     figure, (axes,) = new_page([panel])
@@ -36,7 +34,7 @@ def bow(bow: Bow, shorter: Travel) -> Figure:
         for shape, cord, color in zip(shorter.rods, cords, colors, strict=True)
         if cord < (1 - SAME_CORD_SHARE) * bow.cord
     ]
-    axes.plot(*drawn.T, color=FAINT, linewidth=1.4, linestyle=(0, (4, 2)), label="drawn curve")
+    axes.plot(*wish.T, color=FAINT, linewidth=1.4, linestyle=(0, (4, 2)), label="drawn curve")
     axes.plot(*rod.position.T, color=INK, linewidth=2.2, label="bow")
     axes.plot(*rod.position[[0, -1]].T, "o-", color=LINE, markersize=4, linewidth=1.2, label="cord")
     if lines:  # the place between bow and cord is free

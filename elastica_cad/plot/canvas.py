@@ -138,17 +138,15 @@ def write_pages(
 
 
 def _properties() -> dict[str, str | None]:
-    """Return the metadata of a PDF: the running command, without a time, so that equal pictures result in
-    equal files.
-    """
+    """The metadata have no time, so that equal pictures result in equal files."""
     return {"CreationDate": None} | ({"Subject": command} if (command := MADE_BY.get()) else {})
 
 
 def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:
-    """Paint polygons, later polygons on top. They are an array (n, k, 2), or a sequence of arrays (k, 2).
+    """Paint polygons, an array (n, k, 2) or a sequence of arrays (k, 2), later polygons on top.
 
-    Their bounding box is set here, because matplotlib would compute it separately for every polygon, which is
-    slow.
+    The bounding box of all polygons is set here, because matplotlib would compute the box of every polygon,
+    which is slow.
     """
     from matplotlib.collections import PolyCollection
 

@@ -23,9 +23,9 @@ from elastica_cad.plot.strip_pictures import (
 POINTS = 601
 """Number of drawn points along the curve."""
 
-GOOD, STRAY = "#2e7d4f", "#c62828"
+GOOD, OUTLIER = "#2e7d4f", "#c62828"
 ON_THE_LINE = 1e-6
-"""An inflection nearer to the inflection line than this fraction of the length appears to be on the line."""
+"""Largest distance of an inflection that is drawn on the inflection line, as a fraction of the length."""
 
 LETTERS = 96
 """Largest number of characters in a line of the text above the picture."""
@@ -44,8 +44,6 @@ def check(check: EquilibriumCheck) -> Figure:
 
     Raises
     ------
-    InputError
-        `check` is not an EquilibriumCheck.
     MissingDependencyError
         matplotlib is not installed.
     """
@@ -73,7 +71,7 @@ def check(check: EquilibriumCheck) -> Figure:
         axes.plot(*measured.points.T, ".", color=INK, markersize=5, label="_measured points")
         for outlier in measured.outlier:
             ring = {"markersize": 16, "markerfacecolor": "none", "markeredgewidth": 1.6}
-            axes.plot(*outlier.values["place"], "o", color=STRAY, label="_stands out", **ring)
+            axes.plot(*outlier.values["place"], "o", color=OUTLIER, label="_stands out", **ring)
     for label, color, marker, places in _marks(check):
         points = curve.at(np.array(places)).position
         axes.plot(*points.T, marker, color=color, markersize=8, label=label)
@@ -83,8 +81,8 @@ def check(check: EquilibriumCheck) -> Figure:
     reach = 0.06 * extent
     middle, half = box.mean(axis=0), np.array([width, height]) / 2
     if check.line is not None:
-        point, way = np.array(check.line.point), np.array(check.line.direction)
-        line = clipped(point, way, middle - half + reach, middle + half - reach)
+        point, direction = np.array(check.line.point), np.array(check.line.direction)
+        line = clipped(point, direction, middle - half + reach, middle + half - reach)
         if line is not None:
             axes.plot(*line.T, color=LINE, linewidth=1.0, linestyle="--", label="inflection line")
     axes.set_xlim(middle[0] - half[0], middle[0] + half[0])
@@ -99,10 +97,15 @@ def check(check: EquilibriumCheck) -> Figure:
 
 
 def _marks(check: EquilibriumCheck) -> Iterator[tuple[str, str, str, list[float]]]:
-    """Yield label, colour, marker and positions (mm) for each kind of mark on the curve."""
+    """Yield label, colour, marker and positions (mm) of each kind of mark."""
     kinds: tuple[tuple[str, str, str, FloatArray | list[float]], ...] = (
         ("inflections", LINE, "o", list(check.inflections)),
-        ("off the line", LINE, "D", [s for s, far in check.off_line if far > ON_THE_LINE * check.length]),
+        (
+            "off the line",
+            LINE,
+            "D",
+            [s for s, distance in check.off_line if distance > ON_THE_LINE * check.length],
+        ),
         ("the line crosses here", FAINT, "X", list(check.crossings)),
         ("the line touches here", FAINT, "P", list(check.touches)),
         ("the curvature touches zero", "#b06a00", "s", list(check.curvature_touches)),

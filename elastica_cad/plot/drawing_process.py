@@ -64,14 +64,14 @@ class DrawingProcess:
         """
         pictures = [file for file in files if file.name.endswith((".png", ".pdf"))]
         archives = [file for file in files if file.name.endswith(".zip")]
-        drawn = [(Path(self._folder.name, Path(file.name).name), file.write) for file in pictures]
-        request = pickle.dumps((MADE_BY.get(), drawn))
+        tasks = [(Path(self._folder.name, Path(file.name).name), file.write) for file in pictures]
+        request = pickle.dumps((MADE_BY.get(), tasks))
         # a thread sends the request, because the process reads it only after it has imported matplotlib
         Thread(target=self._send, args=(request,), daemon=True).start()
-        others = [file for file in files if file not in pictures and file not in archives]
+        other_files = [file for file in files if file not in pictures and file not in archives]
         received = [replace(file, write=partial(self._receive, file)) for file in pictures]
         try:
-            yield [*others, *received, *archives]
+            yield [*other_files, *received, *archives]
         except BaseException:
             self.end()  # the remaining pictures of the request are not needed
             raise
@@ -86,7 +86,7 @@ class DrawingProcess:
         self._folder.cleanup()
 
     def _send(self, request: bytes) -> None:
-        with suppress(OSError, ValueError):  # ignore the error if the process has ended
+        with suppress(OSError, ValueError):  # the process may have ended
             self._input.write(request)
             self._input.flush()
 
@@ -111,10 +111,10 @@ def drawing_process(words: Sequence[str]) -> Iterator[DrawingProcess | None]:
     Yields None for other commands, without matplotlib, on a single processor, and if the system cannot start
     a process.
     """
-    wanted = {"strip", "pair", "model"} & {*words} and not {"--no-pictures", "--help", "-h"} & {*words}
+    draws = {"strip", "pair", "model"} & {*words} and not {"--no-pictures", "--help", "-h"} & {*words}
     processors = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     process = None
-    if wanted and processors > 1 and find_spec("matplotlib") is not None:
+    if draws and processors > 1 and find_spec("matplotlib") is not None:
         with suppress(OSError):
             process = DrawingProcess()
     try:

@@ -29,10 +29,10 @@ from elastica_cad.strip.solids import FlatSolid
 from elastica_cad.strip.strip import Placed
 
 APART_MM = 1e-7
-"""Stations nearer than this, mm, are merged."""
+"""Least distance of stations, mm; nearer stations are merged."""
 
 FEWEST, ROUND = 4, 96
-"""Least number of sides that represent a curve, and number of sides for a loop that is a single curve."""
+"""Least number of sides of the polygon of a curve, and number of sides for a loop that is a single curve."""
 
 
 def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
@@ -57,9 +57,9 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     Examples
     --------
     >>> plate = [Path.rectangle(10.0, 4.0), Path.rectangle(2.0, 2.0, corner=(4.0, 1.0))]
-    >>> found = trapezoids(plate, np.array([]), 1.0)
-    >>> width, height = np.diff(found[..., 0], axis=1)[:, 0], (found[..., 2] - found[..., 1]).mean(axis=1)
-    >>> len(found), float(width @ height)
+    >>> parts = trapezoids(plate, np.array([]), 1.0)
+    >>> width, height = np.diff(parts[..., 0], axis=1)[:, 0], (parts[..., 2] - parts[..., 1]).mean(axis=1)
+    >>> len(parts), float(width @ height)
     (4, 36.0)
     """
     polygons = [_polygon_of(loop, step) for loop in loops]
@@ -87,8 +87,8 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     ends_here[np.searchsorted(cuts, stations, side="right") - 1] = True
     along = np.lexsort((slab, above, below))
     below, above, slab = below[along], above[along], slab[along]
-    goes_on = (np.diff(below) == 0) & (np.diff(above) == 0) & (np.diff(slab) == 1) & ~ends_here[slab[1:]]
-    begin = np.flatnonzero(np.concatenate([[True], ~goes_on]))
+    continues = (np.diff(below) == 0) & (np.diff(above) == 0) & (np.diff(slab) == 1) & ~ends_here[slab[1:]]
+    begin = np.flatnonzero(np.concatenate([[True], ~continues]))
     end = np.append(begin[1:], len(slab)) - 1
     below, above, x = below[begin], above[begin], np.stack([cuts[slab[begin]], cuts[slab[end] + 1]], axis=1)
     heights = (left[k, 1:] + slope[k, None] * (x - left[k, :1]) for k in (below, above))
@@ -96,7 +96,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
 
 
 def _polygon_of(loop: Path, step: float) -> FloatArray:
-    """Return points (n, 2) on a closed path for a picture: at corners, and about `step` mm apart on curves."""
+    """Return points (n, 2) at corners, and about `step` mm apart on curves."""
     rows = []
     for segment in loop.segments:
         parts = 1
@@ -111,7 +111,6 @@ Plate: TypeAlias = BasePlate | Rib
 
 
 def _plate_faces(holders: Sequence[Holder]) -> list[Frame]:
-    """Return the planes of both faces of every plate that has slots for tabs."""
     plates = [holder for holder in single_holders(holders) if isinstance(holder, BasePlate)]
     return [plate.frame.shifted(z=z) for plate in plates for z in (0.0, -plate.sheet.thickness)]
 
@@ -127,11 +126,10 @@ def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[Flo
             for prism in holder.solid.added:
                 yield _patches(prism, (prism.outline, *prism.holes), FIXTURE_COLOR, size)
         else:
-            yield _patches(holder.solid, _loops(holder), sheet_color(holder.sheet), size)
+            yield _patches(holder.solid, _loops_without_slots(holder), sheet_color(holder.sheet), size)
 
 
-def _loops(holder: Plate) -> tuple[Path, ...]:
-    """Return the outline and the opening of a plate, without slots."""
+def _loops_without_slots(holder: Plate) -> tuple[Path, ...]:
     opening = None if isinstance(holder, Rib) else holder.opening
     return (holder.outline, *(() if opening is None else (opening,)))
 
@@ -139,7 +137,7 @@ def _loops(holder: Plate) -> tuple[Path, ...]:
 def _patches(
     solid: FlatSolid, loops: Sequence[Path], color: Color, size: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return patches (n, 4, 3) of both faces and of the rims of a plate, and their colours."""
+    """Return patches (n, 4, 3) of both faces and of the rims of a plate, and colours (n, 3)."""
     low, high = np.array([loop.bounds for loop in loops[:1]])[0]
     stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
     flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
@@ -160,10 +158,7 @@ def _patches(
 
 
 def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
-    """Yield parts of a trapezoid (2, 3) that are at most `size` mm high.
-
-    The columns are x, lower y and upper y.
-    """
+    """Yield parts of a trapezoid (2, 3), at most `size` mm high; the columns are x, lower y and upper y."""
     count = max(1, int(np.ceil((slab[:, 2] - slab[:, 1]).max() / size)))
     heights = slab[:, 1:2] + (slab[:, 2:] - slab[:, 1:2]) * np.linspace(0.0, 1.0, count + 1)
     for k, _ in pairwise(range(count + 1)):
@@ -171,7 +166,7 @@ def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
 
 
 def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
-    """Return a closed polygon with points inserted so that no side is longer than `size`."""
+    """Insert points into a closed polygon, so that no side is longer than `size`."""
     pieces = []
     for a, b in zip(points, np.roll(points, -1, axis=0), strict=True):
         count = max(1, int(np.ceil(np.hypot(*(b - a)) / size)))
@@ -179,23 +174,20 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
     return np.concatenate(pieces)
 
 
-RIM_SHARE, MODEL_RIM_SHARE = 0.035, 0.0015
-"""Width of the dark line along edges.
-
-The first number is a fraction of the strip width. The second is a limit, as a fraction of the extent of the
+RIM, MODEL_RIM = 0.035, 0.0015
+"""Width of the dark line along edges: as a fraction of the strip width, but limited to a fraction of the
 model.
 """
 
 ROUNDED_MM = 6
-"""Decimals to which heights above a face, mm, are rounded. A patch with height 0.0 is on the face."""
+"""Decimals of heights above a face, mm; a patch with height 0.0 is on the face."""
 
-HOLDER_PATCH_SHARE = 0.02
-"""Size of patches of holders, as a fraction of the extent of the model.
-
-It is small enough for sorting by depth.
+HOLDER_PATCH = 0.02
+"""Size of patches of holders, as a fraction of the extent of the model, so small that they are sorted by
+depth.
 """
 
-NAME_SHARE = 0.045
+NAME_SPACE = 0.045
 """Space for the name of a flat part, as a fraction of the length of the longest part."""
 
 STATIONS, CORNERS = 81, 40
@@ -225,19 +217,19 @@ def model(
     held_by = (*model.plates, *several("holders", holders, Holder, HOLDERS))
     faces = _plate_faces(held_by)
     bent = np.concatenate([member.frame.point(member.strip.rod.position) for member in model.placed])
-    rim = MODEL_RIM_SHARE * float(np.ptp(bent, axis=0).max())
+    rim = MODEL_RIM * float(np.ptp(bent, axis=0).max())
     strips = [rule_strip(placed, rim, faces) for placed in model.placed]
-    size = HOLDER_PATCH_SHARE * float(np.ptp(bent, axis=0).max())
-    drawn = [*strips, *((part, lit(part) * color) for part, color in holder_patches(held_by, size))]
-    patches, colors = (np.concatenate(part) for part in zip(*drawn, strict=True))
+    size = HOLDER_PATCH * float(np.ptp(bent, axis=0).max())
+    painted = [*strips, *((part, lit(part) * color) for part, color in holder_patches(held_by, size))]
+    patches, colors = (np.concatenate(part) for part in zip(*painted, strict=True))
     count = f"{len(model.placed)} strips" if len(model.placed) > 1 else "1 strip"
     title = f"{fill(model.name, 90)}\n{count}"
     if flat < 1:
-        return _seen(patches, colors, title, elevation, azimuth, faces=faces)
+        return _figure(patches, colors, title, elevation, azimuth, faces=faces)
     chosen = np.unique(np.linspace(0, len(model.parts) - 1, flat).round().astype(int))
     parts = [model.parts[i] for i in chosen]
     longest = max(float(np.ptp(part.strip.outline.bounds, axis=0)[0]) for part in parts)
-    return _seen(patches, colors, title, elevation, azimuth, (parts, longest), faces)
+    return _figure(patches, colors, title, elevation, azimuth, (parts, longest), faces)
 
 
 def bodies(
@@ -257,11 +249,6 @@ def bodies(
     title : str
     elevation, azimuth : float
         Direction of the viewer, degrees.
-
-    Raises
-    ------
-    InputError
-        There are no meshes, or arrays have another shape.
     """
     patches, colors = [], []
     if not is_series(meshes) or not all(is_series(mesh) and len(tuple(mesh)) == 3 for mesh in meshes):
@@ -281,10 +268,10 @@ def bodies(
     faced = outward @ look_from(elevation, azimuth) > 0
     longest = float(np.ptp(corners.reshape(-1, 3), axis=0).max()) / 60
     corners, tints = _fine(corners[faced], tints[faced], longest)
-    return _seen(corners, lit(corners) * tints, title, elevation, azimuth)
+    return _figure(corners, lit(corners) * tints, title, elevation, azimuth)
 
 
-def _seen(
+def _figure(
     patches: FloatArray,
     colors: FloatArray,
     title: str,
@@ -295,8 +282,8 @@ def _seen(
 ) -> Figure:
     """Paint patches (n, k, 3) from the farthest to the nearest, and below them flat parts at a common scale.
 
-    Patches in front of the face of a plate are painted after the patches behind it. Sorting by depth alone
-    would draw tabs with ragged edges in their slots.
+    Patches in front of the face of a plate are painted after the patches behind it, because sorting by depth
+    alone would draw tabs with ragged edges in their slots.
     """
     toward = look_from(elevation, azimuth)
     plane = patches @ screen_of(elevation, azimuth)
@@ -323,8 +310,7 @@ def _seen(
 
 
 def _flat_height(parts: Sequence[EqualStrips], longest: float) -> float:
-    """Return the total height, mm, of the flat parts, drawn one above another with their names between."""
-    return sum(float(np.ptp(part.strip.outline.bounds, axis=0)[1]) + NAME_SHARE * longest for part in parts)
+    return sum(float(np.ptp(part.strip.outline.bounds, axis=0)[1]) + NAME_SPACE * longest for part in parts)
 
 
 def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> None:
@@ -332,11 +318,11 @@ def _draw_flats(axes: Axes, parts: Sequence[EqualStrips], longest: float) -> Non
     for part in parts:
         strip = part.strip
         (left, bottom), (right, top) = strip.outline.bounds
-        y -= NAME_SHARE * longest
+        y -= NAME_SPACE * longest
         sheets = " on ".join(layer.sheet.name for layer in reversed(strip.layers))
         times = "" if part.count == 1 else f", {part.count} times"
         text = f"{part.name}{times}: {right - left:.0f} by {top - bottom:.0f} mm, {sheets}"
-        axes.text(0.0, y + 0.2 * NAME_SHARE * longest, text, fontsize=9, color=INK, va="bottom")
+        axes.text(0.0, y + 0.2 * NAME_SPACE * longest, text, fontsize=9, color=INK, va="bottom")
         paint_flat(axes, strip, (-left, y - top))
         y -= top - bottom
     axes.set_xlim(-0.02 * longest, 1.02 * longest)
@@ -360,10 +346,7 @@ def screen_of(elevation: float, azimuth: float) -> FloatArray:
 
 
 def lit(patches: FloatArray) -> FloatArray:
-    """Return the brightness (n, 1) of patches, computed from their angle to the light.
-
-    Both sides are equally bright.
-    """
+    """Return the brightness (n, 1) of patches from their angle to the light; both sides are equally bright."""
     normal = np.cross(patches[:, 2] - patches[:, 0], patches[:, -1] - patches[:, 1])
     normal = normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
     return np.asarray(0.6 + 0.4 * np.abs(normal @ LIGHT)[:, None], dtype=float)
@@ -389,8 +372,8 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
 def rule_strip(
     placed: Placed, rim_most: float = np.inf, faces: Sequence[Frame] = ()
 ) -> tuple[FloatArray, FloatArray]:
-    """Return a strip in space, with tabs, slots and holes, as patches (n, 4, 3) and colours (n, 3); its rims
-    are dark.
+    """Return a strip in space, with tabs, slots and holes, as patches (n, 4, 3) with dark rims, and colours
+    (n, 3).
 
     Patches are split where the strip crosses one of the `faces`.
     """
@@ -405,7 +388,7 @@ def rule_strip(
         stations.append(x[i] - height[i] * (x[i + 1] - x[i]) / (height[i + 1] - height[i]))
     flat = trapezoids((strip.outline, *strip.holes), np.concatenate(stations), (last - first) / CORNERS)
     across = np.diff(flat[..., 1:], axis=-1)
-    rim = np.minimum(min(RIM_SHARE * (high - low), rim_most), across / 4)
+    rim = np.minimum(min(RIM * (high - low), rim_most), across / 4)
     heights = [flat[..., 1:2], flat[..., 1:2] + rim, flat[..., 2:] - rim, flat[..., 2:]]
     along = _bent(rod, flat[..., 0])
     lines = [placed.frame.point(np.concatenate([along, y], axis=-1)) for y in heights]

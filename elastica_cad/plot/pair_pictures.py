@@ -10,36 +10,38 @@ from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 
 CUT, FIRST, SECOND, WAY = "#8a8f98", "#1f5fa8", "#c2571a", "#d9dbe0"
-# largest distance between a spline and the polyline that is drawn, as a fraction of the length
+# largest distance between splines and the polylines that are drawn, as a fraction of the length
 CHORD_SHARE = 1e-4
 
-PUSHED_SHARE = 0.3  # length of the arrow, as a fraction of the displacement between the states
+ARROW = 0.3  # length of the arrow, as a fraction of the displacement between the states
 
 
 def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
-    """Draw a two-state part: its flat pattern, both rest shapes with the holes of the holder, and the force
-    between the states.
+    """Draw a two-state part: flat pattern, both rest shapes with the holes of the holder, and force between
+    the states.
 
     The requested curves `drawn_as` are dashed.
     """
     chord = CHORD_SHARE * part.pair.length
     lines = [part.line_through(rest.position) for rest in part.rests]
-    drawn = [
+    outlines = [
         part.outline.points(chord),
         np.concatenate([part.outline_along(edge).points(chord) for edge in lines]),
     ]
-    tall = [float(np.clip((WIDTH_INCHES - 0.4) * np.ptp(p[:, 1]) / np.ptp(p[:, 0]), 0.6, 3.2)) for p in drawn]
+    tall = [
+        float(np.clip((WIDTH_INCHES - 0.4) * np.ptp(p[:, 1]) / np.ptp(p[:, 0]), 0.6, 3.2)) for p in outlines
+    ]
     panels = [Panel(tall[0], 0.3, 0.1), Panel(tall[1], 0.35, 0.1), Panel(1.8, 0.35, 0.5, 0.7, 0.2)]
     figure, (flat, bent, push) = new_page(panels)
-    flat.fill(*drawn[0].T, color=CUT, lw=0.6, ec=INK)
+    flat.fill(*outlines[0].T, color=CUT, lw=0.6, ec=INK)
     for hole in part.holes:
         flat.fill(*hole.points(chord).T, color="white", lw=0.6, ec=INK)
-    _even(
+    _equal_scales(
         flat,
         f"as cut: {part.sheet.name}, {part.thickness_range[0]:.2f} to {part.thickness_range[1]:.2f} mm thick",
     )
-    way = part.travel
-    for line in way.position[:: max(1, len(way.position) // 6)]:
+    travel = part.travel
+    for line in travel.position[:: max(1, len(travel.position) // 6)]:
         bent.plot(*line.T, color=WAY, lw=0.8, zorder=0)
     for line, colour, name in zip(lines, (FIRST, SECOND), part.state_labels, strict=True):
         label = name.replace("$", r"\$")
@@ -50,39 +52,38 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
             hole = Path.circle(place, part.pad.hole / 2)
             bent.fill(*hole.points(chord).T, color="white", lw=0.6, ec=INK)
     for n, (curve, moved) in enumerate(zip(drawn_as, (np.eye(3), part.second_moved), strict=False)):
-        there = curve.transformed(moved).survey.position
-        bent.plot(*there.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
+        points = curve.transformed(moved).survey.position
+        bent.plot(*points.T, color=INK, lw=0.8, ls="--", label="as drawn" if n == 0 else None)
     if part.pair.bistable:
         at, displacement = part.pushed
-        start, size = lines[0].at(np.array([at]))[0][0], PUSHED_SHARE * float(np.hypot(*displacement))
+        start, size = lines[0].at(np.array([at]))[0][0], ARROW * float(np.hypot(*displacement))
     else:
-        start, size = way.position[way.force.argmax(), -1], part.pad.length
+        start, size = travel.position[travel.force.argmax(), -1], part.pad.length
     turn = np.radians(part.force_direction)
     tip = start + size * np.array([np.cos(turn), np.sin(turn)])
-    pushed = {"arrowstyle": "-|>", "color": INK, "lw": 1.5, "shrinkA": 0, "shrinkB": 0}
-    bent.annotate("", xy=tip, xytext=start, arrowprops=pushed)
+    arrow = {"arrowstyle": "-|>", "color": INK, "lw": 1.5, "shrinkA": 0, "shrinkB": 0}
+    bent.annotate("", xy=tip, xytext=start, arrowprops=arrow)
     bent.annotate(
         "force", tip if part.pair.bistable else start, (6, 0), textcoords="offset points", fontsize=8
     )
     corner = (0.99, bent.get_position().y1)
     figure.legend(frameon=False, fontsize=8, loc="lower right", bbox_to_anchor=corner, ncols=3)
-    _even(bent, f"both states at rest, strained by {100 * max(part.strain):.2f} % at most")
-    push.plot(way.travel, way.force, color=FIRST, lw=1.2)
+    _equal_scales(bent, f"both states at rest, strained by {100 * max(part.strain):.2f} % at most")
+    push.plot(travel.travel, travel.force, color=FIRST, lw=1.2)
     push.axhline(0, color=INK, lw=0.5)
-    if way.snap is not None:
-        push.axvline(way.snap, color=SECOND, lw=0.8, ls=":")
-    unit = "mm" if way.unit == "mm" else "degrees"
+    if travel.snap is not None:
+        push.axvline(travel.snap, color=SECOND, lw=0.8, ls=":")
+    unit = "mm" if travel.unit == "mm" else "degrees"
     label = f"{unit} of the {'pushed point' if part.pair.bistable else 'moved end'}"
     push.set_xlabel(f"{label}; force at {part.force_direction:.0f}° to the x axis", fontsize=8)
     push.set_ylabel("N", fontsize=8)
     push.tick_params(labelsize=7)
-    upto = "force up to the snap" if way.snap is not None and way.forces_at_snap is None else "force"
+    upto = "force up to the snap" if travel.snap is not None and travel.forces_at_snap is None else "force"
     push.set_title(f"{upto}, at most {part.force_text}", fontsize=9, loc="left")
     return figure
 
 
-def _even(axes: Axes, title: str) -> None:
-    """Set equal scales on both axes, and hide the frame."""
+def _equal_scales(axes: Axes, title: str) -> None:
     axes.set_aspect("equal")
     axes.axis("off")
     axes.set_title(title, fontsize=9, loc="left")

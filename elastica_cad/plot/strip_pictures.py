@@ -128,8 +128,6 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
 
     Raises
     ------
-    InputError
-        `strip` is not a Strip, or `wish` is not a PlaneCurve.
     MissingDependencyError
         matplotlib is not installed.
     """
@@ -193,7 +191,6 @@ def _with_room_below(points: FloatArray, ends: Sequence[HeldEnd]) -> FloatArray:
 def _paint_bent(
     axes: Axes, rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = (), design: Rod | None = None
 ) -> None:
-    """Draw the bent rod, its curvature comb, inflection or thrust line and supports, and the requested curve."""
     position, tips, turns = rod.position, comb_tips(rod), inflections_of(rod)
     paint_comb(axes, position, tips)
     wished = [] if wish is None else [wish.sample(600).position]
@@ -248,9 +245,9 @@ def _paint_stiffness(axes: Axes, rod: Rod) -> None:
     axes.set_ylim(0, 1.12 * stiffness.max())
     axes.set_xlabel("arc length from the start of the free part (mm)")
     axes.set_ylabel("stiffness K")
-    _entitle(axes, f"Stiffness: largest over smallest {rod.ratio:.3f}")
+    _set_title(axes, f"Stiffness: largest over smallest {rod.ratio:.3f}")
     axes.grid(visible=True, color="#e3e5e8", linewidth=0.6)
-    _quiet(axes)
+    _style_spines(axes)
 
 
 def _flat_panel(strip: Strip) -> Panel:
@@ -285,32 +282,36 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
     title = f"Flat: {strip.breadth()}, {called} in mm below{then}"
     if strip.backing_side:
         title += f"\n{fill(strip.backing_side, 100)}"
-    _entitle(axes, title)
+    _set_title(axes, title)
 
 
 def _widened(size: FloatArray) -> FloatArray:
-    """Return the displayed width and height for a drawing of this size.
-
-    Each is at least 0.3 times the larger of both, so that the numbers on its axis can be read.
-    """
+    """Each side is at least 0.3 times the longer side, so that the numbers on the axes can be read."""
     return np.asarray(1.1 * np.maximum(size, 0.3 * size.max()))
 
 
 def _stations_of(size: Profile) -> list[float]:
-    """Return the stations of labels: widest and narrowest position, ends and quarters.
-
-    Stations whose labels would overlap are left out.
+    """Return the stations (mm) of labels that do not overlap: widest and narrowest position, ends and
+    quarters.
     """
     length = size.length
     s = np.linspace(0.0, length, 801)
     # widths are rounded, so that rounding errors do not decide between positions of equal width
     w = np.round(size(s), 9)
-    wanted = [s[int(np.argmax(w))], s[int(np.argmin(w))], 0.0, length, length / 2, length / 4, 3 * length / 4]
-    kept: list[float] = []
-    for x in map(float, wanted):
-        if all(abs(x - other) > 0.08 * length for other in kept):
-            kept.append(x)
-    return sorted(kept)
+    candidates = [
+        s[int(np.argmax(w))],
+        s[int(np.argmin(w))],
+        0.0,
+        length,
+        length / 2,
+        length / 4,
+        3 * length / 4,
+    ]
+    stations: list[float] = []
+    for x in map(float, candidates):
+        if all(abs(x - other) > 0.08 * length for other in stations):
+            stations.append(x)
+    return sorted(stations)
 
 
 def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
@@ -420,26 +421,24 @@ def finish_axes(axes: Axes, title: str) -> None:
 
 
 def _paint_both_axes(axes: Axes, title: str) -> None:
-    """Draw numbers along x and y, at equal scale, and a title."""
     axes.set_aspect("equal")
     axes.set_xlabel("x (mm)")
     axes.set_ylabel("y (mm)")
-    _entitle(axes, title, pad=22)
-    _quiet(axes)
+    _set_title(axes, title, pad=22)
+    _style_spines(axes)
 
 
-def _entitle(axes: Axes, title: str, pad: float = 6.0) -> None:
+def _set_title(axes: Axes, title: str, pad: float = 6.0) -> None:
     """Set a title above the axes, at a position that does not depend on other texts."""
     axes.set_title(title, fontsize=10, loc="left", color=INK, pad=pad, y=1.0)
 
 
-def _quiet(axes: Axes) -> None:
+def _style_spines(axes: Axes) -> None:
     axes.spines[["top", "right"]].set_visible(False)
     axes.tick_params(labelsize=9)
 
 
 def _paint_legend(axes: Axes) -> None:
-    """Draw the legend in one line above the axes, below the title."""
     axes.legend(
         fontsize=9, frameon=False, loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncols=5, borderpad=0.1
     )
@@ -478,7 +477,7 @@ def travel(moved: Travel) -> Figure:
         above.plot(*shape.position.T, color=color, linewidth=1.6 if k in (0, steps - 1) else 0.9)
     above.set_aspect("equal", adjustable="datalim")
     snapping = "" if moved.stable.all() else "; red: unstable, it snaps away"
-    _entitle(above, f"{steps} shapes, the last one darkest{snapping}")
+    _set_title(above, f"{steps} shapes, the last one darkest{snapping}")
     above.set_xlabel("x, mm")
     above.set_ylabel("y, mm")
     if moved.is_turn:
@@ -512,7 +511,7 @@ def travel(moved: Travel) -> Figure:
         f"largest strain {100 * moved.strain[worst]:.2f} % at {moved.place_message(moved.path_length[worst])}, "
         f"safety {moved.safety[worst]:.2g}"
     )
-    _entitle(below, text, pad=22 if below.get_legend() else 6)
+    _set_title(below, text, pad=22 if below.get_legend() else 6)
     return figure
 
 

@@ -80,8 +80,8 @@ def _tile_drawing(drawing: Drawing, paper: str = "A4") -> Tiling:
     require_record(drawing, Drawing, "what is printed", "a Drawing")
     if not isinstance(paper, str) or paper not in PAPERS:
         raise InputError(f"Unknown paper {paper!r}. Use one of {', '.join(PAPERS)}.")
-    ways = [_tiles(drawing, page) for page in (PAPERS[paper], PAPERS[paper][::-1])]
-    return min(ways, key=lambda way: len(way.names))
+    tilings = [_tiles(drawing, page) for page in (PAPERS[paper], PAPERS[paper][::-1])]
+    return min(tilings, key=lambda tiling: len(tiling.names))
 
 
 def _tiles(drawing: Drawing, page: tuple[float, float]) -> Tiling:
@@ -184,7 +184,7 @@ def _pages(drawing: Drawing, tiling: Tiling) -> Iterator[Any]:
 
 
 def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, title: str) -> None:
-    """Draw a tile of a drawing; the axes cover the whole page and are in mm of the drawing."""
+    """The axes cover the whole page and are in mm of the drawing."""
     low = tiling.origins[k]
     high = low + tiling.size
     axes = figure.add_axes((0, 0, 1, 1))

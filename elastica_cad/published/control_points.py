@@ -26,8 +26,8 @@ from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 
 _ALONG = 0.1  # weight of a move along the curve relative to a move across it
-_BEND = 0.005  # size of a move that changes the curvature by 1 / length, as a fraction of the length
-_STRETCH = 0.05  # size of a move that changes the velocity d/dt by 100 %, as a fraction of the length
+_BEND = 0.005  # a change of the curvature by 1 / length counts as a move by this fraction of the length
+_STRETCH = 0.05  # a change of the velocity d/dt by 100 % counts as a move by this fraction of the length
 _LINE_STEP = 0.02  # change of the line that counts as a move of the curve by this fraction of its length
 _RANK = 1e-11  # relative size of singular values up to which conditions count as dependent
 
@@ -63,7 +63,7 @@ class CurveChanges:
         at the Gauss nodes; the others give moves along the curve, times `_ALONG`.
         """
         basis = self.state.curve.basis(self._t)
-        return np.concatenate([directed_rows(basis, d * self._root_share) for d in self._frame])
+        return np.concatenate([directed_rows(basis, d * self._root_weights) for d in self._frame])
 
     @cached_property
     def _frame(self) -> tuple[FloatArray, FloatArray]:
@@ -72,14 +72,14 @@ class CurveChanges:
         return left_of(tangent), _ALONG * tangent
 
     @cached_property
-    def _root_share(self) -> FloatArray:
+    def _root_weights(self) -> FloatArray:
         panels = self.state.balance.panels
         return np.sqrt((panels.stretch * WEIGHTS).ravel() / self.state.curve.length)[:, None]
 
     def offsets(self, target: PlaneCurve) -> FloatArray:
         """Return the weighted distances (2 g,) from a curve with the same parameter; see `distance_rows`."""
         off = self.state.curve.evaluate(self._t) - target.evaluate(self._t)
-        return np.concatenate([(off * d * self._root_share).sum(axis=1) for d in self._frame])
+        return np.concatenate([(off * d * self._root_weights).sum(axis=1) for d in self._frame])
 
     @cached_property
     def basis(self) -> FloatArray:
@@ -92,8 +92,8 @@ class CurveChanges:
         a, b = self.state.line
         count = curve.control_points.size
         zeros = np.array([z.t for z in self.state.check.zeros])
-        held = [c.equations(curve)[1] for c in self.constraints]
-        rows = [np.pad(row, ((0, 0), (0, 3))) for row in held]
+        constraint_rows = [c.equations(curve)[1] for c in self.constraints]
+        rows = [np.pad(row, ((0, 0), (0, 3))) for row in constraint_rows]
         if zeros.size:
             _, moved = InflectionsOnLine(a, b, zeros).equations(curve)
             rows.append(np.column_stack([moved, np.ones(zeros.size), curve.evaluate(zeros)]))
@@ -107,11 +107,11 @@ class CurveChanges:
         rows.append(np.concatenate([np.zeros(count), np.linalg.inv(line) @ [a, *b]])[None] @ np.block(
             [[np.eye(count), np.zeros((count, 3))], [np.zeros((3, count)), np.linalg.inv(line)]]
         ))  # fmt: skip
-        bends = curvature_rows(curve, self._t) * (self._root_share * _BEND * length**2)
+        bends = curvature_rows(curve, self._t) * (self._root_weights * _BEND * length**2)
         d1, slope = curve.evaluate(self._t, 1), curve.basis(self._t, 1)
-        share = self._root_share * (_STRETCH * length) / (d1**2).sum(axis=1, keepdims=True)
-        turned = left_of(d1)
-        stretches = np.concatenate([directed_rows(slope, d * share) for d in (d1, turned)])
+        stretch_weights = self._root_weights * (_STRETCH * length) / (d1**2).sum(axis=1, keepdims=True)
+        normals = left_of(d1)
+        stretches = np.concatenate([directed_rows(slope, d * stretch_weights) for d in (d1, normals)])
         metric = np.concatenate([self.distance_rows, bends, stretches])
         gram = metric.T @ metric
         gram.flat[:: count + 1] += 1e-12 * np.trace(gram)
@@ -186,28 +186,28 @@ class CurveChanges:
         along, before, length = self._stretching
         d1 = curve.evaluate(nodes.t, 1)
         speed = np.linalg.norm(d1, axis=1)
-        share = np.linspace(0.0, 1.0, nodes.t.size)
+        fractions = np.linspace(0.0, 1.0, nodes.t.size)
         # nodes move along the curve too, so that they remain at equal distances
-        slide = (share[:, None] * length - before[panel] - along.at(panel, x)) / speed[:, None]
+        slide = (fractions[:, None] * length - before[panel] - along.at(panel, x)) / speed[:, None]
         half = (np.diff(panels.edges) / 2)[panel]
         K_slope = state.balance.stiffness.slope_at(panel, x) / (state.scale * half)
         K = -(rod.stiffness**2)[:, None] * self.compliance.at(panel, x) + K_slope[:, None] * slide
         moved = np.stack([curve.basis(nodes.t) @ self._moves[k::2] for k in (0, 1)], axis=1)
         moved += d1[:, :, None] * slide[:, None, :]
         edge = np.diff(nodes.position, axis=0)
-        turned = left_of(edge) / (edge**2).sum(axis=1)[:, None]
-        angles = np.einsum("nk,nkr->nr", turned, np.diff(moved, axis=0))
+        turning = left_of(edge) / (edge**2).sum(axis=1)[:, None]
+        angles = np.einsum("nk,nkr->nr", turning, np.diff(moved, axis=0))
         db = self.basis[-2:]
         by = rod.margin_derivatives
         force = by.force.sum(axis=0) @ np.stack([-db[1], db[0]])
         return np.asarray(by.stiffness @ K + by.angles @ angles + force + by.length * length)
 
 
-# price of a violated bound, in the unit of half the mean square distance (relative to the length); it is far
-# above all multipliers
-_PRICE = 0.1
-_ROW_PRICE = 10.0  # price of a step condition that cannot be satisfied; it exceeds the price of every bound
-# accuracy of a step relative to the price; half a mean square distance of 1e-8 then still has an effect
+# penalty of a violated bound, in the unit of half the mean square distance (relative to the length); it is
+# far above all multipliers
+_PENALTY = 0.1
+_ROW_PENALTY = 10.0  # penalty of a step condition that cannot be satisfied; it exceeds that of every bound
+# accuracy of a step relative to the penalty; half a mean square distance of 1e-8 then still has an effect
 _ACCURACY = 1e-12
 _MARGIN_UNIT = 50.0  # typical error of the margin, used as its unit
 _COARSE = 3.0  # a step to more than this multiple of the present or permitted ratio is refused
@@ -221,7 +221,7 @@ _RESOLUTION = (
 )
 _INSIDE = 1e-5  # relative distance from the bounds, so that they hold between the samples too
 _ENFORCED = 1e-11
-"""Error below which a constraint counts as satisfied, as a fraction of the curve's length or in rad."""
+"""Error of a satisfied constraint at most, as a fraction of the length of the curve or in rad."""
 
 _ROUNDS = 12  # samples are added where a step would violate the bounds, at most this number of times
 
@@ -254,7 +254,7 @@ class Bounds:
         return Bounds(ratio, min(self.margin, state.margin + _MARGIN_PART))
 
     def inside(self) -> "Bounds":
-        """Return slightly stricter bounds, because the curve must also be within them between samples."""
+        """Return slightly stricter bounds, so that the curve is within these bounds between samples, too."""
         ratio = 1 + (self.ratio - 1) * (1 - _INSIDE)
         return Bounds(ratio, None if self.margin is None else self.margin + _INSIDE * _MARGIN_UNIT)
 
@@ -315,7 +315,7 @@ def move_within(
     """
     if not (is_whole(max_steps) and max_steps >= 1):
         raise InputError(f"max_steps is {max_steps!r}: allow at least one step")
-    state = _started(curve, constraints)
+    state = _initial_state(curve, constraints)
     changes = CurveChanges(state, constraints)
     radius, settled, iterations = _RADIUS, False, 0
     distance = _half_square(changes, curve)
@@ -324,18 +324,18 @@ def move_within(
         iterations += 1
         aim = bounds.inside().from_here(state)
         step = _step(changes, changes.offsets(curve) / state.curve.length, aim, radius)
-        gain = distance + _PRICE * aim.broken(state) - step.promised
+        gain = distance + _PENALTY * aim.broken(state) - step.promised
         settled = gain <= _RESOLUTION + (_SETTLED * distance if bounds.broken(state) == 0 else 0.0)
         if settled:
             break
-        moved = _moved(state.curve, step, constraints)
+        moved = _state_after(state.curve, step, constraints)
         if moved is not None:
             further = CurveChanges(moved, constraints)
-            there = _half_square(further, curve)
-            achieved = distance + _PRICE * (aim.broken(state) - aim.broken(moved)) - there
+            new_distance = _half_square(further, curve)
+            achieved = distance + _PENALTY * (aim.broken(state) - aim.broken(moved)) - new_distance
             coarse = moved.ratio > _COARSE * max(state.ratio, bounds.ratio)
             if achieved > 0.05 * gain and not coarse:
-                state, changes, distance = moved, further, there
+                state, changes, distance = moved, further, new_distance
                 history.append(_route_step(state, distance, bounds))
                 radius = min(2 * radius, _LARGEST_RADIUS) if achieved > 0.7 * gain else radius
                 continue
@@ -364,7 +364,7 @@ class _Step:
     promised: float
 
 
-def _started(curve: PlaneCurve, constraints: Sequence[Constraint]) -> EquilibriumCurve:
+def _initial_state(curve: PlaneCurve, constraints: Sequence[Constraint]) -> EquilibriumCurve:
     try:
         enforced, _ = least_norm_newton(curve, [*constraints, *collinear(curve)], tolerance=_ENFORCED)
     except NotConvergedError:
@@ -372,8 +372,9 @@ def _started(curve: PlaneCurve, constraints: Sequence[Constraint]) -> Equilibriu
     return EquilibriumCurve.of(enforced)
 
 
-def _moved(curve: PlaneCurve, step: _Step, constraints: Sequence[Constraint]) -> EquilibriumCurve | None:
-    """Return the equilibrium after a step, or None if the curve is no longer realizable."""
+def _state_after(
+    curve: PlaneCurve, step: _Step, constraints: Sequence[Constraint]
+) -> EquilibriumCurve | None:
     try:
         moved = curve.with_control_points(curve.control_points + step.points)
         moved, _ = least_norm_newton(moved, [*constraints, *collinear(moved)], tolerance=_ENFORCED)
@@ -385,8 +386,8 @@ def _moved(curve: PlaneCurve, step: _Step, constraints: Sequence[Constraint]) ->
 def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float) -> _Step:
     """Return the best step to first order.
 
-    The unknowns are the coordinates u of the move divided by the length, the largest compliance c, and the slacks
-    of the two bounds. The largest compliance is 1 / min K.
+    The unknowns are the coordinates u of the move divided by the length, the largest compliance c = 1 / min
+    K, and the slacks of the two bounds.
     """
     length = changes.state.curve.length
     J = changes.distance_rows @ changes.basis[:-3]
@@ -396,7 +397,7 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
     H, g = np.zeros((r + 3, r + 3)), np.zeros(r + 3)
     H[:r, :r] = J.T @ J
     g[:r] = J.T @ offsets
-    g[r + 1 :] = _PRICE
+    g[r + 1 :] = _PENALTY
     lower = np.concatenate([np.full(r, -radius), [0.1, 0.0, 0.0]])
     upper = np.concatenate([np.full(r, radius), [10.0, 2.0, 1e4]])
 
@@ -420,22 +421,29 @@ def _step(changes: CurveChanges, offsets: FloatArray, aim: Bounds, radius: float
     for _ in range(_ROUNDS):
         solution = solve_quadratic(
             QuadraticProgram(
-                H, g, lower, upper, A, right, np.full(right.size, _ROW_PRICE), np.ones(right.size, dtype=bool)
+                H,
+                g,
+                lower,
+                upper,
+                A,
+                right,
+                np.full(right.size, _ROW_PENALTY),
+                np.ones(right.size, dtype=bool),
             ),
             accuracy=_ACCURACY,
         )
         u, c, s = solution.x[:r], solution.x[r], solution.x[r + 1]
-        there = C + dC @ u
+        compliances = C + dC @ u
         short = [
-            (_peaks(c - aim.ratio * (there + s), above=1e-8), soft),
-            (_peaks(there - c, above=1e-8), stiff),
+            (_peaks(c - aim.ratio * (compliances + s), above=1e-8), soft),
+            (_peaks(compliances - c, above=1e-8), stiff),
         ]
         new = [make(places) for places, make in short if places.size]
         if not new:
             break
         A = np.concatenate([A, *(a for a, _ in new)])
         right = np.concatenate([right, *(b for _, b in new)])
-    promised = 0.5 * float(((J @ u + offsets) ** 2).sum()) + _PRICE * float(solution.x[r + 1 :].sum())
+    promised = 0.5 * float(((J @ u + offsets) ** 2).sum()) + _PENALTY * float(solution.x[r + 1 :].sum())
     points = (changes.basis[:-3] @ u).reshape(-1, 2) * length
     return _Step(points, float(np.abs(u).max()), promised)
 
@@ -477,9 +485,8 @@ def enforce_constraints(
     tolerance: float = 1e-10,
     max_steps: int = 30,
 ) -> EnforcedCurve:
-    """Return the curve after the least move of its control points that satisfies constraints.
-
-    The inflections become collinear, and the other constraints are satisfied.
+    """Return the curve after the least move of its control points that makes inflections collinear and keeps
+    `like`.
 
     Parameters
     ----------
@@ -506,8 +513,8 @@ def enforce_constraints(
     Examples
     --------
     >>> wave = PlaneCurve.spline([(0, 0), (20, 60), (40, -60), (60, 62), (80, -55), (100, 0)], degree=4)
-    >>> found = enforce_constraints(wave)
-    >>> abs(found.curve.length - wave.length) < 1e-6
+    >>> enforced = enforce_constraints(wave)
+    >>> abs(enforced.curve.length - wave.length) < 1e-6
     True
     """
     require_curve(curve)
@@ -517,26 +524,25 @@ def enforce_constraints(
         require_record(line, InflectionLine, "line", "an InflectionLine, or None")
     if not (is_number(tolerance) and tolerance > 0):
         raise InputError(f"tolerance is {tolerance!r}: it must be positive")
-    wanted: list[Constraint] = [
+    constraints: list[Constraint] = [
         *kept(curve if like is None else like, ends=ends, tangents=tangents, length=length)
     ]
     if line is None:
-        wanted += collinear(curve)
+        constraints += collinear(curve)
     else:
         t = np.array([z.t for z in curve.curvature_zeros if z.kind == "crossing"])
         if t.size:
-            wanted.append(InflectionsOnLine(line.a, line.b, t))
-    moved, residuals = least_norm_newton(curve, wanted, tolerance=tolerance, max_steps=max_steps)
-    before, after = _crossings(curve), _crossings(moved)
+            constraints.append(InflectionsOnLine(line.a, line.b, t))
+    moved, residuals = least_norm_newton(curve, constraints, tolerance=tolerance, max_steps=max_steps)
+    before, after = _inflections(curve), _inflections(moved)
     if after.size > before.size and (line is not None or after.size > 2):
-        listed = ", ".join(f"{s:.4g}" for s in after)
+        places = ", ".join(f"{s:.4g}" for s in after)
         raise NotConvergedError(
-            f"the moved curve has {after.size} inflections (at {listed} mm) instead of {before.size}: keep "
+            f"the moved curve has {after.size} inflections (at {places} mm) instead of {before.size}: keep "
             "less (ends, tangents, length), or use nearest_rod"
         )
     return EnforcedCurve(moved, residuals, largest_move(curve, moved))
 
 
-def _crossings(curve: PlaneCurve) -> FloatArray:
-    """Return the arc lengths (k,) of the inflections, mm."""
+def _inflections(curve: PlaneCurve) -> FloatArray:
     return np.array([z.s for z in curve.curvature_zeros if z.kind == "crossing"])

@@ -135,6 +135,6 @@ def sampled_rows(
     band[1, 0::3], band[2, 0::3] = -w, -w * g
     band[2, 1:-3:3], band[1, 2:-3:3] = -g[1:], 1.0
     band[3, 1::3], band[3, 2::3] = -1.0, -1.0
-    known = np.zeros((3 * n, 3))
-    known[0::3] = affine[::-1]
-    return np.asarray(solve_banded((3, 0), band, known)[0::3][::-1])
+    right_sides = np.zeros((3 * n, 3))
+    right_sides[0::3] = affine[::-1]
+    return np.asarray(solve_banded((3, 0), band, right_sides)[0::3][::-1])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
-from elastica_cad.plot.assembly_sheet import _held_rows
+from elastica_cad.plot.assembly_sheet import _element_rows
 from elastica_cad.strip.holding_template import held_elements, holding_template
 
 WAVE = ec.PlaneCurve.spline(
@@ -56,13 +56,13 @@ def test_loads_are_arrows_with_their_force_on_template_and_sheet():
     text = next(text.text for text in drawing.texts if text.text.startswith("M1 "))
     assert text.endswith("-90.0 degrees from the line, 0.2 N")
     model = ec.Model([ec.Placed(strip, (0, 0, 100), (1, 0, 0), (0, 0, 1))])
-    assert [row[1] for row in _held_rows(model)] == ["R1 rail", "F1 point force", "M1 point mass 20 g"]
+    assert [row[1] for row in _element_rows(model)] == ["R1 rail", "F1 point force", "M1 point mass 20 g"]
 
 
 def test_the_assembly_sheet_has_a_row_for_each_element():
     strip = strip_of(ec.Pin(200), ec.Tie(40, 310))
     model = ec.Model([ec.Placed(strip, (0, 0, 100), (1, 0, 0), (0, 0, 1))])
-    pin, tie = _held_rows(model)
+    pin, tie = _element_rows(model)
     x, y = WAVE.at([200.0]).position[0]
     assert pin[:3] == ("A", "P1 pin", f"({x:z.1f}, 0.0, {100 + y:z.1f})")
     force = strip.bending_stiffness * strip.rod.between[1].size
@@ -71,7 +71,7 @@ def test_the_assembly_sheet_has_a_row_for_each_element():
         f"{np.hypot(*np.diff(WAVE.at([40.0, 310.0]).position, axis=0)[0]):.1f}",
     )
     assert not [
-        *_held_rows(
+        *_element_rows(
             ec.Model([ec.Placed(ec.make_strip(ec.PlaneCurve.arc((0, 0), 60, 3, 0), SHEET, max_width=9))])
         )
     ]
