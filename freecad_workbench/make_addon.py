@@ -28,7 +28,6 @@ PAGES = {
 
 
 def _maintainer(text: str) -> tuple[str, str]:
-    """Split "Name <address>" into name and e-mail address."""
     match = re.fullmatch(r"\s*([^<>]*[^<>\s])\s*<([^<>@\s]+@[^<>@\s]+)>\s*", text)
     if not match:
         raise argparse.ArgumentTypeError(
@@ -38,7 +37,6 @@ def _maintainer(text: str) -> tuple[str, str]:
 
 
 def _repository(text: str) -> str:
-    """Return the address of a repository without a final slash."""
     if not re.fullmatch(r"https://[\w.-]+/[\w./-]+", text):
         raise argparse.ArgumentTypeError(
             f'"{text}" is no web address. Write REPOSITORY=https://HOST/OWNER/NAME.'
@@ -47,9 +45,7 @@ def _repository(text: str) -> str:
 
 
 def _metadata(maintainer: tuple[str, str] | None, repository: str | None) -> ElementTree.ElementTree:
-    """Return package.xml of the checkout, adapted to the paths in the folder, with today's date, maintainer
-    and repository.
-    """
+    """Adapt package.xml of the checkout to the folder, and add today's date, maintainer and repository."""
     ElementTree.register_namespace("", SPACE)
     tree = ElementTree.parse(ROOT / "package.xml")
     package = tree.getroot()
@@ -76,10 +72,7 @@ def _metadata(maintainer: tuple[str, str] | None, repository: str | None) -> Ele
 
 
 def _readme(repository: str | None) -> str:
-    """Return the README of the workbench.
-
-    Its links and pictures become absolute if a repository is given, else they are removed.
-    """
+    """Links and pictures become absolute if a repository is given; otherwise they are removed."""
     text = (ROOT / "freecad_workbench" / "README.md").read_text(encoding="utf-8")
     if repository:
         text = re.sub(r"!\[([^]]*)\]\(\.\./", rf"![\1]({repository}/raw/main/", text)
@@ -94,14 +87,13 @@ def write_addon(folder: Path, maintainer: tuple[str, str] | None, repository: st
     inside = folder / WORKBENCH
     shutil.copytree(ROOT / "freecad_workbench" / WORKBENCH, inside, ignore=LEFT_OUT)
     shutil.copytree(ROOT / "freecad_workbench" / "resources", inside / "resources", ignore=LEFT_OUT)
-    shutil.copytree(ROOT / "elastica_cad", inside / "core" / "elastica_cad", ignore=_no_page)
+    shutil.copytree(ROOT / "elastica_cad", inside / "core" / "elastica_cad", ignore=_without_page)
     shutil.copy(ROOT / "LICENSE", folder)
     (folder / "README.md").write_text(_readme(repository), encoding="utf-8")
     _metadata(maintainer, repository).write(folder / "package.xml", encoding="UTF-8", xml_declaration=True)
 
 
-def _no_page(folder: str, names: list[str]) -> Iterable[str]:
-    """Return the names in a folder of the core that are not copied."""
+def _without_page(folder: str, names: list[str]) -> Iterable[str]:
     return {*LEFT_OUT(folder, names), *(["web"] if Path(folder) == ROOT / "elastica_cad" else [])}
 
 

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""FreeCAD workbench of elastica_cad: draw a spline, see whether a strip can be bent into it, and make the
-strip.
-"""
+"""FreeCAD workbench of elastica_cad: draw a spline, check it, and make the strip that bends into it."""
 
 import sys
 from pathlib import Path
@@ -16,10 +14,7 @@ __all__ = ["make_strip"]
 TESTS = "freecad.elastica_wb.tests"
 
 CORE = Path(__file__).parent / "core"
-"""Folder to which `make addon` copies the package elastica_cad.
-
-In a checkout, the package is in the root folder.
-"""
+"""Folder to which `make addon` copies the package elastica_cad; a checkout has no such folder."""
 
 if CORE.is_dir():
     sys.path.insert(0, str(CORE))

@@ -3,8 +3,7 @@
 
 """Base class of the commands, and the command that switches live feedback.
 
-FreeCAD imports this module when it starts, so that live feedback works in every workbench. Large modules are
-imported on first use.
+FreeCAD imports this module when it starts, so large modules are imported on first use.
 """
 
 from collections.abc import Callable
@@ -33,7 +32,7 @@ class Command:
     run : callable
         Function that does the work. It raises `ElasticaError` with a message if it fails.
     has_subject : callable
-        Function that returns True if an object for the command is selected, or if there is only one
+        Function that returns True if an object for the command is selected, or if there is a single
         candidate.
     in_sketch : bool
         True if the command can be used while a sketch is open. It closes the sketch if necessary.
@@ -58,11 +57,11 @@ class Command:
             resources["CmdType"] = "ForEdit"  # FreeCAD disables all other commands during editing
         if self.shortcut:
             resources["Accel"] = self.shortcut
-        # the value False means that the command is not checked at first
+        # the command is not checked at first
         return resources | ({"Checkable": False} if self.checkable else {})
 
     def IsActive(self) -> bool:
-        """Return True if the command can be used now. FreeCAD calls this several times a second."""
+        """Return True if the command can be used now; FreeCAD calls this method several times a second."""
         if Gui.Control.activeDialog() and not (self.in_sketch and sketches.is_sketch_open()):
             return False
         return self.has_subject()
@@ -81,8 +80,7 @@ class Command:
             show_message(str(explained(error)))
 
 
-def _toggle() -> None:
-    """Switch the overlay of the open sketch on or off. The sketch stores this state."""
+def _switch_overlay() -> None:
     sketch = sketches.edited_sketch()
     observers.switch(sketch, on=not observers.is_on(sketch))
 
@@ -94,7 +92,7 @@ LIVE = Command(
         "Elastica_Live",
         "Show over the open sketch whether a flat strip can take its curve, while it is drawn and dragged",
     ),
-    run=_toggle,
+    run=_switch_overlay,
     has_subject=sketches.is_sketch_open,
     shortcut="Y, L",
     in_sketch=True,
@@ -103,21 +101,20 @@ LIVE = Command(
 
 
 class LiveManipulator:
-    """Manipulator that adds the commands for an open sketch to the sketcher's toolbar and menu (FreeCAD 1.0
-    and later).
+    """Manipulator that adds the commands for an open sketch to the sketcher's toolbar and menu, from FreeCAD
+    1.0.
     """
 
     def modifyToolBars(self) -> list[dict[str, str]]:
         """Insert the commands before the sketcher's command for the section view."""
-        return [{"insert": name, "toolItem": "Sketcher_ViewSection"} for name in _known()]
+        return [{"insert": name, "toolItem": "Sketcher_ViewSection"} for name in _registered_names()]
 
     def modifyMenuBar(self) -> list[dict[str, str]]:
         """Add the commands to the sketcher's menu."""
-        return [{"append": name, "menuItem": "Sketcher_ViewSection"} for name in _known()]
+        return [{"append": name, "menuItem": "Sketcher_ViewSection"} for name in _registered_names()]
 
 
-def _known() -> list[str]:
-    """Return the command of live feedback, and the command of the length tool if the workbench has been opened."""
+def _registered_names() -> list[str]:
     return [name for name in (LIVE.name, "Elastica_Between") if name in Gui.listCommands()]
 
 
@@ -133,7 +130,7 @@ def register() -> None:
 def _show_state(on: bool) -> None:
     command = Gui.Command.get(LIVE.name)
     for action in command.getAction() if command is not None else []:
-        # signals are blocked, so that changing the check mark does not run the command
+        # with signals blocked, changing the check mark does not run the command
         action.blockSignals(True)
         action.setChecked(on)
         action.blockSignals(False)

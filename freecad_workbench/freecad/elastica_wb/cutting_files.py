@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Writing of the cutting files of a document: DXF, SVG, STEP, nested sheets and cut list.
-
-After an error, no file is written.
-"""
+"""Writing of the cutting files of a document: DXF, SVG, STEP, nested sheets and cut list."""
 
 import csv
 import io
@@ -48,8 +45,8 @@ from elastica_cad.strip.solids import FlatSolid, frame_beside
 
 
 def later_feature_messages(obj: Any) -> list[str]:
-    """Return a warning if later features change a strip, a model or a plate, because the files do not include
-    them.
+    """Return a warning if a later feature of a body changes a strip, a model or a plate: the files do not
+    include it.
     """
     words = translate(
         "Elastica",
@@ -64,7 +61,7 @@ KINDS = ("dxf", "svg", "step", "csv", "nest")
 
 
 def cutting_of(*, version: str = "R2010", **options: Any) -> Cutting:
-    """Return the options of cutting files. Without ezdxf, DXF files have version R12."""
+    """Return the options of cutting files, with DXF version R12 if ezdxf is missing."""
     return Cutting(version=version if find_spec("ezdxf") else "R12", **options)
 
 
@@ -95,8 +92,7 @@ def write_cutting_files(
     Raises
     ------
     InputError
-        There is nothing to write, a file exists and `force` is False, a strip failed, or a piece is larger
-        than the sheet.
+        A file exists and `force` is False, a strip failed, or a piece is larger than the sheet.
     NotConvergedError
         The user stopped the work: `step` returned False.
     """
@@ -104,7 +100,7 @@ def write_cutting_files(
     if not kinds:
         raise InputError("there is nothing to write: choose kinds of files")
     pieces = [cut.piece for cut in cuts]
-    # different labels may result in the same file name
+    # different labels may result in equal file names
     stems = distinct(piece.file_stem for piece in pieces)
     drawings = [(stem, piece.drawing, piece.sheet) for stem, piece in zip(stems, pieces, strict=True)]
     if "nest" in kinds:
@@ -132,7 +128,9 @@ def write_cutting_files(
             block.label: f"{word}.step" if "step" in kinds else "" for block, word in blocks.values()
         }
         printed = [block for block, _ in blocks.values()]
-        files.append(File("cut-list.csv", lambda path: write_text(path, _listed(cuts, printed, cut_from))))
+        files.append(
+            File("cut-list.csv", lambda path: write_text(path, _cut_list_csv(cuts, printed, cut_from)))
+        )
         flexures = list(filter(is_flexure, sources))
         words = distinct(file_word(obj.Label) for obj in flexures)
         files += [
@@ -144,8 +142,8 @@ def write_cutting_files(
     return list(write_files(files, folder, force=force, done=done))
 
 
-def _listed(cuts: Sequence[Cut], blocks: Sequence[EndFixture], files: Mapping[str, str]) -> str:
-    """Return the cut list as CSV. If parts are pre-bent before assembly, a column contains the instructions."""
+def _cut_list_csv(cuts: Sequence[Cut], blocks: Sequence[EndFixture], files: Mapping[str, str]) -> str:
+    """The cut list has a column with instructions if parts are pre-bent before assembly."""
     text = cut_list((*(cut.piece for cut in cuts), *blocks), files).csv
     blanks = ["" if cut.strip is None else pre_bend_message(cut.strip) for cut in cuts]
     if not any(blanks):
@@ -159,11 +157,7 @@ def _listed(cuts: Sequence[Cut], blocks: Sequence[EndFixture], files: Mapping[st
 
 
 def _write_step(obj: Any, path: Path) -> None:
-    """Write the named and coloured bodies of an object, and the blocks that hold it, to a STEP file.
-
-    The file of a strip contains the flat part, and the bent part on its curve. The file of a model contains
-    its bodies. Plates are at their positions.
-    """
+    """The file of a strip contains the flat part, and the bent part on the curve."""
     # only the module of the graphical interface writes colours
     exporter = import_module("ImportGui" if App.GuiUp else "Import")
     document = App.newDocument("ElasticaExport", hidden=True, temp=True)
@@ -171,8 +165,8 @@ def _write_step(obj: Any, path: Path) -> None:
         whole = document.addObject("App::Part", "Whole")
         whole.Label = obj.Label
         blocks = [(block.label, block_shape(block)) for block in blocks_for(obj)]
-        held = [(name, shape, shape.Placement, None) for name, shape in blocks]
-        for name, shape, placement, sheet in (*_bodies(obj), *held):
+        block_bodies = [(name, shape, shape.Placement, None) for name, shape in blocks]
+        for name, shape, placement, sheet in (*_bodies(obj), *block_bodies):
             body = whole.newObject("Part::Feature", "Body")
             body.Label = name
             body.Shape = shape
@@ -187,7 +181,7 @@ def _write_step(obj: Any, path: Path) -> None:
 
 def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
     if is_model(obj):
-        # the bodies are computed again, because the shape in FreeCAD may be older than the drawings
+        # the shape in FreeCAD may be older than the drawings
         model = model_of(obj)
         solids = solids_of(model, obj.getGlobalPlacement() * container(obj).inverse())
         return [
@@ -208,11 +202,11 @@ def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
     world = drawn_curve(obj.Curve, obj).world
     lying = FlatSolid.layers(strip, frame_beside(strip, frame_of(world)))
     flat = [
-        (f"{name} {word}", flat_shape(strip, i), _at(lying[i].frame.origin), layer.sheet)
+        (f"{name} {word}", flat_shape(strip, i), _placement_at(lying[i].frame.origin), layer.sheet)
         for i, (word, layer) in enumerate(zip(("flat", "backing"), strip.layers, strict=False))
     ]
     return [*flat, (f"{name} bent", bent_shape(strip), world, strip.sheet)]
 
 
-def _at(origin: Any) -> App.Placement:
+def _placement_at(origin: Any) -> App.Placement:
     return App.Placement(App.Vector(*origin), App.Rotation())

@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Registration of the workbench, its preferences page and its translations.
-
-FreeCAD imports this module at its start.
-"""
+"""Registration of the workbench, its preferences page and its translations, when FreeCAD starts."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -52,14 +49,14 @@ class ElasticaWorkbench(Gui.Workbench):
 
 
 def _panel_of(obj: Any) -> Any:
-    """Return the panel of a feature. The module of panels is imported when the first panel opens."""
+    """The module of panels is imported when the first panel opens."""
     from freecad.elastica_wb.panels.feature_panels import panel_of
 
     return panel_of(obj)
 
 
 class PreferencesPage:
-    """The page of the workbench in FreeCAD's preferences. FreeCAD makes it when the preferences are opened."""
+    """The page of the workbench in FreeCAD's preferences."""
 
     def __init__(self, _parent: Any = None) -> None:
         from freecad.elastica_wb.host.fields import put_sheets
@@ -83,10 +80,7 @@ class PreferencesPage:
             preferences.put(name, value_of(widget))
 
     def _widgets(self) -> Iterator[tuple[str, Any]]:
-        """Yield the name and the widget of each preference.
-
-        The name of the widget begins with a lower-case letter.
-        """
+        """The name of a widget is the name of the preference with a lower-case initial."""
         for name in preferences.DEFAULTS:
             widget = getattr(self.form, name[0].lower() + name[1:], None)
             if widget is not None:

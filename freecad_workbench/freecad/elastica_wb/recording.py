@@ -19,12 +19,12 @@ MADE = "elastica_made"
 def recorded(make: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
     """Call a function by a Python line that macros record, and return its result."""
     modules = [make.__module__, *(["elastica_cad"] if any(map(_is_curve, arguments)) else [])]
-    # `doCommand` is used, because Gui.addModule does not record modules that are already loaded
+    # Gui.addModule does not record modules that are already loaded
     for module in modules:
         Gui.doCommand(f"import {module}")
     arguments_text = [
-        *map(_written, arguments),
-        *(f"{name}={_written(value)}" for name, value in options.items()),
+        *map(_expression, arguments),
+        *(f"{name}={_expression(value)}" for name, value in options.items()),
     ]
     Gui.doCommand(f"{MADE} = {make.__module__}.{make.__name__}({', '.join(arguments_text)})")
     return getattr(__main__, MADE)
@@ -32,12 +32,12 @@ def recorded(make: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
 
 def record_value(obj: Any, name: str, value: Any) -> None:
     """Set a property by a Python line that macros record."""
-    Gui.doCommand(f"{_written(obj)}.{name} = {_written(value)}")
+    Gui.doCommand(f"{_expression(obj)}.{name} = {_expression(value)}")
 
 
 def record_call(obj: Any, method: str, *arguments: Any) -> None:
     """Call a method of a document or of an object by a Python line that macros record."""
-    Gui.doCommand(f"{_written(obj)}.{method}({', '.join(map(_written, arguments))})")
+    Gui.doCommand(f"{_expression(obj)}.{method}({', '.join(map(_expression, arguments))})")
 
 
 def record_recompute(document: Any) -> None:
@@ -45,20 +45,19 @@ def record_recompute(document: Any) -> None:
     record_call(document, "recompute")
 
 
-def _written(value: Any) -> str:
-    """Return a value as an expression for a macro."""
+def _expression(value: Any) -> str:
     if isinstance(value, App.Document):
         return "App.ActiveDocument" if value is App.ActiveDocument else f"App.getDocument({value.Name!r})"
     if isinstance(value, App.DocumentObject):
-        return f"{_written(value.Document)}.getObject({value.Name!r})"
+        return f"{_expression(value.Document)}.getObject({value.Name!r})"
     if _is_curve(value):
         weights = None if value.weights is None else value.weights.tolist()
         numbers = (value.knots.tolist(), value.control_points.tolist(), value.degree, weights)
         return f"elastica_cad.PlaneCurve{numbers!r}"
     if isinstance(value, list):
-        return f"[{', '.join(map(_written, value))}]"
+        return f"[{', '.join(map(_expression, value))}]"
     if isinstance(value, tuple):
-        return f"({''.join(f'{_written(item)}, ' for item in value)})"
+        return f"({''.join(f'{_expression(item)}, ' for item in value)})"
     return repr(value)
 
 

@@ -21,7 +21,7 @@ def open_step(document: Any, name: str) -> None:
 
 def open_step_and(close_sketch: Callable[[], None], document: Any, name: str) -> None:
     """Begin an undo step, and close the open sketch in it."""
-    # begin the step first; otherwise FreeCAD would name it after closing the sketch
+    # otherwise, FreeCAD would name the step after closing the sketch
     open_step(document, name)
     close_sketch()
     if not active_step(document):  # FreeCAD 1.2 ends the step with the sketch
@@ -31,20 +31,20 @@ def open_step_and(close_sketch: Callable[[], None], document: Any, name: str) ->
 def close_step(document: Any, *, abort: bool = False) -> None:
     """End the undo step of a document, or with `abort` undo all its changes."""
     record_call(document, "abortTransaction" if abort else "commitTransaction")
-    if not _of_documents():
+    if not _has_steps_of_documents():
         # otherwise, FreeCAD would add later changes to the step if the document was not changed
         Gui.doCommand(f"App.closeActiveTransaction({abort})")
 
 
 def active_step(document: Any) -> int:
     """Return the number of the undo step that records changes of a document, or 0."""
-    if _of_documents():
+    if _has_steps_of_documents():
         return int(document.getBookedTransactionID())
     return (App.getActiveTransaction() or ("", 0))[1]
 
 
 def active_steps() -> dict[str, int]:
-    """Return the undo step of every open document that has one."""
+    """Return the number of the undo step of every open document that has an undo step."""
     steps = {name: active_step(document) for name, document in App.listDocuments().items()}
     return {name: step for name, step in steps.items() if step}
 
@@ -58,9 +58,9 @@ def undo_new_steps(before: dict[str, int]) -> None:
 
 def forget_step() -> None:
     """Close the undo step of a document that was closed, unless FreeCAD did."""
-    if not _of_documents():
+    if not _has_steps_of_documents():
         App.closeActiveTransaction(True)
 
 
-def _of_documents() -> bool:
+def _has_steps_of_documents() -> bool:
     return hasattr(App.Document, "getBookedTransactionID")

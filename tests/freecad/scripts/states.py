@@ -35,10 +35,10 @@ answers["trouble"], answers["grey"], answers["pressed"] = [], {}, 0
 
 def strangers():
     """What filters make of a widget that PySide hands them for an event."""
-    from freecad.elastica_wb.host.fields import _Keeper
+    from freecad.elastica_wb.host.fields import _InputFilter
     from freecad.elastica_wb.host.qt import EscapeKey, QtCore, kind_of
 
-    found = [_Keeper().eventFilter(QtWidgets.QLineEdit(), QtWidgets.QGraphicsView())]
+    found = [_InputFilter().eventFilter(QtWidgets.QLineEdit(), QtWidgets.QGraphicsView())]
     found += [EscapeKey().eventFilter(None, QtWidgets.QGraphicsView())]
     return [*found, kind_of(QtCore.QEvent(QtCore.QEvent.Wheel)) == QtCore.QEvent.Wheel]
 

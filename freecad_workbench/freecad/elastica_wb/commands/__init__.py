@@ -28,7 +28,7 @@ __all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
 
 SKETCH = "Sketcher_NewSketch"
 HAS_STRIP, HAS_PARTS = partial(answers, chosen_strips), partial(answers, chosen_sources)
-"""Conditions of commands: a strip, or objects to be cut, are selected, or the document has only one candidate."""
+"""Conditions: a strip, or objects to be cut, are selected, or the document has a single candidate."""
 
 DRAW = (
     Command(
@@ -264,7 +264,7 @@ EXAMPLE = Command(
         "Open a drawn arch with its strip and its flat part; drag its poles, change its sheet",
     ),
     run=open_example,
-    has_subject=lambda: True,  # no object is required, because the command makes a new document
+    has_subject=lambda: True,  # the command makes a new document
 )
 
 COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP, EXAMPLE)
@@ -283,9 +283,9 @@ MENU = [*TOOLBARS["Elastica"], "Separator", *TOOLBARS["Elastica models"], "Separ
 
 def register() -> None:
     """Register all commands with FreeCAD."""
-    known = set(Gui.listCommands())
+    registered = set(Gui.listCommands())
     for command in COMMANDS:
-        if command.name not in known:
+        if command.name not in registered:
             Gui.addCommand(command.name, command)
 
 

@@ -61,8 +61,8 @@ def _close_sketch() -> None:
         Gui.ActiveDocument.resetEdit()
 
 
-def _edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
-    """Make a feature in the open document and open its panel, in one undo step until OK."""
+def _make_and_edit(step: str, make: Callable[..., Any], *arguments: Any) -> None:
+    """Make a feature and open its panel, in one undo step until OK."""
     open_step_and(_close_sketch, App.ActiveDocument, step)
     feature = recorded(make, App.ActiveDocument, *arguments)
     record_recompute(App.ActiveDocument)
@@ -71,69 +71,69 @@ def _edit_new(step: str, make: Callable[..., Any], *arguments: Any) -> None:
 
 def check() -> None:
     """Switch the overlay on if a sketch is open; otherwise open a panel with the full result of the check."""
-    drawn = chosen_curves()
-    if edited_sketch() is drawn[0][0]:
+    selected = chosen_curves()
+    if edited_sketch() is selected[0][0]:
         observers.switch(edited_sketch(), on=True)
         return
-    show_panel(CheckPanel, drawn)
+    show_panel(CheckPanel, selected)
 
 
 def make_nearest() -> None:
     """Make the nearest curve into which a strip can be bent within limits, and open its panel."""
-    (source, edges), *others = chosen_curves()
-    if others:
-        raise InputError("{count} curves are selected. Select one edge of one curve.", count=1 + len(others))
-    _edit_new("Nearest curve to sketch", curves.nearest, source, edges)
+    (source, edges), *further = chosen_curves()
+    if further:
+        raise InputError("{count} curves are selected. Select one edge of one curve.", count=1 + len(further))
+    _make_and_edit("Nearest curve to sketch", curves.nearest, source, edges)
 
 
 def make_flexure() -> None:
     """Make a two-state part from the two selected curves, and open its panel."""
-    drawn = chosen_curves()
-    if len(drawn) != len(STATES):
+    selected = chosen_curves()
+    if len(selected) != len(STATES):
         raise InputError(
             "A part with two states needs two curves; number of selected curves: {count}. Select two sketches.",
-            count=len(drawn),
+            count=len(selected),
         )
-    (first, first_edges), (second, second_edges) = drawn
-    _edit_new("Two-state part", flexure.create, first, first_edges, second, second_edges)
+    (first, first_edges), (second, second_edges) = selected
+    _make_and_edit("Two-state part", flexure.create, first, first_edges, second, second_edges)
     for source in (first, second):
         source.Visibility = True
 
 
 def make_sections() -> None:
     """Cut a body or a mesh by planes, make curves for strips from the sections, and open their panel."""
-    _edit_new("Section into curves", curves.section, *bodies_and_path())
+    _make_and_edit("Section into curves", curves.section, *bodies_and_path())
 
 
 def bodies_and_path() -> tuple[list[Any], Any]:
     """Return the bodies to be cut, and the path of the planes: a selected sketch, wire or chain of edges."""
-    paths, others = [], []
+    paths, bodies = [], []
     for choice in Gui.Selection.getSelectionEx():
         edges = tuple(name for name in choice.SubElementNames if name.startswith("Edge"))
         if edges or is_path(choice.Object):
             paths.append((choice.Object, edges))
         else:
-            others.append(choice.Object)
-    if not others:  # the path consists of edges of the body itself
-        others = [obj for obj, edges in paths if edges]
-    return chosen_bodies(others), paths[0] if paths else None
+            bodies.append(choice.Object)
+    if not bodies:  # the path consists of edges of the body
+        bodies = [obj for obj, edges in paths if edges]
+    return chosen_bodies(bodies), paths[0] if paths else None
 
 
 def make_strips() -> None:
     """Make a bent strip and its flat part for every selected curve, and open one panel for all strips."""
-    drawn = chosen_curves()
+    selected = chosen_curves()
     open_step_and(_close_sketch, App.ActiveDocument, "Strip from sketch")
-    strips = [recorded(make_strip, source, edges, flat_part=False) for source, edges in drawn]
+    strips = [recorded(make_strip, source, edges, flat_part=False) for source, edges in selected]
     for strip in strips:
         _add_flat(strip)
-    for source, _ in drawn:
+    for source, _ in selected:
         source.Visibility = True
     show_panel(panel_of, strips[-1], strips)
 
 
 def _add_flat(strip: Any, layer: str = "Base") -> None:
     recorded(flat.create, strip.Document, strip, layer)
-    record_recompute(strip.Document)  # recompute, so that the next flat part is placed beside this one
+    record_recompute(strip.Document)  # the next flat part is placed beside this part
 
 
 def make_flat_parts() -> None:
@@ -149,31 +149,29 @@ def make_flat_parts() -> None:
 
 def edit_strips() -> None:
     """Open a common panel for all selected strips. Each change applies to all strips."""
-    first, *others = chosen_strips()
-    show_panel(panel_of, first, others)
+    first, *further = chosen_strips()
+    show_panel(panel_of, first, further)
 
 
 def perforate() -> None:
     """Change the selected strips to a constant width, with holes that reduce the stiffness, and open the panel."""
     strips = chosen_strips()
-    _even_out(strips, "Perforated", "Perforate")
+    _set_constant_width(strips, "Perforated", "Perforate")
     show_panel(panel_of, strips[-1], strips)
 
 
 def laminate() -> None:
-    """Change the selected strips to a constant width, with a narrower strip glued on that increases the
-    stiffness, and open the panel.
-    """
+    """Change the selected strips to a constant width, with a narrower glued strip, and open the panel."""
     strips = chosen_strips()
-    _even_out(strips, "Laminated", "Laminate")
+    _set_constant_width(strips, "Laminated", "Laminate")
     for strip in strips:
         for layer in flat.missing_layers(strip):
             _add_flat(strip, layer)
     show_panel(panel_of, strips[-1], strips)
 
 
-def _even_out(strips: list[Any], style: str, step: str) -> None:
-    """Give strips a constant width: by default the largest width of the plain strip."""
+def _set_constant_width(strips: list[Any], style: str, step: str) -> None:
+    """The constant width is by default the largest width of the plain strip."""
     open_step_and(_close_sketch, App.ActiveDocument, step)
     usual = preferences.get("MaxWidth")
     for strip in strips:
@@ -195,16 +193,13 @@ def make_model() -> None:
     for strip in strips:
         if not failed:
             record_value(strip, "Visibility", False)
-        elif strip.Visibility:  # while the model cannot be made, the single strip stays visible
+        elif strip.Visibility:  # the single strip stays visible while the model cannot be made
             record_value(strip, "ShownByError", True)
     show_panel(panel_of, feature)
 
 
 def make_nest() -> None:
-    """Arrange all parts on sheets, in one undo step.
-
-    The sheets are in front of all objects. After an error, the step is undone.
-    """
+    """Arrange all parts on sheets in one undo step, which an error undoes."""
     document, sources = App.ActiveDocument, chosen_sources()
     failed = [message for message in map(why_not_made, sources) if message]
     if failed:
@@ -217,7 +212,7 @@ def make_nest() -> None:
         close_step(document, abort=True)
         raise
     close_step(document)
-    # do not undo the step, because the parts may fit on sheets of another size
+    # the step remains, because the parts may fit on sheets of another size
     if "Invalid" in feature.State:
         show_message(feature.getStatusString())
     elif feature.LeftOut or feature.Reports:

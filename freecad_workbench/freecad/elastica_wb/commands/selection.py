@@ -36,28 +36,23 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
     """Return the selected sketches and chains of edges, each with the names of its edges.
 
     A body is replaced by its sketch.
-
-    Raises
-    ------
-    InputError
-        No curve is selected, or the selected body has several candidate sketches.
     """
     curves: list[tuple[Any, tuple[str, ...]]] = []
     meant = _picked()
     for source, names in meant.items():
         edges = list(filter(is_edge, names))
         if is_sketch(linked(source)):
-            curves += _drawn(source, edges)
+            curves += _curves_of_sketch(source, edges)
         elif edges:
             curves += [(source, chain) for chain in _chains(source, edges)]
         elif source.TypeId == BODY and not any(obj in source.Group for obj in meant):
-            curves += _drawn(_sketch_in(source))
+            curves += _curves_of_sketch(_only_sketch_in(source))
         elif hasattr(source, "Shape") and source.Shape.Edges and _is_open(source.Shape):
             chains = _chains(source, [f"Edge{i + 1}" for i in range(len(source.Shape.Edges))])
             curves += [(source, chain) for chain in chains] if len(chains) > 1 else [(source, ())]
     if not curves:
         sketch = edited_sketch() or _only_sketch()
-        curves = [] if sketch is None else _drawn(sketch)
+        curves = [] if sketch is None else _curves_of_sketch(sketch)
     if not curves:
         raise InputError(
             translate("Elastica", "Select a sketch with a spline, or an edge of an object, first.")
@@ -74,10 +69,7 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
 
 
 def _picked() -> dict[Any, list[str]]:
-    """Return the selected objects and the names of their selected parts.
-
-    A part that is displayed through a link is returned as a part of the link.
-    """
+    """A part that is displayed through a link is returned as a part of the link."""
     names: dict[Any, list[str]] = {}
     for choice in Gui.Selection.getSelectionEx("", 0):
         for path in choice.SubElementNames or ("",):
@@ -86,21 +78,18 @@ def _picked() -> dict[Any, list[str]]:
     return names
 
 
-def _drawn(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[Any, tuple[str, ...]]]:
-    """Return the curves of a sketch; if edges are picked, only the curves with picked edges."""
+def _curves_of_sketch(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[Any, tuple[str, ...]]]:
+    """Return the curves of a sketch, or only the curves with picked edges."""
     if edited_sketch() is sketch:
         picked = edges_drawn(sketch, picked)
     return [(sketch, chain) for chain in curves_in(sketch, picked) or [()]]
 
 
-def _sketch_in(body: Any) -> Any:
-    """Return the sketch of a body that no other feature uses, preferably a sketch without a strip.
-
-    There must be only one.
-    """
-    drawn = [sketch for sketch in body.Group if is_sketch(sketch)]
-    users = {sketch: [user for user in sketch.InList if user is not body] for sketch in drawn}
-    ours = [sketch for sketch in drawn if all(map(is_ours, users[sketch]))]
+def _only_sketch_in(body: Any) -> Any:
+    """Return the only sketch of a body that no other feature uses, preferably a sketch without a strip."""
+    sketches = [sketch for sketch in body.Group if is_sketch(sketch)]
+    users = {sketch: [user for user in sketch.InList if user is not body] for sketch in sketches}
+    ours = [sketch for sketch in sketches if all(map(is_ours, users[sketch]))]
     candidates = [sketch for sketch in ours if not users[sketch]] or ours
     if not candidates:
         raise InputError(
@@ -119,8 +108,8 @@ def _sketch_in(body: Any) -> Any:
 
 
 def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
-    """Return True if all curves are straight edges of different objects, and three or more of them are
-    connected end to end.
+    """Return True if at least three curves, all straight edges of different objects, are connected end to
+    end.
     """
     shapes = [source.Shape for source, names in curves if not names and not is_sketch(source)]
     lines = [shape.Edges[0] for shape in shapes if [e.Curve.TypeId for e in shape.Edges] == [LINE]]
@@ -130,10 +119,7 @@ def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
 
 
 def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
-    """Return the names of edges, grouped in connected chains.
-
-    Edges of a section are not grouped, because the section was split intentionally.
-    """
+    """Edges of a section are not grouped, because the section was split intentionally."""
     if feature_kind(source) == "Section":
         return [(name,) for name in names]
     return chains_of(source, names)
@@ -144,7 +130,7 @@ def _is_open(shape: Any) -> bool:
 
 
 def is_curve_chosen() -> bool:
-    """Return True if `chosen_curves` would probably succeed. This test is fast, because it computes no shapes."""
+    """Return True if `chosen_curves` would probably succeed, without the slow computation of shapes."""
     if edited_sketch() is not None or _only_sketch() is not None:
         return True
     return any(
@@ -164,7 +150,7 @@ def _may_be_open(shape: Any) -> bool:
 
 
 def _only_sketch() -> Any:
-    """If nothing is selected, and a single sketch of the document has no strip, return this sketch, else None."""
+    """Return the only sketch without a strip if nothing is selected, or else None."""
     if Gui.Selection.hasSelection() or App.ActiveDocument is None:
         return None
     free = [obj for obj in App.ActiveDocument.findObjects("Sketcher::SketchObject") if not followers(obj)]
@@ -172,13 +158,7 @@ def _only_sketch() -> Any:
 
 
 def chosen_sketch() -> Any:
-    """Return the selected sketch or the open sketch.
-
-    Raises
-    ------
-    InputError
-        No sketch is selected.
-    """
+    """Return the selected sketch or the open sketch."""
     (source, _), *_ = chosen_curves()
     sketch = linked(source)
     if not is_sketch(sketch):
@@ -187,40 +167,28 @@ def chosen_sketch() -> Any:
 
 
 def chosen_sources() -> list[Any]:
-    """Return the selected strips, models, plates and their copies.
+    """Return the selected strips, models, plates and their copies, or all in the document if nothing is
+    selected.
 
-    If nothing is selected, return all in the document.
-
-    A flat part with the slots of a model is replaced by the model. Links, arrays and clones are returned as
-    they are. Containers are replaced by their contents.
-
-    Raises
-    ------
-    InputError
-        No such object is selected, or nothing is selected and the document has several strips.
+    A flat part with the slots of a model is replaced by the model, and a container by the contents.
     """
     sources = _sources(content for obj in Gui.Selection.getSelection() for content in contents(obj))
     return sources or _all_sources() or chosen_strips()
 
 
 def _sources(objects: Iterable[Any]) -> list[Any]:
-    """Return the objects that are cut, or that display objects to be cut, without repetitions."""
     meant = dict.fromkeys(filter(None, map(cut_for, objects)))
     return not_repeated(obj for obj in meant if any(_may_be_cut(original) for original in originals(obj)))
 
 
 def _may_be_cut(obj: Any) -> bool:
-    """Return True if an object is to be cut, or is a broken link.
-
-    Broken links are included so that an error reports them.
-    """
+    """Broken links are included, so that an error reports them."""
     return is_cut(cut_for(obj)) or is_broken_link(obj)
 
 
 def _all_sources() -> list[Any]:
-    """Return the models and base plates of the document, and the strips on these plates.
-
-    If there are none, return the strip of the document, which must be its only strip.
+    """Return the models and base plates of the document with the strips on the plates, or else the only
+    strip.
     """
     objects = App.ActiveDocument.Objects
     sources = _sources(
@@ -230,17 +198,14 @@ def _all_sources() -> list[Any]:
         source for source in sources if not all(is_strip(cut_for(original)) for original in originals(source))
     ]
     if assemblies:
-        held = [source for plate in assemblies if is_plate(plate) for source in plate.Sources]
-        return list(dict.fromkeys([*assemblies, *held]))
+        strips_on_plates = [source for plate in assemblies if is_plate(plate) for source in plate.Sources]
+        return list(dict.fromkeys([*assemblies, *strips_on_plates]))
     strips = {cut_for(original) for source in sources for original in originals(source)}
     return sources if len(strips) == 1 else []
 
 
 def _may_show(obj: Any) -> bool:
-    """Return True if an object may display objects to be cut.
-
-    The check is fast: it only reads the type, and looks for the proxy of a Python object.
-    """
+    """This fast check reads only the type, and looks for the proxy of a Python object."""
     return obj.TypeId in COPYING or hasattr(obj, "Proxy")
 
 
@@ -248,11 +213,6 @@ def chosen_strips(*, least: int = 1) -> list[Any]:
     """Return the selected strips, or the only strip of the document.
 
     Selected flat parts and copies are replaced by their strips.
-
-    Raises
-    ------
-    InputError
-        There are fewer than `least` strips.
     """
     shapes = [shape for obj in Gui.Selection.getSelection() for shape in originals(obj)]
     strips = [original.Strip if is_flat(original) else original for original in shapes]
@@ -261,12 +221,12 @@ def chosen_strips(*, least: int = 1) -> list[Any]:
     if not chosen and least == 1 and len(everything) == 1:
         chosen = everything
     if len(chosen) < least:
-        wanted = (
+        message = (
             translate("Elastica", "Select a strip first.")
             if least == 1
             else translate("Elastica", "Select two strips or more first.")
         )
-        raise InputError(wanted)
+        raise InputError(message)
     return chosen
 
 

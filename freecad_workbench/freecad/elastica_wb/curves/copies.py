@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Originals of links, arrays, clones, mirror images and the contents of containers, with the placement of
-every copy.
-"""
+"""Originals of links, arrays, clones, mirror images and containers, with the placement of every copy."""
 
 from collections.abc import Iterable, Iterator
 from typing import Any
@@ -20,15 +18,13 @@ Shown = tuple[Any, App.Matrix]
 MIRRORING = "Part::Mirroring"
 COMPOUND = "Part::Compound"
 BASE = "PartDesign::FeatureBase"
-"""Type of the first feature of a body that was made from an object outside of the body."""
+"""Type of the first feature of a body that was made from an object outside the body."""
 
 PATTERNS = tuple(
     f"PartDesign::{kind}"
     for kind in ("Mirrored", "LinearPattern", "PolarPattern", "Scaled", "MultiTransform")
 )
-"""Types that repeat features inside a body.
-
-Copies that touch the solid of the body are fused to it; others are left out.
+"""Types that repeat features inside a body; copies that touch the solid are fused to it, others are left out.
 """
 
 COPYING = ("App::Link", "App::LinkGroup", MIRRORING, COMPOUND, BASE, *PATTERNS)
@@ -41,8 +37,8 @@ TURNED_OVER = App.Matrix(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1)
 
 
 def copies(obj: Any) -> Iterator[Standing]:
-    """Yield the originals that an object displays, each with the placement of its copy, and True if it is
-    mirrored.
+    """Yield the originals that an object displays, with the placement of each copy, and True for a mirror
+    image.
 
     The placement is in document coordinates, and applies to the shape of the original without its placement.
     A mirror image is mapped by z to -z before it is placed. The pattern of a body is not a copy, because it
@@ -67,9 +63,8 @@ def turned_over(place: App.Placement) -> App.Placement:
 
 
 def originals(obj: Any) -> list[Any]:
-    """Return the originals that an object displays, without repetitions.
-
-    For an object that is neither a copy nor a container, the original is the object.
+    """Return the originals that an object displays; an object that displays no other object is its own
+    original.
     """
     if obj.TypeId in PATTERNS:
         return repeated(obj)
@@ -88,12 +83,12 @@ def repeated(obj: Any) -> list[Any]:
 
 
 def contents(obj: Any) -> list[Any]:
-    """Return the objects inside a container, or the object itself if it is not a container."""
+    """Return the objects inside a container, or the object if it is not a container."""
     return [content for content, _ in _inside(obj)] if _is_container(obj) else [obj]
 
 
 def not_repeated(objects: Iterable[Any]) -> list[Any]:
-    """Remove objects that are displayed by another object of the list.
+    """Remove objects that another object of the list displays.
 
     These are the base objects of Draft arrays and of bodies, the strips of models, and the members of Part
     compounds.
@@ -101,7 +96,7 @@ def not_repeated(objects: Iterable[Any]) -> list[Any]:
     objects = list(objects)
     repeated_shapes = [item.Base for item in objects if _is_draft(item, "Array")]
     repeated_shapes += [item.BaseFeature for item in objects if item.TypeId == BASE]
-    repeated_shapes += [held for item in objects if item.TypeId == COMPOUND for held in item.Links]
+    repeated_shapes += [member for item in objects if item.TypeId == COMPOUND for member in item.Links]
     repeated_shapes += [strip for item in objects for strip in getattr(item, "Strips", ())]
     return [item for item in objects if item not in repeated_shapes]
 
@@ -126,19 +121,17 @@ def _place(obj: Any) -> App.Placement:
     if obj.TypeId == "App::LinkElement":
         array = next(user for user in obj.InList if obj in getattr(user, "ElementList", ()))
         return _place(array) * obj.Placement
-    return container(obj) * _own(obj)
+    return container(obj) * _placement_of(obj)
 
 
-def _own(obj: Any) -> App.Placement:
+def _placement_of(obj: Any) -> App.Placement:
     return getattr(obj, "Placement", App.Placement())
 
 
 def _parts(obj: Any) -> list[Shown] | None:
-    """Return the parts that an object displays, with their placements relative to it, or None if it displays
-    no other object.
-    """
+    """Return the parts that an object displays, with placements relative to the object, or None for no parts."""
     if obj.TypeId == MIRRORING:
-        return [(obj.Source, _mirror(obj) * _own(obj.Source).toMatrix())] if obj.Source else None
+        return [(obj.Source, _mirror(obj) * _placement_of(obj.Source).toMatrix())] if obj.Source else None
     placed = _placed_parts(obj)
     return None if placed is None else [(part, where.toMatrix()) for part, where in placed]
 
@@ -153,26 +146,25 @@ def _mirror(obj: Any) -> App.Matrix:
 
 
 def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
-    """Return the parts that an object displays, ignoring mirror images."""
     if _is_container(obj):
         inside = _inside(obj)
         single = not_repeated(part for part, _ in inside)
         return [(part, where) for part, where in inside if part in single]
     if _is_draft(obj, "Clone"):
-        if len(obj.Objects) == 1:  # a clone ignores the placement of its original if it has only one
+        if len(obj.Objects) == 1:  # a clone of a single object ignores the placement of this object
             return [(obj.Objects[0], App.Placement())]
-        return [(part, _own(part)) for part in obj.Objects]
+        return [(part, _placement_of(part)) for part in obj.Objects]
     if obj.TypeId == "App::LinkGroup":
-        return [(part, _own(part)) for part in obj.ElementList]
+        return [(part, _placement_of(part)) for part in obj.ElementList]
     if obj.TypeId == COMPOUND:
-        return [(part, _own(part)) for part in obj.Links]
+        return [(part, _placement_of(part)) for part in obj.Links]
     if obj.TypeId == BASE:
         return [(obj.BaseFeature, App.Placement())] if obj.BaseFeature else None
     is_array = _is_draft(obj, "Array")
     target = obj.Base if is_array else link_target(obj)
     if target is None:
         return None
-    if is_array and not hasattr(obj, "LinkTransform"):  # such an array stores only shapes, no links
+    if is_array and not hasattr(obj, "LinkTransform"):  # such an array stores shapes only, not links
         inner = obj.Placement.inverse()
         return [(target, inner * part.Placement) for part in obj.Shape.childShapes()]
     inner_place = target.Placement if obj.LinkTransform else App.Placement()
@@ -182,12 +174,12 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
 
 
 def _inside(group: Any) -> list[tuple[Any, App.Placement]]:
-    """Return all objects in a container and in nested containers, with their placements relative to the outer
+    """Return the objects in a container and in nested containers, with placements relative to the outer
     container.
     """
     contained: list[tuple[Any, App.Placement]] = []
     for child in group.Group:
-        place = _own(child)
+        place = _placement_of(child)
         contained += (
             [(content, place * where) for content, where in _inside(child)]
             if _is_container(child)
@@ -207,8 +199,6 @@ def _is_container(obj: Any) -> bool:
 
 
 def _is_draft(obj: Any, kind: str) -> bool:
-    """Return True if an object is a Draft object whose type name ends in `kind`: "Array" (such as
-    `PathArray`) or "Clone".
-    """
+    """Return True for a Draft object whose type ends in `kind`: "Array" (such as `PathArray`) or "Clone"."""
     type_name = getattr(getattr(obj, "Proxy", None), "Type", None)
     return isinstance(type_name, str) and type_name.endswith(kind)

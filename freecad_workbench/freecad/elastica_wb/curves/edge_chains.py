@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Grouping of the edges of an object in chains: a chain for each curve that a strip can follow."""
+"""Grouping of the edges of an object in chains, one for each curve that a strip can follow."""
 
 from collections.abc import Iterable, Sequence
 from math import pi, radians
@@ -28,20 +28,19 @@ def chains_of(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
 def curves_in(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[str, ...]]:
     """Return the names of the edges of each curve in a sketch, or of each picked curve.
 
-    If a single edge of a chain is picked, the curve has this edge and all edges that continue it without a
-    corner. If several edges of a chain are picked, the curve has only these edges. An empty tuple represents
-    the only curve of the sketch.
+    A single picked edge selects all edges of its chain that continue the edge without a corner. Several
+    picked edges of a chain form the curve alone. An empty tuple represents the only curve of the sketch.
     """
     edges = [(f"Edge{i + 1}", edge) for i, edge in enumerate(Part.getShape(sketch).Edges)]
     whole = _chained(edges, MEANT_MM)
     chains = []
     for chain in whole if picked else ():
-        named = [name for name in chain if name in picked]
-        if len(named) == 1:
+        picked_names = [name for name in chain if name in picked]
+        if len(picked_names) == 1:
             smooth = _chained([(name, edge) for name, edge in edges if name in chain], MEANT_MM, SMOOTH_RAD)
-            chains += [names for names in smooth if named[0] in names]
+            chains += [names for names in smooth if picked_names[0] in names]
         else:
-            chains += _chained([(name, edge) for name, edge in edges if name in named], MEANT_MM)
+            chains += _chained([(name, edge) for name, edge in edges if name in picked_names], MEANT_MM)
     chains = chains or whole
     return [()] if len(whole) < 2 and chains == whole else chains
 
@@ -54,24 +53,20 @@ def curves_of_geometry(geometry: Iterable[Any]) -> list[tuple[str, ...]]:
 def edges_drawn(sketch: Any, names: Iterable[str]) -> list[str]:
     """Convert the names of edges picked in an open sketch to the names of edges of the sketch's shape.
 
-    In an open sketch, edges are numbered together with construction geometry, which is not part of the
-    shape.
+    The numbers in an open sketch include construction geometry, which is not part of the shape.
     """
-    edges, drawn = Part.getShape(sketch).Edges, []
+    edges, converted = Part.getShape(sketch).Edges, []
     for number in (int(name[len("Edge") :]) - 1 for name in names):
         item = sketch.Geometry[number]
         middle = sketch.Placement.multVec(item.value((item.FirstParameter + item.LastParameter) / 2))
         near = [edge.distToShape(Part.Vertex(middle))[0] < DRAWN_MM for edge in edges]
         if any(near) and not sketch.getConstruction(number):
-            drawn.append(f"Edge{near.index(True) + 1}")
-    return drawn
+            converted.append(f"Edge{near.index(True) + 1}")
+    return converted
 
 
-def _chained(edges: Edges, apart: float, turn: float = pi) -> list[tuple[str, ...]]:
-    """Return the names of edges, grouped in chains.
-
-    In a chain, ends are at most `apart` mm from each other, and the direction turns by at most `turn` rad.
-    """
+def _chained(edges: Edges, gap: float, turn: float = pi) -> list[tuple[str, ...]]:
+    """Ends in a chain are at most `gap` mm apart, and the direction turns by at most `turn` rad."""
     chains: list[tuple[list[str], list[End]]] = []
     for name, edge in edges:
         first, last = edge.ParameterRange
@@ -81,7 +76,7 @@ def _chained(edges: Edges, apart: float, turn: float = pi) -> list[tuple[str, ..
             chain
             for chain in chains
             if any(
-                p.distanceToPoint(q) <= apart and along.getAngle(onward * -1) <= turn
+                p.distanceToPoint(q) <= gap and along.getAngle(onward * -1) <= turn
                 for p, along in out
                 for q, onward in chain[1]
             )

@@ -54,9 +54,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
 
 
 def _plane_of(frame: Frame) -> Frame:
-    """Return the plane of a frame with the axes that OpenCASCADE would choose, because the accuracy of areas
-    depends on them.
-    """
+    """The accuracy of areas depends on the axes, so they are the axes that OpenCASCADE would choose."""
     about = _frame_about(tuple(frame.z_axis.tolist()))
     return Frame(frame.origin, about.x_axis, about.y_axis)
 
@@ -82,7 +80,7 @@ def make_solid(record: BodyRecord | PrismSolid) -> Part.Shape:
 
 
 def _read(brep: BinaryBrep) -> Part.Shape:
-    """Return the shape of a binary BREP. It is written to a temporary file, because FreeCAD reads only files."""
+    """FreeCAD reads a binary BREP only from a file."""
     shape = Part.Shape()
     try:
         handle, name = tempfile.mkstemp(suffix=".bin", dir=_folder())
@@ -102,67 +100,58 @@ def _read(brep: BinaryBrep) -> Part.Shape:
 
 
 def _folder() -> str:
-    """Return a folder for temporary files with an ASCII path, because FreeCAD on Windows opens no other paths."""
+    """FreeCAD on Windows opens only files with an ASCII path."""
     usual = tempfile.gettempdir()
     return usual if os.name != "nt" or usual.isascii() else os.environ["PROGRAMDATA"]
 
 
 def is_bounded(box: App.BoundBox) -> bool:
-    """Return True if a bounding box is neither empty nor infinite.
-
-    In FreeCAD 1.1, bodies and parts contain infinite planes.
+    """Return True if a bounding box is neither empty nor infinite; bodies in FreeCAD 1.1 contain infinite
+    planes.
     """
     return bool(box.isValid()) and bool(box.DiagonalLength < ENDLESS_MM)
 
 
 def plane_curve(
-    drawn: Iterable[Any], plane: Frame | None = None, gap: float = 0.0
+    geometry: Iterable[Any], plane: Frame | None = None, gap: float = 0.0
 ) -> tuple[PlaneCurve, Frame]:
     """Return the single curve that edges or Part geometry form, and its plane.
 
-    `plane` is the plane of the edges, if it is known. `gap` is the largest gap between edges that is closed,
-    mm.
+    `plane` is the plane of the edges, if known. `gap` is the largest gap, mm, between edges that is closed.
 
     Raises
     ------
     InputError
         The edges form no curve or several curves, have corners, or are not in a plane.
     """
-    return placed_curve(_drawn_edges(drawn), plane=plane, join=max(JOIN, gap))
+    return placed_curve(_exact_edges(geometry), plane=plane, join=max(JOIN, gap))
 
 
-def report_on_edges(drawn: Iterable[Any], gap: float = 0.0) -> ReadReport | None:
-    """Return the report on the curve that edges or Part geometry form, or None if they form none.
-
-    Raises
-    ------
-    InputError
-        For the reasons of `plane_curve`.
-    """
-    drawn = list(drawn)
-    edges = _drawn_edges(drawn)
+def report_on_edges(geometry: Iterable[Any], gap: float = 0.0) -> ReadReport | None:
+    """Return the report on the curve of edges or of Part geometry; see `plane_curve`."""
+    geometry = list(geometry)
+    edges = _exact_edges(geometry)
     join = max(JOIN, gap)
     curve, frame = placed_curve(edges, join=join)
     ((chain,), _) = holes_on_chains(edge_chains(edges, join))
     flatten = partial(in_plane, frame=frame)
-    read = DrawnCurve(1, lambda: curve, kinds=Counter(map(_kind, drawn)), chain=chain, flatten=flatten)
+    read = DrawnCurve(1, lambda: curve, kinds=Counter(map(_kind, geometry)), chain=chain, flatten=flatten)
     return report_on([read], ReadUnit("mm", "stated", "the document"))
 
 
 def _kind(item: Any) -> str:
-    """Return the kind of an edge or of Part geometry, in the words of `ReadReport`."""
     name = (item.Curve if isinstance(item, Part.Edge) else item).TypeId
     return "line" if "Line" in name else "arc" if re.search("Circle|Ellipse", name) else "spline"
 
 
-def _drawn_edges(drawn: Iterable[Any]) -> list[Edge]:
-    edges = [_drawn_edge(item) for item in drawn]
+def _exact_edges(geometry: Iterable[Any]) -> list[Edge]:
+    edges = [_exact_edge(item) for item in geometry]
     if not edges:
         raise InputError("there is no curve: draw a spline for the strip to follow")
     return edges
 
 
-def _drawn_edge(item: Any) -> Edge:
+def _exact_edge(item: Any) -> Edge:
     """Return an edge of a shape, or a curve of a sketch, as an exact NURBS in space."""
     if isinstance(item, Part.Edge):
         if item.Degenerated:
@@ -178,7 +167,7 @@ def _as_spline(curve: Any, first: float, last: float) -> Any:
         if whole and min(curve.getMultiplicities()[:: curve.NbKnots - 1]) > curve.Degree:
             return curve
         spline = curve.copy()
-        # `segment` makes the spline end at poles, and opens a periodic spline
+        # `segment` also opens a periodic spline
         spline.segment(first, last)
         return spline
     if not (abs(first) < 1e100 and abs(last) < 1e100):

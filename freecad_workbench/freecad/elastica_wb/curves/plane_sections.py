@@ -37,11 +37,11 @@ AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 FAMILIES = ("parallel", "about an axis", "along a path")
 CLOSED = ("left out", "left and right", "above and below")
 
-# number of points along a wire of a section; each of its edges has at least a quarter of this number
+# number of points along a wire of a section; each edge has at least a quarter of this number
 SECTION_POINTS = 240
-# number of points along a path; planes are then perpendicular to it within a fraction of a degree
+# number of points along a path, so that planes are perpendicular within a fraction of a degree
 PATH_POINTS = 400
-# largest gap, mm, that is closed; sections by OpenCASCADE have gaps of up to 1e-5 mm between faces
+# largest gap, mm, that is closed; sections by OpenCASCADE have gaps of up to 1e-5 mm
 JOIN_MM = 1e-4
 
 STOPPED = "nothing was changed; take fewer planes, or try again"
@@ -79,13 +79,7 @@ class Family:
         return self.kind == "about an axis"
 
     def planes(self, box: Any) -> list[tuple[str, Frame]]:
-        """Return the name and plane of each cut through an object with the bounding box `box`.
-
-        Raises
-        ------
-        InputError
-            The axis or family is unknown, or planes or path are missing.
-        """
+        """Return the name and plane of each cut through an object with the bounding box `box`."""
         if self.kind not in FAMILIES or self.axis not in AXES or self.count < 1:
             raise InputError("choose the kind of planes, an axis (X, Y or Z) and at least 1 plane")
         axis, middle = AXES[self.axis], np.array(tuple(box.Center))
@@ -118,13 +112,7 @@ class Family:
 
 
 def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
-    """Return the objects that have faces or triangles, except datum planes.
-
-    Raises
-    ------
-    InputError
-        The object does not exist.
-    """
+    """Return the objects that have faces or triangles, except datum planes."""
     bodies = [obj for obj in objects if _has_triangles(obj) or _has_faces(obj)]
     if not bodies:
         raise InputError("select a body, a surface or a mesh to cut")
@@ -132,7 +120,7 @@ def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
 
 
 def is_path(obj: Any) -> bool:
-    """Return True if an object can be a path of planes, because it has edges and no faces."""
+    """Return True if an object has edges but no faces, so that it can be a path of planes."""
     shape = _shape(obj)
     return bool(shape.Edges) and not shape.Faces
 
@@ -163,7 +151,7 @@ def box_of(source: Any) -> Any:
     """Return the bounding box of an object in document coordinates."""
     mesh = _mesh(source)
     if mesh is None:
-        # `BoundBox` is not used, because it contains the poles of splines and is larger
+        # `BoundBox` contains the poles of splines and is larger
         return _shape(source).optimalBoundingBox(False)
     box = App.BoundBox()
     for point in mesh[0][[*np.argmin(mesh[0], axis=0), *np.argmax(mesh[0], axis=0)]]:
@@ -176,11 +164,8 @@ def cut(source: Any, family: Family, step: Step | None = None) -> list[PlaneSect
 
     Raises
     ------
-    InputError
-        The mesh is invalid, or the family has no planes.
     NotConvergedError
-        The user stopped the computation: `step`, which is called with the number of finished planes, returned
-        False.
+        The user stopped the computation: `step`, called with the number of finished planes, returned False.
     """
     planes = family.planes(box_of(source))
     mesh = _mesh(source)
@@ -194,7 +179,8 @@ def cut(source: Any, family: Family, step: Step | None = None) -> list[PlaneSect
             go_on(step, i, STOPPED)
             sections.append(_shape_section(shape, frame, f"section {i + 1}", family.half))
     return [
-        _called(section, source.Label, place) for section, (place, _) in zip(sections, planes, strict=True)
+        _with_names(section, source.Label, place)
+        for section, (place, _) in zip(sections, planes, strict=True)
     ]
 
 
@@ -206,12 +192,12 @@ def curves_of(
     closed: str = CLOSED[0],
     step: Step | None = None,
 ) -> tuple[list[SectionCurve], list[str]]:
-    """Fit a smooth curve to every open section line. Also return a message for every line without a curve."""
+    """Fit a smooth curve to every open section line, and return a message for every line without a curve."""
     curves: list[SectionCurve] = []
     remarks: list[str] = []
     for i, section in enumerate(sections):
         go_on(step, i, STOPPED)
-        lines = [part for line in section.lines for part in _opened(line, closed)]
+        lines = [part for line in section.lines for part in _split_if_closed(line, closed)]
         smooth, messages = section_curves(
             [replace(section, lines=tuple(lines))], tolerance=tolerance, wavelength=waves
         )
@@ -245,13 +231,13 @@ def _shape(obj: Any) -> Part.Shape:
 
 
 def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
-    """Return the vertices (in document coordinates) and triangles of a mesh or linked mesh, or None for other
+    """Return vertices (in document coordinates) and triangles of a mesh or linked mesh, or None for other
     objects.
     """
-    source = _meshed(obj)
+    source = _mesh_object(obj)
     if source is None:
         return None
-    vertices, faces = _arrays(source.Document.Name, source.Name, *_state(source))
+    vertices, faces = _arrays(source.Document.Name, source.Name, *_fingerprint(source))
     place = container(obj) * obj.Placement
     if source is not obj and getattr(obj, "LinkTransform", False):
         place = place * source.Placement
@@ -260,31 +246,26 @@ def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
     return vertices @ rows[:3, :3].T + rows[:3, 3], faces
 
 
-def _state(source: Any) -> tuple[float, ...]:
-    """Return numbers that differ after a change of a mesh."""
+def _fingerprint(source: Any) -> tuple[float, ...]:
     mesh = source.Mesh
     return (mesh.CountPoints, mesh.CountFacets, mesh.Area, mesh.Volume, *source.Placement.toMatrix().A)
 
 
 @lru_cache(maxsize=4)
-def _arrays(document: str, name: str, *_state: float) -> tuple[FloatArray, Any]:
-    """Return vertices and triangles as arrays.
-
-    They are cached, because FreeCAD takes a second for a million points.
-    """
+def _arrays(document: str, name: str, *_fingerprint: float) -> tuple[FloatArray, Any]:
+    """Vertices and triangles are cached, because FreeCAD takes a second for a million points."""
     points, faces = App.getDocument(document).getObject(name).Mesh.Topology
     vertices = check_places(np.array([tuple(p) for p in points]).reshape(-1, 3))
     return vertices, np.array(faces, dtype=int).reshape(-1, 3)
 
 
-def _meshed(obj: Any) -> Any:
-    """Return the mesh object, or the mesh that a link displays, or None for other objects."""
+def _mesh_object(obj: Any) -> Any:
     source = obj.getLinkedObject() if hasattr(obj, "getLinkedObject") else obj
     return source if source is not None and source.isDerivedFrom("Mesh::Feature") else None
 
 
 def _has_triangles(obj: Any) -> bool:
-    source = _meshed(obj)
+    source = _mesh_object(obj)
     return source is not None and source.Mesh.CountFacets > 0
 
 
@@ -294,7 +275,6 @@ def _has_faces(obj: Any) -> bool:
 
 
 def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> PlaneSection:
-    """Return the section of a shape, as `mesh_sections` does for a mesh."""
     wires = shape.slice(App.Vector(*frame.z_axis), float(frame.z_axis @ frame.origin))
     chains = [chain for wire in wires for chain in _joined(_edge_points(wire.OrderedEdges))]
     closed = [points for points in chains if np.all(points[0] == points[-1])]
@@ -304,16 +284,13 @@ def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> Pl
 
 
 def _edge_points(edges: Sequence[Part.Edge]) -> list[FloatArray]:
-    """Return points (n, 3) along each edge of a wire.
-
-    Edges are discretized separately, because FreeCAD crashes for some wires through the pole of a sphere.
-    """
+    """Edges are discretized separately, because FreeCAD crashes for some wires through the pole of a sphere."""
     count = max(SECTION_POINTS // len(edges), SECTION_POINTS // 4)
     return [np.array([tuple(p) for p in edge.discretize(Number=count)]) for edge in edges]
 
 
 def _joined(lines: Iterable[FloatArray]) -> list[FloatArray]:
-    """Join connected lines. The first and the last point of a closed line are equal."""
+    """The first and the last point of a closed line are equal."""
     joined = []
     for run in join_runs([(Edge.polyline(line),) for line in lines], JOIN_MM).chains:
         points = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])
@@ -323,8 +300,7 @@ def _joined(lines: Iterable[FloatArray]) -> list[FloatArray]:
     return joined
 
 
-def _opened(line: SectionLine, closed: str) -> tuple[SectionLine, ...]:
-    """Split a closed line into two halves, if `closed` requests it."""
+def _split_if_closed(line: SectionLine, closed: str) -> tuple[SectionLine, ...]:
     if not line.is_closed or closed == CLOSED[0]:
         return (line,)
     middle = (line.points.min(axis=0) + line.points.max(axis=0)) / 2
@@ -332,8 +308,7 @@ def _opened(line: SectionLine, closed: str) -> tuple[SectionLine, ...]:
     return line.split_by(line.frame.point(middle), across)
 
 
-def _called(section: PlaneSection, label: str, place: str) -> PlaneSection:
-    """Return the section with names that contain its source and position."""
+def _with_names(section: PlaneSection, label: str, place: str) -> PlaneSection:
     name = note("{source}, {section} ({place})", source=label, section=section.name, place=place)
     lines = tuple(
         replace(

@@ -20,19 +20,14 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import note
 
 MOST_DRAGGED = 24
-"""Largest number of poles that are displayed for dragging.
-
-With more visible poles, the solver of FreeCAD 1.1 moves the curve.
-"""
+"""Largest number of poles for dragging; with more, the solver of FreeCAD 1.1 moves the curve."""
 
 LINK = "App::Link"
 
 
 @dataclass(frozen=True, eq=False)
 class DrawnCurve:
-    """A drawn curve with its plane, in the coordinates of the container of the feature that follows it, and
-    of the document.
-    """
+    """A drawn curve with its plane: relative to the container of its follower, and in the document."""
 
     curve: PlaneCurve
     placement: App.Placement
@@ -45,13 +40,7 @@ class DrawnCurve:
 
 
 def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
-    """Return the curve of a link (object, names of edges), in the coordinates of the feature `follower`.
-
-    Raises
-    ------
-    InputError
-        The link is empty or has no curve, or for the reasons of `part_shapes.plane_curve`.
-    """
+    """Return the curve of a link (object, names of edges), in the coordinates of the feature `follower`."""
     source, names = link if isinstance(link, tuple) else (link, ())
     if source is None:
         raise InputError("the curve is missing: choose a sketch or an edge in the property Curve")
@@ -86,27 +75,26 @@ def sketch_curve(sketch: Any, geometry: list[Any] | None = None, gap: float = 0.
 
 
 def read_line(link: Any, geometry: list[Any] | None = None) -> str:
-    """Return a line of text on the geometry of a link (object, names of edges).
-
-    `geometry` is described in `sketch_curve`.
+    """Return a line of text on the geometry of a link (object, names of edges); `geometry` is as in
+    `sketch_curve`.
     """
     source, edges = link
     whole = is_sketch(source) and not edges
-    drawn = drawn_in(source, geometry) if whole else _edges(source, edges)
-    return note("Read: {report}.", report=str(report_on_edges(drawn, gap_of(*source.InList))))
+    curves = drawn_in(source, geometry) if whole else _edges(source, edges)
+    return note("Read: {report}.", report=str(report_on_edges(curves, gap_of(*source.InList))))
 
 
 def drawn_in(sketch: Any, geometry: list[Any] | None) -> list[Any]:
     """Return the curves of a sketch, or of `geometry`, without construction geometry."""
     everything = list(sketch.Geometry) if geometry is None else geometry
-    drawn = [
+    curves = [
         g for i, g in enumerate(everything) if not isinstance(g, Part.Point) and not sketch.getConstruction(i)
     ]
-    if not drawn:
+    if not curves:
         raise InputError(
             "{sketch} {why}: draw a spline in it", sketch=sketch.Label, why=note(_why_empty(sketch))
         )
-    return drawn
+    return curves
 
 
 def is_blank(sketch: Any) -> bool:
@@ -116,19 +104,13 @@ def is_blank(sketch: Any) -> bool:
 
 
 def linked(obj: Any) -> Any:
-    """Return the object that a link or an element of a link array displays.
-
-    Other objects are returned unchanged.
-    """
+    """Return the object that a link or an element of a link array displays, or else the object."""
     target = link_target(obj)
     return obj if target is None else linked(target)
 
 
 def link_target(obj: Any) -> Any:
-    """Return the target of a link, also of a link to an object in a container.
-
-    Return None for broken links and other objects.
-    """
+    """Return the target of a link, also in a container, or None for broken links and other objects."""
     target = getattr(obj, "LinkedObject", None) if obj.TypeId.startswith(LINK) else None
     return obj.getLinkedObject(False) if isinstance(target, tuple) else target
 
@@ -136,11 +118,10 @@ def link_target(obj: Any) -> Any:
 def picked(root: Any, path: str) -> tuple[Any, str]:
     """Return the picked object at a path (`Part.Body.Pad.Edge3`), and the name of the picked element.
 
-    An element that is displayed through a link is returned as an element of the link, because the original is
-    elsewhere.
+    An element that a link displays is returned as an element of the link, because the original is elsewhere.
     """
     along = root.getSubObjectList(path)
-    # remove names such as ;#14:1; from the history of an element, because they change with every edit
+    # names such as ;#14:1; from the history of an element change with every edit
     names = [name for name in path.split(".") if not name.startswith(";")]
     for i, obj in enumerate(along):
         if obj.TypeId.startswith(LINK):
@@ -149,20 +130,12 @@ def picked(root: Any, path: str) -> tuple[Any, str]:
 
 
 def is_edge(name: str) -> bool:
-    """Return True if this is the name of an edge: a path, `Edge1`, or `edge1` as in open sketches of FreeCAD
-    1.1.
-    """
+    """Return True for the name or path of an edge: `Edge1`, or `edge1` as in open sketches of FreeCAD 1.1."""
     return name.rpartition(".")[2].lower().startswith("edge")
 
 
 def edge_called(source: Any, name: str) -> Any:
-    """Return the element of an object's shape with this name or path.
-
-    Raises
-    ------
-    InputError
-        The element does not exist.
-    """
+    """Return the element of an object's shape with this name or path."""
     try:
         path = "." in name
         element = (
@@ -214,58 +187,63 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
 
 
 def is_outline(shape: Any) -> bool:
-    """Return True if a shape is a single plane face without holes, such as Draft makes from a closed curve."""
+    """Return True for a single plane face without holes, such as Draft makes from a closed curve."""
     faces = shape.Faces
-    # `findPlane` is used because FreeCAD's SVG reader scales faces, which converts planes to spline surfaces
+    # FreeCAD's SVG reader scales faces, which converts planes to spline surfaces
     return len(faces) == 1 and len(shape.Wires) == 1 and faces[0].findPlane() is not None
 
 
 def container(obj: Any) -> App.Placement:
-    """Return the placement, in the document, of the container of an object.
-
-    FreeCAD has no such method for links.
+    """Return the placement, in the document, of the container of an object; FreeCAD has no such method for
+    links.
     """
     group = None if obj is None else obj.getParentGeoFeatureGroup()
     return App.Placement() if group is None else group.getGlobalPlacement()
 
 
 def curve_into(sketch: Any, curve: PlaneCurve) -> None:
-    """Replace the curves of a sketch by a spline, whose poles are visible if they are few enough for dragging.
+    """Replace the curves of a sketch by a spline, with visible poles if they are few enough for dragging.
 
     Construction geometry is not removed.
     """
-    # delete all in a single call, because deleting a spline changes the numbers of later geometry
+    # in a single call, because deleting a spline changes the numbers of later geometry
     sketch.delGeometries([i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)])
-    # types of the remaining poles and knots of the old spline
+    # types of the remaining poles and knots of the earlier spline
     points = ("Part::GeomCircle", "Part::GeomPoint")
-    left = [i for i, g in enumerate(sketch.Geometry) if g.TypeId in points and not _held(sketch, i)]
-    sketch.delGeometries(left)
+    remaining = [
+        i for i, g in enumerate(sketch.Geometry) if g.TypeId in points and not _has_user_constraint(sketch, i)
+    ]
+    sketch.delGeometries(remaining)
     number = sketch.addGeometry(spline_geometry(curve), False)
     if len(curve.control_points) <= MOST_DRAGGED:
         sketch.exposeInternalGeometry(number)
 
 
 def move_poles(sketch: Any, curve: PlaneCurve) -> None:
-    """Move the poles of the only spline of a sketch, with the circles that display them, to those of a curve."""
-    drawn = sketch.Geometry
+    """Move the poles of the only spline of a sketch, with the circles that display the poles, to those of a
+    curve.
+    """
+    geometry = sketch.Geometry
     (number,) = (
-        i for i, g in enumerate(drawn) if isinstance(g, Part.BSplineCurve) and not sketch.getConstruction(i)
+        i
+        for i, g in enumerate(geometry)
+        if isinstance(g, Part.BSplineCurve) and not sketch.getConstruction(i)
     )
     aligned = (c.First for c in sketch.Constraints if c.Type == "InternalAlignment" and c.Second == number)
-    circles = [drawn[i] for i in aligned if isinstance(drawn[i], Part.Circle)]
+    circles = [geometry[i] for i in aligned if isinstance(geometry[i], Part.Circle)]
     for k, (x, y) in enumerate(curve.control_points.tolist(), start=1):
-        before, pole = drawn[number].getPole(k), App.Vector(x, y, 0)
-        if circles:  # each pole takes its circle, because FreeCAD 0.20 does not number them
+        before, pole = geometry[number].getPole(k), App.Vector(x, y, 0)
+        if circles:  # each pole takes the nearest circle, because FreeCAD 0.20 does not number circles
             circles.sort(key=lambda circle, place=before: circle.Center.distanceToPoint(place), reverse=True)
             circles.pop().Center = pole
-        drawn[number].setPole(k, pole)
-    sketch.Geometry = drawn
+        geometry[number].setPole(k, pole)
+    sketch.Geometry = geometry
 
 
 def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
-    """Replace a curve of a sketch by a spline, or add the spline if `number` is None. Return its number.
+    """Replace a curve of a sketch by a spline, or add the spline if `number` is None, and return the number.
 
-    The constraints of a spline with hidden poles are kept. Visible poles are deleted with the old spline.
+    A spline with hidden poles keeps its constraints. Visible poles are deleted with the earlier spline.
     """
     spline = spline_geometry(curve)
     poles = [c.First for c in sketch.Constraints if c.Type == "InternalAlignment" and c.Second == number]
@@ -274,14 +252,13 @@ def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
         number = None
     if number is None:
         return int(sketch.addGeometry(spline, False))
-    drawn = sketch.Geometry
-    drawn[number] = spline
-    sketch.Geometry = drawn
+    geometry = sketch.Geometry
+    geometry[number] = spline
+    sketch.Geometry = geometry
     return number
 
 
-def _held(sketch: Any, number: int) -> bool:
-    """Return True if a constraint that the user has added refers to this geometry."""
+def _has_user_constraint(sketch: Any, number: int) -> bool:
     return any(
         number in (c.First, c.Second, c.Third) and c.Type not in ("Weight", "Equal")
         for c in sketch.Constraints
@@ -289,7 +266,7 @@ def _held(sketch: Any, number: int) -> bool:
 
 
 # smallest side of the box around a nearly straight curve, as a fraction of its longer side
-LEAST_SIDE_SHARE = 0.2
+LEAST_SIDE = 0.2
 AUTOMATIC = ("InternalAlignment", "Weight", "Equal")  # types of constraints that FreeCAD adds
 
 
@@ -299,16 +276,14 @@ def box_around(curve: PlaneCurve) -> FloatArray:
     The box of a nearly straight curve is enlarged, so that its handles do not overlap.
     """
     low, high = np.array(curve.bounds)
-    least = LEAST_SIDE_SHARE * float(np.max(high - low))
+    least = LEAST_SIDE * float(np.max(high - low))
     grow = np.maximum(0.0, least - (high - low)) / 2
     (left, bottom), (right, top) = low - grow, high + grow
     return np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
 
 
 def evened(curve: PlaneCurve) -> PlaneCurve:
-    """Return the same curve with weights scaled to about 1, because the sketcher draws weights as radii of
-    circles.
-    """
+    """Return the same curve with weights of about 1, because the sketcher draws weights as radii of circles."""
     if curve.weights is None:
         return curve
     weights = curve.weights / np.exp(np.log(curve.weights).mean())
@@ -316,8 +291,8 @@ def evened(curve: PlaneCurve) -> PlaneCurve:
 
 
 def lost_constraints(sketch: Any) -> int:
-    """Return the number of user constraints on drawn geometry, which a new curve would not have."""
-    drawn = {i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)}
+    """Return the number of user constraints on drawn geometry, which a new curve would lose."""
+    numbers = {i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)}
     return sum(
-        bool(drawn & {c.First, c.Second, c.Third}) for c in sketch.Constraints if c.Type not in AUTOMATIC
+        bool(numbers & {c.First, c.Second, c.Third}) for c in sketch.Constraints if c.Type not in AUTOMATIC
     )

@@ -16,18 +16,18 @@ from freecad.elastica_wb.host.words import worded
 
 LARGEST = 1e9  # limit of numbers whose field declares no limit
 WHOLE = 1_000_000
-SHEET_LETTERS = 14  # number of letters of a sheet's name that are visible in a narrow panel
+SHEET_LETTERS = 14  # number of visible letters of the name of a sheet in a narrow panel
 NARROWEST_PX = 105  # least width, pixels, of a box for a length with its unit
 TRIES = 10
 
 _aside: list[Any] = []
 
 UNTYPED = ("", "\t", "\r", "\x1b")  # text of key events that enter no text: arrows, Tab, Enter, Escape
-# properties of a box with the exact value, and with the rounded value that the box shows
+# properties of a box: exact value, and rounded value that the box shows
 EXACT, SHOWN = "exactValue", "shownValue"
 UNITS = {"App::PropertyLength": "mm", "App::PropertyDistance": "mm", "App::PropertyAngle": "deg"}
 NUMBER_CHANGED = QtCore.SIGNAL("valueChanged(double)")
-"""Signal of FreeCAD's box with a number. The box has another signal, whose quantity Python cannot read."""
+"""Signal of FreeCAD's box with a number; the quantity of the other signal cannot be read in Python."""
 
 
 def field_for(obj: Any, name: str) -> Any:
@@ -54,9 +54,7 @@ def field_for(obj: Any, name: str) -> Any:
 
 
 def put_away(widget: Any) -> None:
-    """Delete a widget of `field_for`, because a widget that is bound to a property would continue to react to
-    its formulas.
-    """
+    """Delete a widget of `field_for`, because a bound widget would continue to react to formulas."""
     widget.blockSignals(True)
     widget.setParent(None)
     widget.deleteLater()
@@ -74,7 +72,7 @@ def put_choices(box: Any, choices: list[str]) -> None:
 
 
 def put_sheets(box: Any, names: list[str]) -> None:
-    """Fill a combo box with sheets, grouped under titles of their kinds. Titles cannot be chosen."""
+    """Fill a combo box with sheets, grouped under the titles of their kinds, which cannot be chosen."""
     _put_items(box, [(worded(text), name) for text, name in titled_sheets(names)])
     box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)  # panels are narrow
     box.setMinimumContentsLength(SHEET_LETTERS)
@@ -102,7 +100,7 @@ def value_of(widget: Any) -> Any:
         return widget.text()
     if _is_quantity(widget):
         displayed, exact = float(widget.property("rawValue")), widget.property(EXACT)
-        # FreeCAD's box stores only the displayed digits: a kerf of 0.2 mm would become 0.01 in
+        # the box stores only the displayed digits: a kerf of 0.2 mm would become 0.01 in
         return float(exact) if exact is not None and displayed == widget.property(SHOWN) else displayed
     return widget.value()
 
@@ -152,7 +150,7 @@ def _signal_of(widget: Any) -> Any:
 
 
 def into_sight(widget: Any) -> None:
-    """Scroll a panel, which may be higher than the window, to a widget."""
+    """Scroll the panel of a widget to the widget."""
     above = widget.parentWidget()
     while above is not None:
         if isinstance(above, QtWidgets.QScrollArea):
@@ -161,10 +159,10 @@ def into_sight(widget: Any) -> None:
 
 
 def calm(form: Any) -> None:
-    """Make the widgets of a form ignore the mouse wheel until they are clicked, and keep the precision of
-    typed numbers.
+    """Make the widgets of a form ignore the mouse wheel until they are clicked, and keep the digits of typed
+    numbers.
     """
-    keeper = _Keeper(form)
+    keeper = _InputFilter(form)
     for kind in (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox):
         for widget in form.findChildren(kind):
             widget.setFocusPolicy(QtCore.Qt.StrongFocus)
@@ -178,10 +176,7 @@ def calm(form: Any) -> None:
 
 @cache
 def _loader() -> Any:
-    """Return the loader of FreeCAD's widgets.
-
-    It is cached, because PySide deletes the widgets when their loader is deleted.
-    """
+    """PySide deletes the widgets when their loader is deleted."""
     return Gui.UiLoader()
 
 
@@ -189,7 +184,7 @@ def quantity_box() -> Any:
     """Make FreeCAD's input field for quantities.
 
     PySide may reuse the Python wrapper of a deleted widget for a new widget at the same address. A box with
-    such a wrapper is not used but kept in memory, so that the next box has another address.
+    such a wrapper stays in memory, so that the next box has another address.
     """
     for _ in range(TRIES):
         box = _loader().createWidget("Gui::QuantitySpinBox")
@@ -207,61 +202,54 @@ def _is_quantity(widget: Any) -> bool:
 
 
 def _is_emptied(widget: Any) -> bool:
-    """Return True if the user has emptied a box whose empty state has a meaning.
-
-    The caller sets the value of such a box, because Qt would restore the earlier text.
-    """
+    """Return True for an empty box whose empty state has a meaning; Qt would restore the earlier text."""
     may_be_empty = isinstance(widget, QtWidgets.QDoubleSpinBox) and bool(widget.specialValueText())
     return may_be_empty and not widget.cleanText().strip()
 
 
-def _takes_numbers(widget: Any) -> bool:
+def _is_number_box(widget: Any) -> bool:
     return isinstance(widget, QtWidgets.QAbstractSpinBox) and not isinstance(widget, QtWidgets.QSpinBox)
 
 
 def _widen(box: Any) -> None:
-    """Remove the limits of a box while the user types. Lengths that are too large are refused later.
+    """Remove the limits of a box, because FreeCAD's box ignores a key that would make the length too large.
 
-    FreeCAD's box ignores a key that would make the length too large. While "0.15 mm" is typed, it ignores the
-    first m (0.15 m is too large) and reads 0.15 in.
+    While "0.15 mm" is typed, the box would ignore the first m (0.15 m is too large) and read 0.15 in.
     """
     if box.property("minimum") < 0:
         box.setProperty("minimum", -LARGEST)
     box.setProperty("maximum", LARGEST)
 
 
-class _Keeper(QtCore.QObject):
-    """Event filter that passes the mouse wheel to the scroll area of the panel, and keeps the precision of
-    typed numbers.
-    """
-
+class _InputFilter(QtCore.QObject):
     def eventFilter(self, widget: Any, event: Any) -> bool:
-        """Pass on the mouse wheel from a widget without focus, and read typed numbers exactly."""
         kind = kind_of(event)
-        if kind == QtCore.QEvent.KeyPress and event.text() == "." and _takes_numbers(widget):
+        if kind == QtCore.QEvent.KeyPress and event.text() == "." and _is_number_box(widget):
             point = str(widget.locale().decimalPoint())
             if point != ".":
-                # FreeCAD's box would ignore the point as a separator of thousands, and read 0.5 mm as 5 mm
+                # the box would ignore the point as a separator of thousands, and read 0.5 mm as 5 mm
                 typed = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Comma, event.modifiers(), point)
                 QtWidgets.QApplication.sendEvent(widget, typed)
                 return True
         if kind == QtCore.QEvent.Wheel and not widget.hasFocus():
             event.ignore()
             return True
-        left = kind == QtCore.QEvent.FocusOut or (kind == QtCore.QEvent.KeyPress and event.text() == "\r")
-        if left and _is_emptied(widget):
+        is_entered = kind == QtCore.QEvent.FocusOut or (
+            kind == QtCore.QEvent.KeyPress and event.text() == "\r"
+        )
+        if is_entered and _is_emptied(widget):
             widget.setValue(widget.minimum())
         if kind == QtCore.QEvent.KeyPress and event.text() not in UNTYPED and _is_quantity(widget):
             widget.setProperty(EXACT, None)
         elif kind == QtCore.QEvent.FocusOut and _is_quantity(widget) and widget.property(EXACT) is None:
-            # delay the call until the box has read the typed text
+            # after the box has read the typed text
             QtCore.QTimer.singleShot(0, lambda: _settle(widget))
         return False
 
 
 def _settle(box: Any) -> None:
-    """Store the typed value, because the box sends no signal if its rounded value has not changed."""
-    with suppress(RuntimeError):  # ignore the error if the panel was closed
+    """The box sends no signal if its rounded value has not changed."""
+    with suppress(RuntimeError):  # the panel may be closed
         displayed = float(box.property("rawValue"))
         box.setProperty(EXACT, displayed)
         box.setProperty(SHOWN, displayed)

@@ -12,7 +12,7 @@ import FreeCAD as App
 FEATURES = "freecad.elastica_wb.features."
 
 view_providers: dict[str, Callable[[Any], Any]] = {}
-"""Class of the view provider for each kind of feature. The graphical interface fills this mapping."""
+"""Class of the view provider of each kind of feature, filled in by the graphical interface."""
 
 
 def lives(obj: Any) -> bool:
@@ -24,10 +24,7 @@ def lives(obj: Any) -> bool:
 
 
 def feature_kind(obj: Any) -> str:
-    """Return the kind of a feature of this workbench, such as "Strip", or "" for other objects.
-
-    This function imports no module of a feature.
-    """
+    """Return the kind of a feature of this workbench, such as "Strip", or "" for other objects."""
     proxy = type(getattr(obj, "Proxy", None))
     return proxy.__name__.removesuffix("Feature") if proxy.__module__.startswith(FEATURES) else ""
 
@@ -83,9 +80,8 @@ def document_lives(document: Any) -> bool:
 def sensor(kind: Any, callback: Callable[..., None]) -> Any:
     """Return a Coin sensor that calls a method as long as the object of the method is referenced elsewhere.
 
-    The sensor holds only a weak reference, because pivy never releases the function that a sensor calls.
-    Otherwise a card and its widgets would stay in memory, and PySide would reuse their wrappers for new
-    widgets at the same addresses.
+    The reference is weak, because pivy never releases the function that a sensor calls. A card and its
+    widgets would stay in memory, and PySide would reuse their wrappers for new widgets at the same addresses.
     """
     method = WeakMethod(callback)
 
@@ -111,10 +107,7 @@ class Unsaved:
 
 
 def dress(obj: Any) -> None:
-    """Set the view provider of a feature, if FreeCAD has a window and the feature has no view provider.
-
-    Files that were written by freecadcmd contain no view providers.
-    """
+    """Set the view provider of a feature without a view provider, such as from a file of freecadcmd."""
     make = view_providers.get(feature_kind(obj))
     if make is not None and isinstance(getattr(obj.ViewObject, "Proxy", None), (int, type(None))):
         make(obj.ViewObject)

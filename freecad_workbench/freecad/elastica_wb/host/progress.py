@@ -32,10 +32,10 @@ def begun(work: Callable[..., Answer], *arguments: Any) -> "Future[Answer]":
 
 @contextmanager
 def progress(title: str, count: int = 0) -> Iterator[Step]:
-    """Show FreeCAD's progress bar for work of `count` parts. Yield a `Step`, which returns False after Escape.
+    """Show FreeCAD's progress bar for work of `count` parts, and yield a `Step`, which returns False after
+    Escape.
 
-    In the meantime FreeCAD blocks mouse and keyboard. In a recompute, this bar replaces the bar of the
-    recompute.
+    FreeCAD blocks mouse and keyboard meanwhile. In a recompute, this bar replaces the bar of the recompute.
     """
     if not App.GuiUp:
         yield lambda _done: True

@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Declared properties of features.
-
-Missing properties are added, so that files of earlier versions get new properties.
-"""
+"""Declared properties of features; files of earlier versions get new properties."""
 
 import json
 from collections.abc import Iterable, Mapping
@@ -19,15 +16,14 @@ from elastica_cad.declared import Field
 from elastica_cad.design.records import written
 from elastica_cad.errors import InputError
 
-# FreeCAD's flags for properties: a change causes no recompute; the value is not saved
+# flags of FreeCAD for properties: a change causes no recompute; the value is not saved
 OUTPUT, TRANSIENT = 8, 2
 
 
 @dataclass(frozen=True)
 class Property:
-    """A property of a feature. `default` is a value that differs from FreeCAD's default, or the list of choices.
-
-    An `example` is displayed after the help.
+    """A property of a feature. `default` is a value, or the list of choices; `example` is displayed after the
+    help.
     """
 
     kind: str
@@ -52,9 +48,9 @@ class Property:
         return f"{text} {self.example}" if self.example else text
 
 
-def result(kind: str, name: str, help: str, **shown: bool) -> Property:
-    """Return the property for a result. `shown` contains further fields of `Property`."""
-    return Property(kind, name, "Result", help, result=True, **shown)
+def result(kind: str, name: str, help: str, **fields: bool) -> Property:
+    """Return the property for a result. `fields` are further fields of `Property`."""
+    return Property(kind, name, "Result", help, result=True, **fields)
 
 
 KINDS = {"number": "Float", "count": "Integer", "flag": "Bool", "text": "String", "choice": "Enumeration"}
@@ -107,14 +103,8 @@ def ensure(obj: Any, table: Iterable[Property]) -> None:
 
 
 def require_choices(obj: Any, table: Iterable[Property]) -> None:
-    """Refuse a formula whose value is not one of the choices.
-
-    FreeCAD would set the first choice for an unknown name.
-
-    Raises
-    ------
-    InputError
-        A formula has an invalid choice as its value. The message states property, formula and value.
+    """Refuse a formula whose value is not a choice, because FreeCAD would set the first choice for an unknown
+    name.
     """
     formulas = _formulas(obj)
     for name in [entry.name for entry in table if entry.kind == "Enumeration"]:
@@ -157,9 +147,9 @@ def _is_choice(value: Any, choices: list[str]) -> bool:
 
 
 def is_misread(obj: Any, name: str) -> bool:
-    """Return True if the value of a formula is an invalid choice.
+    """Return True if a formula gives an invalid choice.
 
-    The property is then empty, or it has its first choice if the value is an unknown name.
+    The property is then empty, or has the first choice if the formula gives an unknown name.
     """
     present, formula = getattr(obj, name), _formulas(obj).get(name)
     if present is None or formula is None:
@@ -167,7 +157,7 @@ def is_misread(obj: Any, name: str) -> bool:
     choices = obj.getEnumerationsOfProperty(name)
     if present != choices[0]:
         return False
-    with suppress(Exception):  # ignore a formula that cannot be computed
+    with suppress(Exception):  # the formula may not be computable
         return not _is_choice(obj.evalExpression(formula), choices)
     return False
 
@@ -175,8 +165,7 @@ def is_misread(obj: Any, name: str) -> bool:
 def choose_again(obj: Any, name: str, chosen: str | None) -> None:
     """Restore an earlier choice, or else set the first choice.
 
-    After a number out of range, the property has no choice. FreeCAD 1.0 and 1.1 then accept neither a name
-    nor a number, but only the list of choices together with a number.
+    After a number out of range, FreeCAD 1.0 and 1.1 accept only the list of choices together with a number.
     """
     choices = obj.getEnumerationsOfProperty(name)
     if choices:
@@ -184,7 +173,7 @@ def choose_again(obj: Any, name: str, chosen: str | None) -> None:
 
 
 MESSAGES = ("Verdict", "Reasons", "Reports", "Overlaps", "LeftOut", "Held", "Sideways")
-"""Properties with messages. They contain the messages of the property `RECORDS` in the language of the user."""
+"""Properties with messages, which are the messages of the property `RECORDS` in the language of the user."""
 
 RECORDS = result("String", "Messages", "Messages in all languages", hidden=True)
 
@@ -192,8 +181,7 @@ RECORDS = result("String", "Messages", "Messages in all languages", hidden=True)
 def put(obj: Any, **values: Any) -> None:
     """Set the properties whose values differ, so that unchanged results are not added to the undo history.
 
-    Messages are set in the language of the user. Their records are stored, because another user may open the
-    file.
+    Records of messages are stored, because a user with another language may open the file.
     """
     messages = {name: value for name, value in values.items() if name in MESSAGES}
     if messages:
@@ -205,13 +193,13 @@ def put(obj: Any, **values: Any) -> None:
 
 def reword(obj: Any) -> None:
     """Set the stored messages of an object in the language of the user."""
-    # ignore invalid data, because the file may have been edited by hand
+    # the file may have been edited by hand
     with suppress(LookupError, TypeError, ValueError):
         _put(obj, {name: _worded(name, unpacked(data)) for name, data in _records(obj).items()})
 
 
 def _records(obj: Any) -> dict[str, Any]:
-    """Return the stored messages of an object, or none if its file was edited by hand."""
+    """Return the stored messages of an object, or none if the file was edited by hand."""
     with suppress(ValueError):
         records = json.loads(obj.Messages or "{}")
         return {name: data for name, data in records.items() if name in MESSAGES}

@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Qt in all supported releases of FreeCAD, and the widgets of 3D views.
-
-PySide of FreeCAD 0.20 has no QtWidgets.
-"""
+"""Qt in all supported releases of FreeCAD, and the widgets of 3D views."""
 
 import gc
 from collections.abc import Callable
@@ -31,15 +28,12 @@ __all__ = [
 ]
 
 ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction  # in Qt 6, QAction is in QtGui
-# time, ms, after which a recomputing document is checked again; timers run during its progress bar
+# time, ms, until a recomputing document is checked again; timers run during its progress bar
 AGAIN_MS = 20
 
 
 def later(work: Callable[[], Any], wait: int = 0, parent: Any = None) -> Any:
-    """Return a timer that calls a function once, `wait` ms after each start.
-
-    The timer is deleted with its `parent`.
-    """
+    """Return a timer, deleted with `parent`, that calls a function once, `wait` ms after each start."""
     timer = QtCore.QTimer(parent)
     timer.setSingleShot(True)
     timer.setInterval(wait)
@@ -67,8 +61,8 @@ def is_busy() -> bool:
 def surface_of(view: Any) -> Any | None:
     """Return the widget on which a 3D view is drawn, or None if PySide returns the wrapper of a closed view.
 
-    A new view may have the address of a closed view. PySide then returns the old wrapper as long as it is
-    referenced. Therefore reference cycles are collected first.
+    PySide returns this wrapper, as long as it is referenced, for a new view at the address of the closed
+    view. Therefore reference cycles are collected first.
     """
     for attempt in (1, 2):
         try:
@@ -83,19 +77,18 @@ def surface_of(view: Any) -> Any | None:
 
 
 def kind_of(event: Any) -> Any | None:
-    """Return the type of an event, or None if PySide passes the wrapper of a widget instead of an event.
-
-    This happens if the event has the address of a deleted widget, whose wrapper has no event type.
+    """Return the type of an event, or None if PySide passes the wrapper of a deleted widget at the same
+    address.
     """
     return event.type() if isinstance(event, QtCore.QEvent) else None
 
 
 class InputLater(QtCore.QObject):
-    """Event filter that delays shortcuts and timers until computations have ended, and ignores the mouse wheel.
+    """Event filter that delays shortcuts and timers until computations have ended, and ignores the mouse
+    wheel.
 
-    FreeCAD's progress bar blocks keys and mouse buttons, but not shortcuts, timers and the wheel. An undo
-    during a recompute cannot delete objects, and its step is lost. Timers that repaint windows and display
-    the bar are not delayed.
+    FreeCAD's progress bar blocks keys and mouse buttons only. An undo during a recompute cannot delete
+    objects, and the undo step would be lost. Timers that repaint windows and display the bar are not delayed.
     """
 
     def watch(self) -> None:
@@ -107,7 +100,7 @@ class InputLater(QtCore.QObject):
         QtCore.QCoreApplication.instance().removeEventFilter(self)
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
-        """Delay a shortcut or timer. A delayed timer fires again after its interval."""
+        """Delay a shortcut or timer; a delayed timer fires again after its interval."""
         kind = kind_of(event)
         if kind == QtCore.QEvent.Shortcut and isinstance(watched, ACTION) and is_busy():
             when_free(watched.trigger)

@@ -3,13 +3,11 @@
 
 """Errors of features: a message as the state of the feature, and one line in the report view.
 
-FreeCAD stores an exception of `execute` as the state of the feature. It also prints a traceback, the name of
-the class and the message. The traceback lists the Python functions through which the exception passed. It is
-empty if only compiled code raises and passes on the exception. Therefore Python functions return the error as
-a value, and compiled code raises it. FreeCAD then prints the caller of the recompute instead.
-
-FreeCAD 1.x also prints the state of each failed object at the end of the recompute. In this case the first
-line is suppressed.
+FreeCAD stores an exception of `execute` as the state of the feature, and prints a traceback, the name of the class
+and the message. The traceback lists the Python functions through which the exception passed. Therefore Python
+functions return the error, and compiled code raises it. FreeCAD then prints the caller of the recompute instead.
+FreeCAD 1.x also prints the state of each failed object at the end of the recompute. The first line is then
+suppressed.
 """
 
 import os
@@ -29,10 +27,7 @@ from elastica_cad.errors import ElasticaError, InputError, MissingDependencyErro
 from elastica_cad.refusals import note
 
 FAILURES = (ElasticaError, ImportError, Part.OCCError, Base.FreeCADError)
-"""Exceptions that `execute` converts to messages.
-
-Any other exception is a bug and is printed with its traceback.
-"""
+"""Exceptions that `execute` converts to messages; any other exception is a bug."""
 
 LOST_LINK = re.compile(r"[Oo]bject: (.+)\n.*[Ff]ile: (.+)")
 """Pattern for FreeCAD's message on a link whose file is missing or whose document was closed."""
@@ -42,8 +37,8 @@ FORMULA = re.compile(r"(.*)\nin property binding '.*\.(\w+)'\s*", re.DOTALL)
 """Pattern for FreeCAD's message on a formula that cannot be computed."""
 
 
-class _Speaker(type):
-    """Metaclass by which the printed name of an error's class is the name of the failed object."""
+class _ErrorName(type):
+    """Metaclass by which FreeCAD prints the label of the failed object as the name of the class."""
 
     who = ""
 
@@ -51,7 +46,7 @@ class _Speaker(type):
         return f" Elastica, {cls.who}"  # FreeCAD prints this name after the caller of the recompute
 
 
-class RefusalError(ValueError, metaclass=_Speaker):
+class RefusalError(ValueError, metaclass=_ErrorName):
     """Error that `execute` raises if an object cannot be made."""
 
 
@@ -71,11 +66,10 @@ class _Silence:
     """Suppresses all printing of errors until the next object is recomputed or the recompute ends."""
 
     def __init__(self) -> None:
-        # observers that print errors, or None before errors were suppressed for the first time
+        # observers that print errors; None before the first suppression
         self._observers: list[str] | None = None
 
     def begin(self) -> None:
-        """Stop printing errors."""
         if self._observers is None:
             App.addDocumentObserver(self)
         self.end()
@@ -83,7 +77,6 @@ class _Silence:
         self._set(False)
 
     def end(self, *_: Any) -> None:
-        """Print errors again."""
         self._set(True)
         self._observers = []
 
@@ -98,26 +91,25 @@ _silence = _Silence()
 
 
 def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]:
-    """Return a function that calls `work` and raises the error that `work` returns.
-
-    FreeCAD prints the traceback of the error. No Python function appears in it.
+    """Return a function that calls `work` and raises the error that `work` returns, without a Python function
+    in between.
     """
-    # with an argument obj, the returned function evaluates obj | worker | thrower
+    # with an argument obj, the function evaluates obj | worker | thrower
     return partial(reduce, or_, (_Worker(work), _Thrower()))
 
 
 class _Worker:
-    """Operand for which `obj | worker` calls the function, and returns an error or `_Made`."""
+    """Operand for which `obj | worker` calls the function, and returns an error or `_Success`."""
 
     def __init__(self, work: Callable[[Any], RefusalError | None]) -> None:
         self._work = work
 
-    def __ror__(self, obj: Any) -> "RefusalError | _Made":
-        return self._work(obj) or _Made()
+    def __ror__(self, obj: Any) -> "RefusalError | _Success":
+        return self._work(obj) or _Success()
 
 
-class _Made:
-    """Result without an error, for which nothing is raised."""
+class _Success:
+    """Result without an error."""
 
     def __or__(self, _thrower: object) -> None:
         return None
@@ -158,7 +150,7 @@ def why_not_made(obj: Any) -> str:
     if first is None:
         return ""
     if not is_ours(first):
-        return worded(_why_not_made_by_others(first))
+        return worded(_message_of_other_object(first))
     message = why_not_computed(first) or str(first.getStatusString())
     return message if first is obj else f"{first.Label}: {message}"
 
@@ -196,8 +188,8 @@ def broken_link_message(obj: Any) -> str:
     )
 
 
-def _why_not_made_by_others(obj: Any) -> str:
-    """Return a message on a failed object of FreeCAD, because FreeCAD's text is written for programmers."""
+def _message_of_other_object(obj: Any) -> str:
+    """FreeCAD's text is written for programmers."""
     status = str(obj.getStatusString())
     if is_broken_link(obj) or LOST_LINK.search(status):
         return broken_link_message(obj)

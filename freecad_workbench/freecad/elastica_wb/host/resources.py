@@ -15,9 +15,7 @@ TRIES = 10
 HERE = Path(__file__).resolve()
 
 RESOURCES = next(at / "resources" for at in (HERE.parents[1], HERE.parents[3]) if (at / "resources").is_dir())
-"""Folder of resources.
-
-`make addon` writes it beside the modules; in a checkout it is beside the folder `freecad`.
+"""Folder of resources: beside the modules after `make addon`, or beside the folder `freecad` in a checkout.
 """
 
 _aside: list[Any] = []
@@ -41,15 +39,15 @@ def icon(name: str) -> str:
 def load_panel(name: str) -> Any:
     """Make a widget from its .ui file.
 
-    PySide may reuse the Python wrapper of a deleted widget for a new widget at the same address. This happens
-    in FreeCAD 1.0 with Python 3.13. A form with such a wrapper is kept in memory, so that its addresses stay
-    occupied, and the file is loaded again.
+    In FreeCAD 1.0 with Python 3.13, PySide may reuse the Python wrapper of a deleted widget for a new widget
+    at the same address. A form with such a wrapper stays in memory, so that its addresses are occupied, and
+    the file is loaded again.
     """
     import FreeCADGui as Gui
 
     for _ in range(TRIES):
         form = Gui.PySideUic.loadUi(str(RESOURCES / "ui" / f"{name}.ui"))
-        if _sound(form):
+        if _has_right_wrappers(form):
             break
         _aside.append(form)
     return form
@@ -57,7 +55,9 @@ def load_panel(name: str) -> Any:
 
 @cache
 def quantities_of(name: str) -> dict[str, float]:
-    """Return the values of the quantity boxes in a .ui file. The boxes store only the displayed digits."""
+    """Return the values of the quantity boxes in a .ui file, because the boxes store only the displayed
+    digits.
+    """
     tree = ElementTree.parse(RESOURCES / "ui" / f"{name}.ui")
     values = {}
     for widget in tree.iter("widget"):
@@ -67,8 +67,7 @@ def quantities_of(name: str) -> dict[str, float]:
     return values
 
 
-def _sound(form: Any) -> bool:
-    """Return True if the wrapper of every widget has the class of the widget."""
+def _has_right_wrappers(form: Any) -> bool:
     from freecad.elastica_wb.host.qt import QtCore, QtWidgets
 
     for widget in vars(form).values():

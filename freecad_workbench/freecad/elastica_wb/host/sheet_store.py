@@ -31,10 +31,7 @@ def own_sheets_file() -> Path:
 
 
 def own_sheets() -> dict[str, Sheet]:
-    """Return the user's sheets by name.
-
-    An unreadable file is treated as empty, and reported in the report view.
-    """
+    """Return the user's sheets by name; an unreadable file counts as empty and is reported."""
     path = own_sheets_file()
     try:
         state = path.stat()
@@ -45,10 +42,7 @@ def own_sheets() -> dict[str, Sheet]:
 
 @lru_cache(maxsize=1)
 def _read(path: Path, *_state: int) -> dict[str, Sheet]:
-    """Read the file.
-
-    The result is cached until the file changes, because every recompute needs the sheets.
-    """
+    """The result is cached until the file changes, because every recompute needs the sheets."""
     try:
         return dict(load_sheets(path))
     except InputError as error:
@@ -57,13 +51,7 @@ def _read(path: Path, *_state: int) -> dict[str, Sheet]:
 
 
 def save_own_sheets(sheets: Iterable[Sheet]) -> None:
-    """Write the user's sheets. They replace all sheets in the file.
-
-    Raises
-    ------
-    InputError
-        The file cannot be written, or its current contents cannot be read and would be lost.
-    """
+    """Write the user's sheets, which replace all sheets in the file, unless the current file cannot be read."""
     text = "\n".join(sheet.toml() for sheet in sheets)
     path = own_sheets_file()
     if path.exists():
@@ -87,8 +75,8 @@ def sheet_list() -> list[str]:
 
 
 def titled_sheets(names: Iterable[str]) -> Iterator[tuple[str, str | None]]:
-    """Yield the entries of a list of sheets: the title of each kind with None, followed by full name and name
-    of its sheets.
+    """Yield the entries of a list of sheets: the title of each kind with None, then full name and name of the
+    sheets.
 
     The user's sheets come first, together with sheets that are stored only in the document.
     """
@@ -111,7 +99,7 @@ def title_of(name: str) -> str:
 
 
 def default_sheet() -> str:
-    """Return the default sheet of new strips. The report view names an unknown sheet of the preferences, once."""
+    """Return the default sheet of new strips, and report an unknown sheet of the preferences once."""
     name, usual = preferences.get("DefaultSheet"), preferences.DEFAULTS["DefaultSheet"]
     if name in sheet_list():
         return str(name)

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Wording of messages for the user: language, names of fields, unit of length and decimal point of FreeCAD.
+"""Wording of messages in the language of the user, with the property names, unit of length and decimal point
+of FreeCAD.
 
-A message of the core or the workbench is a record with an English template and values. A catalogue contains
-the translations of templates. Templates that are not in the catalogue are displayed in English.
+A message is a record with an English template and values. A catalogue contains translations of templates.
 """
 
 from collections.abc import Iterable
@@ -24,7 +24,7 @@ NAMES = {
     "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText", "limits": "Follow",
     "limits.keep_out": "KeepOut", "limits.stiffness_bounds": "StiffnessBounds",
 }  # fmt: skip
-"""Names of properties that cannot be derived from their keys. Users' files contain these names."""
+"""Names of properties that differ from `name_of` of their keys; files of users contain these names."""
 
 
 def name_of(path: str) -> str:
@@ -68,7 +68,7 @@ class Words(Translated):
         return name_of(name)
 
     def format_field(self, value: Any, spec: str) -> str:
-        """Format a value of a message. For `max_width` there are two properties."""
+        """Format a value of a message; `max_width` has two properties."""
         return "MaterialWidth" if isinstance(value, MaterialWidth) else super().format_field(value, spec)
 
 
@@ -78,29 +78,21 @@ def user_language() -> str:
 
 
 def worded(text: str, unit: Unit | None = None) -> str:
-    """Return a message in the language of the user.
-
-    Texts that are not messages, such as names, are returned unchanged.
-    """
+    """Return a message in the language of the user; other texts, such as names, are unchanged."""
     words = Words(user_language(), unit or shown_unit(), decimal_point())
     return printable(words.sentence(text)) if text else ""
 
 
 def capital(sentence: str) -> str:
-    """Return the sentence with an initial capital letter, unless it begins with the name of an object and a
-    colon.
-    """
+    """Return the sentence with an initial capital, unless it begins with the name of an object and a colon."""
     first = sentence.partition(" ")[0]
     return sentence if first.endswith(":") else sentence[:1].upper() + sentence[1:]
 
 
-def together(named: Iterable[tuple[str, str]]) -> list[str]:
-    """Combine equal sentences on several objects.
-
-    Each sentence is preceded by the names of its objects; empty sentences are left out.
-    """
+def together(sentences: Iterable[tuple[str, str]]) -> list[str]:
+    """Combine equal sentences on several objects to a sentence that begins with the names of the objects."""
     names: dict[str, list[str]] = {}
-    for name, sentence in named:
+    for name, sentence in sentences:
         names.setdefault(sentence, []).append(name)
     return [
         Refusal(
