@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Slotted plates as parametric objects: a base plate for the tabs of all strips, or a ring for the tabs at
-each end.
-"""
+"""Slotted plates as parametric objects: a base plate for the tabs of all strips, or a ring at each end."""
 
 from typing import Any, ClassVar
 
@@ -31,7 +29,6 @@ HELD_ENDS = ["both", "start", "end"]
 
 
 def _sizes(options: type[PlateOptions]) -> dict[str, Field]:
-    """Return the options of a kind of plate, by the names of their properties."""
     return {NAMES[option.name]: option for option in declared(options) if option.name in NAMES}
 
 
@@ -43,7 +40,7 @@ PLATE_HOLE_SIZES = {name: field for name, field in HOLE_SIZES.items() if name no
 
 
 class BasePlateFeature(Feature):
-    """A base plate. Its upper face is the plane z = 0 of its placement."""
+    """A base plate, whose upper face is the plane z = 0 of the placement."""
 
     properties = (
         Property(
@@ -100,17 +97,16 @@ class RingsFeature(Feature):
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """Make a base plate for a model or for strips. It is displayed after a recompute of the document."""
-    return _colored(added(document, "BasePlate", BasePlateFeature, sources, Sources=sources))
+    """Make a base plate for a model or for strips, without recomputing the document."""
+    return _with_color_of_sheet(added(document, "BasePlate", BasePlateFeature, sources, Sources=sources))
 
 
 def create_rings(document: Any, sources: list[Any]) -> Any:
-    """Make rings for the ends of a model or of strips. They are displayed after a recompute of the document."""
-    return _colored(added(document, "Rings", RingsFeature, sources, Sources=sources))
+    """Make rings for the ends of a model or of strips, without recomputing the document."""
+    return _with_color_of_sheet(added(document, "Rings", RingsFeature, sources, Sources=sources))
 
 
-def _colored(obj: Any) -> Any:
-    """Set the colour of plates to that of their sheet, and return the plates."""
+def _with_color_of_sheet(obj: Any) -> Any:
     if App.GuiUp:
         obj.ViewObject.ShapeColor = sheet_color(sheet_called(obj.Sheet))
     return obj
@@ -128,7 +124,6 @@ def plates_of(obj: Any) -> tuple[BasePlate, ...]:
 
 
 def _holes(obj: Any, sizes: dict[str, Field]) -> PlateHoles | None:
-    """Return the requested holes of plates, or None if there are none."""
     values = values_of(obj, sizes)
     if not values["bulb"] and not values["screws"]:
         return None

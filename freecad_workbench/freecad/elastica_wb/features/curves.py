@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Parametric curves that depend on other objects: the nearest curve, the curve of a strip with moved ends,
-sections of bodies.
-"""
+"""Parametric curves: nearest curve, curve of a strip with moved ends, and sections of bodies."""
 
 import math
 from typing import Any, ClassVar
@@ -53,23 +51,23 @@ class NearestFeature(Feature):
 
     def make(self, obj: Any) -> None:
         """Find the nearest curve and show it."""
-        drawn = drawn_curve(obj.Curve, obj)
-        near = find_nearest_to_draw(nearest_spec_of(obj, drawn))
+        curve = drawn_curve(obj.Curve, obj)
+        near = find_nearest_to_draw(nearest_spec_of(obj, curve))
         obj.Shape = spline_geometry(near.curve).toShape()
-        obj.Placement = drawn.placement
-        held = Listed(
+        obj.Placement = curve.placement
+        limits = Listed(
             note("{limit} ({given:.3g})", limit=note(b.name), given=b.limit) if b.limit else note(b.name)
             for b in near.binding[:3]
         )
         reports = [
             note(near.status.value),
-            *([note("These limits prevent a nearer curve: {limits}.", limits=held)] if held else []),
+            *([note("These limits prevent a nearer curve: {limits}.", limits=limits)] if limits else []),
         ]
         put(obj, Deviation=near.deviation, Ratio=near.rod.ratio, Reports=reports)
 
 
 class BentFeature(Feature):
-    """The curve of a strip whose ends were moved and rotated."""
+    """The curve of a strip with displaced and rotated ends."""
 
     properties = (
         Property("LinkGlobal", "Strip", "Bent", "Strip to bend"),
@@ -85,7 +83,7 @@ class BentFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Bend the strip to its new ends and show its curve."""
+        """Bend the strip to the new ends and show the curve."""
         if not is_strip(obj.Strip):
             raise InputError("The strip is missing. Choose a strip in the property Strip.")
         rest = strip_of(obj.Strip).rod_to_bend
@@ -97,7 +95,7 @@ class BentFeature(Feature):
 
 
 class SectionFeature(Feature):
-    """Smooth curves along which planes cut bodies, surfaces and meshes. Strips can follow their edges."""
+    """Smooth curves along which planes cut bodies, surfaces and meshes. Strips can follow the edges."""
 
     properties = (
         Property("LinkListGlobal", "Sources", "Section", "Bodies, surfaces and meshes that are cut"),
@@ -124,7 +122,7 @@ class SectionFeature(Feature):
 
     def make(self, obj: Any) -> None:
         """Cut the sources and smooth the sections."""
-        sections, remarks = _sections(obj)
+        sections, remarks = _cut_sources(obj)
         curves = [curve for _, body_curves in sections for curve in body_curves]
         if not curves and remarks and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
             raise InputError(
@@ -144,8 +142,7 @@ class SectionFeature(Feature):
         put(obj, Curves=len(curves), Reports=remarks)
 
 
-def _curve(document: Any, name: str, proxy: type[Feature], sources: list[Any], **properties: Any) -> Any:
-    """Add a feature whose curve has a conspicuous colour and width."""
+def _add_curve(document: Any, name: str, proxy: type[Feature], sources: list[Any], **properties: Any) -> Any:
     obj = added(document, name, proxy, sources, **properties)
     if App.GuiUp:
         obj.ViewObject.LineColor, obj.ViewObject.LineWidth = ORANGE, 3
@@ -153,29 +150,23 @@ def _curve(document: Any, name: str, proxy: type[Feature], sources: list[Any], *
 
 
 def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
-    """Make the nearest curve of a sketch or of edges as a feature.
-
-    It is displayed after a recompute of the document.
-    """
+    """Make the nearest curve of a sketch or of edges as a feature, without recomputing the document."""
     label = f"{source.Label} {translate('Elastica', 'nearest')}"
-    return _curve(document, "Nearest", NearestFeature, [source], Label=label, Curve=(source, list(edges)))
+    return _add_curve(document, "Nearest", NearestFeature, [source], Label=label, Curve=(source, list(edges)))
 
 
 def bent(document: Any, strip: Any, **moves: float) -> Any:
     """Make the curve of a strip whose ends are moved (mm) and turned (degrees), named as in `MOVES`."""
     label = f"{strip.Label} {translate('Elastica', 'bent further')}"
-    return _curve(document, "Bent", BentFeature, [strip], Label=label, Strip=strip, **moves)
+    return _add_curve(document, "Bent", BentFeature, [strip], Label=label, Strip=strip, **moves)
 
 
 def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]] | None = None) -> Any:
-    """Make sections of bodies perpendicular to an axis or along a path.
-
-    They are displayed after a recompute of the document.
-    """
+    """Make sections of bodies perpendicular to an axis or along a path, without recomputing the document."""
     label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
-    obj = _curve(document, "Section", SectionFeature, sources, Label=label, Sources=sources)
+    obj = _add_curve(document, "Section", SectionFeature, sources, Label=label, Sources=sources)
     for axis, value in zip(AXES, box_of(sources[0]).Center, strict=True):
-        # round the coordinate, because boxes of curved bodies are some hundredths of a mm too large
+        # boxes of curved bodies are some hundredths of a mm too large
         setattr(obj, f"Through{axis}", round(value, 1))
     if path is not None:
         obj.Path, obj.Family = (path[0], list(path[1])), FAMILIES[2]
@@ -183,15 +174,12 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
 
 
 def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
-    """Return a rod with its ends displaced (mm) and rotated (degrees).
-
-    The keys of `change` are keys of `MOVES`.
-    """
+    """Return a rod with ends displaced (mm) and rotated (degrees); the keys of `change` are in `MOVES`."""
     start = rest.position[0] + (change["StartX"], change["StartY"])
     end = rest.position[-1] + (change["EndX"], change["EndY"])
     angles = [
-        float(rest.angle[i]) + math.radians(change[name]) if held.angle else None
-        for i, name, held in zip((0, -1), MOVES[4:], rest.supports.ends, strict=True)
+        float(rest.angle[i]) + math.radians(change[name]) if support.angle else None
+        for i, name, support in zip((0, -1), MOVES[4:], rest.supports.ends, strict=True)
     ]
     return bend(rest if guess is None else guess, start=start, end=end, angles=(angles[0], angles[1]))
 
@@ -229,7 +217,7 @@ def nearest_sketch(obj: Any) -> None:
 
 def section_sketches_of(obj: Any) -> None:
     """Replace sections by editable sketches that no longer depend on the bodies."""
-    sections, _ = _sections(obj)
+    sections, _ = _cut_sources(obj)
     document = obj.Document
     document.removeObject(obj.Name)
     for body, curves in sections:
@@ -243,8 +231,7 @@ def _curve_to_drag(obj: Any) -> PlaneCurve:
     return curve
 
 
-def _sections(obj: Any) -> tuple[list[tuple[Any, list[SectionCurve]]], list[str]]:
-    """Return the curves of each body, and a message for every section line without a curve."""
+def _cut_sources(obj: Any) -> tuple[list[tuple[Any, list[SectionCurve]]], list[str]]:
     if not obj.Sources:
         raise InputError(
             "there is nothing to cut: choose a body, a surface or a mesh in the property Sources"

@@ -44,7 +44,7 @@ class FixturesFeature(Feature):
 
     def make(self, obj: Any) -> None:
         """Place a block at every end."""
-        model = source_model(obj.Sources, shown=True)
+        model = source_model(obj.Sources, as_displayed=True)
         blocks = _blocks(obj, model)
         if not blocks:
             raise InputError("The strips have no tabs to hold. Add tabs to the strips.")
@@ -74,21 +74,20 @@ def blocks_for(source: Any) -> list[EndFixture]:
 def block_shape(block: EndFixture) -> Part.Shape:
     """Return the shape of a block at its position.
 
-    A change of a strip rotates the pockets of all blocks slightly. Therefore the shape without the pocket is
-    cached, and only the pocket is cut again.
+    A change of a strip rotates the pockets of all blocks slightly, so the shape without the pocket is cached.
     """
     pocket, *_ = block.solid.removed
-    return _unpocketed(replace(block, lean=(0.0, 0.0))).cut(make_solid(pocket)).removeSplitter()
+    return _without_pocket(replace(block, lean=(0.0, 0.0))).cut(make_solid(pocket)).removeSplitter()
 
 
 @remembered
-def _unpocketed(block: EndFixture) -> Part.Shape:
+def _without_pocket(block: EndFixture) -> Part.Shape:
     solid = block.solid
     return make_solid(replace(solid, removed=solid.removed[1:]))
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """Make fixtures for a model or for strips. They are displayed after a recompute of the document."""
+    """Make fixtures for a model or for strips, without recomputing the document."""
     obj = added(document, "Fixtures", FixturesFeature, sources, Sources=sources)
     if App.GuiUp:
         obj.ViewObject.ShapeColor = FIXTURE_COLOR
@@ -96,11 +95,13 @@ def create(document: Any, sources: list[Any]) -> Any:
 
 
 def report_holders(obj: Any, model: Model, holders: Iterable[EndFixture | BasePlate]) -> None:
-    """Write into the results of holders their warnings, and how far tabs can shift and rotate in them."""
+    """Write the warnings of holders, and the shift and rotation of tabs in the holders, into the results."""
     warnings = one_of_each(text for holder in holders for text in holder.warnings)
     put(obj, Reports=[*holder_plays(model.placed, holders), *warnings])
 
 
-def source_model(sources: list[Any], *, shown: bool = False) -> Model:
-    """Return a single model of all strips and models among the sources. `shown` is described in `strips_model`."""
-    return strips_model(not_repeated(sources), name="strips", shown=shown)
+def source_model(sources: list[Any], *, as_displayed: bool = False) -> Model:
+    """Return a single model of all strips and models among the sources; `as_displayed` is as in
+    `strips_model`.
+    """
+    return strips_model(not_repeated(sources), name="strips", as_displayed=as_displayed)

@@ -37,7 +37,7 @@ class FlatFeature(Feature):
         """Set the shape to that of the flat strip, with its engraved text."""
         if obj.Strip is None or not is_strip(obj.Strip):
             raise InputError("The strip is missing. Choose a strip in the property Strip.")
-        strip = _slotted(obj)
+        strip = _strip_with_slots(obj)
         layer = LAYERS.index(obj.Layer)
         if layer >= len(strip.layers):
             raise InputError(
@@ -47,13 +47,13 @@ class FlatFeature(Feature):
 
 
 def create(document: Any, strip: Any, layer: str = "Base") -> Any:
-    """Make the flat part of a strip in front of the strip. It is displayed after a recompute of the document."""
+    """Make the flat part of a strip in front of the strip, without recomputing the document."""
     kind = translate("Elastica", "flat") if layer == "Base" else translate("Elastica", "backing")
     properties = {
         "Strip": strip,
         "Layer": layer,
         "Label": f"{strip.Label} {kind}",
-        "Placement": _beside(strip),
+        "Placement": _free_placement(strip),
     }
     obj = added(document, "Flat", FlatFeature, [strip], **properties)
     if App.GuiUp:
@@ -62,18 +62,18 @@ def create(document: Any, strip: Any, layer: str = "Base") -> Any:
 
 
 def layers_of(strip: Any) -> list[str]:
-    """Return the names of the layers of a strip. Each layer is cut from a separate sheet."""
+    """Return the names of the layers of a strip, each cut from a separate sheet."""
     return LAYERS if strip.Style == "Laminated" else LAYERS[:1]
 
 
 def missing_layers(strip: Any) -> list[str]:
     """Return the layers of a strip that have no flat part."""
-    made = {part.Layer for part in flats_of([strip])}
-    return [layer for layer in layers_of(strip) if layer not in made]
+    present = {part.Layer for part in flats_of([strip])}
+    return [layer for layer in layers_of(strip) if layer not in present]
 
 
-def _slotted(obj: Any) -> Strip:
-    """Return the strip of a flat part. If the strip belongs to a model, it has the slots of the model."""
+def _strip_with_slots(obj: Any) -> Strip:
+    """A strip of a model has the slots of the model."""
     if obj.Model is None:
         return shown_strip(obj.Strip)
     if not is_model(obj.Model) or obj.Strip not in obj.Model.Strips:
@@ -85,22 +85,20 @@ def _slotted(obj: Any) -> Strip:
     return shown_model(obj.Model).strips[obj.Model.Strips.index(obj.Strip)]
 
 
-def _beside(strip: Any) -> App.Placement:
-    """Return a placement in the plane z = 0, in front of the drawn curve, where the flat part overlaps no
-    other.
-    """
+def _free_placement(strip: Any) -> App.Placement:
+    """The flat part is in the plane z = 0 in front of the drawn curve, and overlaps no other flat part."""
     source = strip.Curve[0] if strip.Curve else None
-    # largest width of the outline, whatever the style is
+    # largest width of the outline in every style
     width = max(strip.MaxWidth.Value, strip.OuterWidth.Value)
     if source is not None and not _box(source).isValid():
-        source.recompute()  # recompute the sketch, because it may be outdated, for example after an undo
+        source.recompute()  # the sketch may be outdated, for example after an undo
     box = _box(source)
     if not is_bounded(box):
         return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())
     y = box.YMin - GAP_MM - width
     left, right = box.XMin - strip.StartTab.Value, box.XMin + source.Shape.Length + strip.EndTab.Value
-    # the boxes are tried in order from the back to the front
-    for other in sorted(_lying(strip), key=lambda flat_box: -flat_box.YMax):
+    # boxes in order from the back to the front
+    for other in sorted(_other_boxes(strip), key=lambda flat_box: -flat_box.YMax):
         if (
             other.XMin < right
             and left < other.XMax
@@ -112,12 +110,11 @@ def _beside(strip: Any) -> App.Placement:
 
 
 def _box(source: Any) -> App.BoundBox:
-    """Return the bounding box of a curve. The box is empty if the curve was deleted or has no shape."""
+    """Return the bounding box of a curve, which is empty if the curve was deleted or has no shape."""
     return source.Shape.BoundBox if hasattr(source, "Shape") else App.BoundBox()
 
 
-def _lying(strip: Any) -> Iterator[App.BoundBox]:
-    """Yield the bounding boxes of the other strips and of all flat parts in the strip's container."""
+def _other_boxes(strip: Any) -> Iterator[App.BoundBox]:
     group = strip.getParentGeoFeatureGroup()
     for obj in strip.Document.Objects:
         is_flat_shape = is_flat(obj) or (is_strip(obj) and obj is not strip)

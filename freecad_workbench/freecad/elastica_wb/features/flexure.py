@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Two-state parts as parametric objects: cut flat from a sheet, with two drawn curves as rest shapes, and a
-holder.
-"""
+"""Two-state parts, with two drawn curves as rest shapes, and their holders as parametric objects."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -40,7 +38,7 @@ from elastica_cad.strip.solids import FlatSolid
 
 FORMS = ["Everything", "First state", "Second state", "As cut", "Holder"]
 USUAL_SHEET = "pom-2"
-"""Sheet of a new part. It is thick and allows a large strain."""
+"""Sheet of a new part, thick and with a large permitted strain."""
 
 GAP_MM = 10.0  # distance, mm, between the states and the part as cut
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the part with two states")
@@ -58,8 +56,8 @@ NAMES = {
     "label": "EngravedText", "ignore_limits": "Anyway", "limits.ratio": "RatioLimit",
     "limits.natural_curvature": "NaturalCurvatureLimit", "limits.bend": "BendLimit",
 }  # fmt: skip
-"""Names of properties that are not derived from their keys, because the same properties of a strip have these
-names.
+"""Names of these properties in a strip, by key; the names of all other properties are derived from their
+keys.
 """
 
 FIELDS: dict[str, tuple[str, Field]] = {
@@ -71,7 +69,7 @@ FIELDS: dict[str, tuple[str, Field]] = {
 
 
 class FlexureFeature(Feature):
-    """A part with two states. It is in the plane of the first curve, and both states start in the same clamp."""
+    """A part with two states, in the plane of the first curve. Both states start in the same clamp."""
 
     properties = (
         Property("LinkSubGlobal", "Curve", "Curve", "Sketch or edges with the first state"),
@@ -99,7 +97,7 @@ class FlexureFeature(Feature):
         part = flexure_of(obj)
         shapes = [make_solid(solid) for _, solid in solids_of(part, obj.Form)]
         obj.Shape = shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
-        # the placement of the part as cut is not changed, because the user may choose it
+        # the user may choose the placement of the part as cut
         if obj.Form != "As cut":
             obj.Placement = drawn_curve(obj.Curve, obj).placement
         travel = part.travel
@@ -133,7 +131,7 @@ class FlexureFeature(Feature):
 def create(
     document: Any, first: Any, first_edges: tuple[str, ...], second: Any, second_edges: tuple[str, ...]
 ) -> Any:
-    """Make a two-state part from two curves. It is displayed after a recompute of the document."""
+    """Make a two-state part from two curves, without recomputing the document."""
     curves = {"Curve": (first, list(first_edges)), "SecondCurve": (second, list(second_edges))}
     label = f"{first.Label} {translate('Elastica', 'two states')}"
     obj = added(document, "Flexure", FlexureFeature, [first, second], Label=label, **curves)
@@ -170,7 +168,7 @@ def _flexure(spec: FlexureSpec) -> Flexure:
 def solids_of(part: Flexure, form: str = FORMS[0]) -> list[tuple[str, FlatSolid]]:
     """Return the named bodies for a value of the property Form, in the plane of the first curve.
 
-    The holder is below the states, and the part as cut is in front of them.
+    The holder is below the states, and the part as cut is in front of the states.
     """
     depth = part.sheet.thickness
     states = [part.line_through(rest.position) for rest in part.rests]

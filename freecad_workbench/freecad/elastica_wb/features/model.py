@@ -35,15 +35,15 @@ from elastica_cad.strip.lettering import engravable
 from elastica_cad.strip.strip import Placed, Strip
 
 _overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictionary()
-"""Overlaps of models, computed in another thread. The cache of models keeps the keys alive."""
+"""Overlaps of models, computed in another thread; the cache of models keeps the keys alive."""
 
 
 _shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = WeakKeyDictionary()
-"""For each proxy: its shape, its placement in the container, and its model."""
+"""Shape, placement in the container, and model of each proxy."""
 
 
 SLOTS = {option.name.title(): option for option in declared(interlock) if option.name != "above"}
-"""Options of slots, by the names of their properties. The zero vector means that no direction is set."""
+"""Options of slots, by the names of their properties; a zero vector is no direction."""
 
 
 class ModelFeature(Feature):
@@ -72,17 +72,17 @@ class ModelFeature(Feature):
 
     def make(self, obj: Any) -> None:
         """Cut the slots, and set the shape to all strips at their positions."""
-        model = model_of(obj, shown=True)
+        model = model_of(obj, as_displayed=True)
         shape = Part.Compound(solids_of(model, container(obj).inverse()))
         obj.Shape = shape
         _shown[self] = shape, container(obj), model
-        known = _overlaps.get(model)
-        named = ((model.name_of(i), strip) for i, strip in enumerate(model.strips))
+        overlaps = _overlaps.get(model)
+        named_strips = ((model.name_of(i), strip) for i, strip in enumerate(model.strips))
         put(
             obj,
             Joints=len(model.joints),
-            Reports=[*pre_bend_messages(named), *model.reports],
-            Overlaps=list(known.result()) if known is not None and known.done() else [],
+            Reports=[*pre_bend_messages(named_strips), *model.reports],
+            Overlaps=list(overlaps.result()) if overlaps is not None and overlaps.done() else [],
         )
 
     def show_error(self, obj: Any, error: ElasticaError) -> None:
@@ -95,7 +95,7 @@ class ModelFeature(Feature):
 
 
 def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
-    """Make a model of strips. It is displayed after a recompute of the document."""
+    """Make a model of strips, without recomputing the document."""
     clearance = preferences.get("Clearance")
     obj = added(
         document, "Model", ModelFeature, strips, Strips=strips, Interlock=interlock, Clearance=clearance
@@ -106,27 +106,13 @@ def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
 
 
 def shown_model(obj: Any) -> Model:
-    """Return the model from which the current shape was made; see `shown_strip`.
-
-    Raises
-    ------
-    ElasticaError
-        For the reasons of `model_of`, which is called if no model is cached.
-    """
+    """Return the model from which the current shape was made, or compute it; see `shown_strip`."""
     shape, place, model = _shown.get(obj.Proxy, (None, None, None))
     return model if model and obj.Shape.isPartner(shape) and container(obj) == place else model_of(obj)
 
 
-def model_of(obj: Any, *, shown: bool = False) -> Model:
-    """Return the `Model` record of a model feature.
-
-    With `shown`, each strip is taken as it is currently displayed.
-
-    Raises
-    ------
-    ElasticaError
-        A strip failed, or the strips cannot be slotted.
-    """
+def model_of(obj: Any, *, as_displayed: bool = False) -> Model:
+    """Return the `Model` record of a model feature, with `as_displayed` of the strips as they are displayed."""
     other = next((strip for strip in obj.Strips if not is_strip(strip)), None)
     if other is not None:
         raise InputError("{object} is not a strip. Choose strips for the model.", object=other.Label)
@@ -134,33 +120,27 @@ def model_of(obj: Any, *, shown: bool = False) -> Model:
     if obj.Interlock:
         above = tuple(obj.Above) if obj.Above.Length > 0 else None
         options = (*values_of(obj, SLOTS).items(), ("above", above))
-    return strips_model(obj.Strips, name=obj.Label, options=options, shown=shown)
+    return strips_model(obj.Strips, name=obj.Label, options=options, as_displayed=as_displayed)
 
 
 def overlaps_of(obj: Any) -> list[str]:
-    """Return a message for every pair of strips in a model that intersect without a slot.
-
-    Raises
-    ------
-    ElasticaError
-        As `model_of`.
-    """
+    """Return a message for every pair of strips in a model that intersect without a slot."""
     return _worded(
         in_background(
-            QT_TRANSLATE_NOOP("Elastica", "Looking for strips that meet"), _sought(model_of(obj)).result
+            QT_TRANSLATE_NOOP("Elastica", "Looking for strips that meet"),
+            _search_overlaps(model_of(obj)).result,
         )
     )
 
 
 def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
-    """Start the search for intersecting strips of a model. Return None if there is no model.
+    """Start the search for intersecting strips of a model, or return None if there is no model.
 
-    The search takes about as long as making the model. It runs in another thread, so that the recompute does
-    not wait for it.
+    The search takes about as long as making the model, so it runs in another thread after the recompute.
     """
     try:
-        return _sought(model_of(obj))
-    except FAILURES:  # ignore the error, because the recompute has reported it
+        return _search_overlaps(model_of(obj))
+    except FAILURES:  # the recompute has reported the error
         return None
 
 
@@ -172,7 +152,7 @@ def show_overlaps(obj: Any, overlaps: tuple[str, ...]) -> None:
     put(obj, Overlaps=list(overlaps))
 
 
-def _sought(model: Model) -> "Future[tuple[str, ...]]":
+def _search_overlaps(model: Model) -> "Future[tuple[str, ...]]":
     if model not in _overlaps:
         _overlaps[model] = begun(missing_slots, model.placed, model.joints)
     return _overlaps[model]
@@ -193,24 +173,26 @@ def solids_of(model: Model, place: App.Placement) -> list[Any]:
 
 
 def strips_model(
-    strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = (), shown: bool = False
+    strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = (), as_displayed: bool = False
 ) -> Model:
     """Return a model of strips and models of a document at their positions. With `options`, slots are cut.
 
-    Copies, such as links and arrays, are included. With `shown`, the strips are those of their current
+    Copies, such as links and arrays, are included. With `as_displayed`, strips are those of the current
     shapes.
     """
     if not strips:
         raise InputError("The model has no strips. Choose strips in the property Strips.")
-    places = [(strip, _numbers(world)) for obj in strips for strip, world in _standing(obj, shown)]
+    places = [
+        (strip, _numbers(world)) for obj in strips for strip, world in _placed_strips(obj, as_displayed)
+    ]
     return in_background(
         QT_TRANSLATE_NOOP("Elastica", "Putting the model together"), _model, tuple(places), name, options
     )
 
 
-def _standing(obj: Any, shown: bool) -> Iterator[tuple[Strip, App.Placement]]:
-    """Yield the strips that an object displays, each with the placement of its curve in the document."""
-    strip_in, model_in = (shown_strip, shown_model) if shown else (strip_of, model_of)
+def _placed_strips(obj: Any, as_displayed: bool) -> Iterator[tuple[Strip, App.Placement]]:
+    """Yield the strips that an object displays, each with the placement of the curve in the document."""
+    strip_in, model_in = (shown_strip, shown_model) if as_displayed else (strip_of, model_of)
     standing = list(shown_strips(obj))
     if not any(is_strip(original) or is_model(original) for original, *_ in standing):
         raise InputError("{object} is not a strip. Choose strips for the model.", object=obj.Label)
@@ -218,7 +200,7 @@ def _standing(obj: Any, shown: bool) -> Iterator[tuple[Strip, App.Placement]]:
         if is_strip(original):
             world = drawn_curve(original.Curve, original).world if original is obj else place
             strip = strip_in(original).mirrored() if is_image else strip_in(original)
-            yield _labelled(strip, original.EngravedText or obj.Label, obj.Name), world
+            yield _with_label(strip, original.EngravedText or obj.Label, obj.Name), world
         elif is_model(original):
             here = container(original).inverse()
             for placed in model_in(original).placed:
@@ -236,19 +218,13 @@ def _model(
 
 @remembered
 def _placed(strip: Strip, numbers: tuple[float, ...]) -> Placed:
-    """Return the record of a strip at a placement.
-
-    For equal arguments it is the same object, so that its joints remain cached.
-    """
+    """Equal arguments give the same object, so that its joints remain cached."""
     return Placed(strip, *np.array(numbers).reshape(3, 3))
 
 
 @remembered
-def _labelled(strip: Strip, label: str, name: str) -> Strip:
-    """Return the strip with its label.
-
-    If no letter of the label can be engraved, the name of the object is engraved.
-    """
+def _with_label(strip: Strip, label: str, name: str) -> Strip:
+    """If no letter of the label can be engraved, the name of the object is engraved."""
     engrave = None if any(map(str.isalnum, engravable(label))) else name
     return (
         strip

@@ -43,10 +43,10 @@ class NestFeature(Feature):
         sheets = nest_pieces([cut.piece for cut in cuts], sheet_size=size, margin=obj.Margin.Value)
         wires = []
         for i, sheet in enumerate(sheets):
-            drawn = [make_wire(item.path) for item in sheet.paths]
-            for wire in drawn:
+            outlines = [make_wire(item.path) for item in sheet.paths]
+            for wire in outlines:
                 wire.translate(App.Vector(i * (size[0] + SHEET_GAP_MM), 0, 0))
-            wires += drawn
+            wires += outlines
         obj.Shape = Part.Compound(wires)
         put(obj, Sheets=len(sheets), Reports=pre_bend_messages_of(cuts))
         report_left_out(obj)
@@ -56,7 +56,7 @@ def report_left_out(obj: Any) -> None:
     """Write messages on later features of the nested pieces, which the nest does not include."""
     try:
         later_by_label = {original.Label: later_features(original) for original in counted(obj.Sources)}
-    except FAILURES:  # ignore the error, because the recompute has reported it
+    except FAILURES:  # the recompute has reported the error
         return
     messages = [
         note(
@@ -74,9 +74,8 @@ def report_left_out(obj: Any) -> None:
 
 
 def create(document: Any, sources: list[Any]) -> Any:
-    """Make a nest of strips, models and base plates in front of all objects.
-
-    It is displayed after a recompute of the document.
+    """Make a nest of strips, models and base plates in front of all objects, without recomputing the
+    document.
     """
     lowest = min((box.YMin for box in _boxes(document)), default=0.0)
     obj = added(document, "Nest", NestFeature, Sources=sources)

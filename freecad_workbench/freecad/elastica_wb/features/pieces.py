@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Pieces to be cut, with their drawings: one for every layer of a strip, every plate and every two-state part.
+"""Pieces to be cut: one for every layer of a strip, every plate and every two-state part.
 
 Later features of the document, such as a pocket or a cut, are not included.
 """
@@ -39,20 +39,20 @@ CHANGED = {
 BODY = "PartDesign::Body"
 
 SHOWN_BY = (BODY, BASE, COMPOUND, *PATTERNS)
-"""Types that display a shape unchanged. A later feature may change it."""
+"""Types that display a shape unchanged; a later feature may change the shape."""
 
 
 @dataclass(frozen=True)
 class Cut:
-    """A piece and its strip. The strip is None for a plate."""
+    """A piece and its strip, which is None for a plate."""
 
     piece: Piece
     strip: Strip | None = None
 
 
 def pre_bend_messages_of(cuts: Iterable[Cut]) -> list[str]:
-    """Return instructions for pieces that are pre-bent before assembly: one message for all pieces with the
-    same pre-bend.
+    """Return instructions for pieces that are pre-bent before assembly, one for all pieces with the same
+    pre-bend.
     """
     return pre_bend_messages((cut.piece.name, cut.strip) for cut in cuts if cut.strip is not None)
 
@@ -60,8 +60,7 @@ def pre_bend_messages_of(cuts: Iterable[Cut]) -> list[str]:
 def cuts_of(sources: Iterable[Any]) -> list[Cut]:
     """Return the pieces to be cut for strips, models and base plates, including all copies.
 
-    The strips of a selected model are counted once, and so are the originals of an array, and a strip with
-    its flat part.
+    Strips of a selected model, originals of an array, and a strip with a flat part are counted once.
 
     Raises
     ------
@@ -93,7 +92,7 @@ def counted(sources: Iterable[Any]) -> dict[Any, int]:
 
 
 def cut_for(obj: Any) -> Any:
-    """Return the object that is cut. For a flat part it is the strip, or the model whose slots it has."""
+    """Return the object that is cut: for a flat part the strip, or the model with its slots."""
     return (obj.Model or obj.Strip) if is_flat(obj) else obj
 
 
@@ -104,7 +103,7 @@ def is_cut(obj: Any) -> bool:
 
 def _cuts(obj: Any) -> list[Cut]:
     lost = why_left_out(obj)
-    if lost:  # refuse features that failed, because their shapes are outdated
+    if lost:  # the shapes of failed features are outdated
         raise InputError(lost)
     if is_model(obj):
         model = model_of(obj)
@@ -130,27 +129,25 @@ def _cuts(obj: Any) -> list[Cut]:
 def later_features(obj: Any) -> str:
     """Return the labels of the features that change a strip, a model or a plate, or its flat part."""
     flat = [user for user in obj.InList if is_flat(user)]
-    return ", ".join(dict.fromkeys(label for feature in (obj, *flat) for label in _later(feature)))
+    return ", ".join(dict.fromkeys(label for feature in (obj, *flat) for label in _later_labels(feature)))
 
 
-def _later(obj: Any) -> Iterator[str]:
-    """Yield the labels of the features that change the shape of an object, in the order of the changes."""
-    todo, seen = [obj], {obj}
+def _later_labels(obj: Any) -> Iterator[str]:
+    todo, visited = [obj], {obj}
     while todo:
         current = todo.pop(0)
         for user in current.InList:
-            takes = _takes(user, current)
-            if user in seen or not (takes or user.TypeId in SHOWN_BY):
+            takes = _changes_shape(user, current)
+            if user in visited or not (takes or user.TypeId in SHOWN_BY):
                 continue
-            seen.add(user)
+            visited.add(user)
             todo.append(user)
-            # skip strips, because the next strip of a body also depends on the previous strip
+            # the next strip of a body also depends on the previous strip
             if takes and not (is_cut(user) or getattr(user, "Suppressed", False)):
                 yield user.Label
 
 
-def _takes(user: Any, obj: Any) -> bool:
-    """Return True if a feature changes the shape of an object."""
+def _changes_shape(user: Any, obj: Any) -> bool:
     if user.TypeId.startswith("PartDesign::") and user.TypeId not in SHOWN_BY:
         return getattr(user, "BaseFeature", None) == obj
     links = (getattr(user, name) for name in CHANGED.get(user.TypeId, ()))

@@ -52,23 +52,17 @@ CONTAINERS = Property(
     result=True,
     hidden=True,
 )
-"""Property with the containers that move the curve but not the feature.
-
-The feature is recomputed when they move.
-"""
+"""Property with the containers that move the curve but not the feature, which is then recomputed."""
 
 HIDDEN_BY_ERROR = Property(
     "Bool", "HiddenByError", "Result", "Hidden because its recompute failed", hidden=True
 )
-"""Property that is True for features that were hidden after an error, because their shapes are outdated."""
+"""Property that is True for features that an error has hidden, because their shapes are outdated."""
 
 SHOWN_BY_ERROR = result(
     "Bool", "ShownByError", "Shown because the recompute of its model failed", hidden=True
 )
-"""Property that is True for strips that were made visible because their model failed.
-
-They are displayed so that the view is not empty after an error.
-"""
+"""Property that is True for strips that are visible because their model failed; the view would be empty."""
 
 REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 
@@ -81,7 +75,7 @@ MOST_NAMES = 6  # largest number of names in a line of the report view
 
 
 class Feature(Unsaved):
-    """Proxy of a feature. It has no data, because all data are in the properties of the document object."""
+    """Proxy of a feature, without data: all data are in the properties of the document object."""
 
     properties: tuple[Property, ...] = ()
     sheets: ClassVar[Mapping[str, str]] = {}
@@ -112,10 +106,10 @@ class Feature(Unsaved):
 
     def ensure(self, obj: Any) -> None:
         """Add missing properties and update the list of sheets."""
-        known = {name: getattr(obj, name) for name in self.sheets if name in obj.PropertiesList}
+        sheet_names = {name: getattr(obj, name) for name in self.sheets if name in obj.PropertiesList}
         ensure(obj, (*self.properties, HIDDEN_BY_ERROR, SHOWN_BY_ERROR, RECORDS))
         for name in self.sheets:
-            chosen = known.get(name) or default_sheet()
+            chosen = sheet_names.get(name) or default_sheet()
             setattr(obj, name, list(dict.fromkeys([*sheet_list(), chosen])))
             setattr(obj, name, chosen)
             _show_title(obj, name)
@@ -127,7 +121,7 @@ class Feature(Unsaved):
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Set the thickness, sheet data and colour after another sheet is chosen."""
-        # FreeCAD calls this for every result that is written, so the slower checks come last
+        # FreeCAD calls this method for every result that is written, so slower checks are at the end
         if name in self.choices and is_misread(obj, name):
             if getattr(obj, name) is None or self.chosen not in (None, getattr(obj, name)):
                 choose_again(obj, name, self.chosen)
@@ -139,9 +133,9 @@ class Feature(Unsaved):
         if f"{name}Title" in obj.PropertiesList:
             _show_title(obj, name)
         numbers_name = self.sheets.get(name)
-        # after an invalid formula (`chosen` is None), the restored sheet is the same, so nothing is updated
+        # after an invalid formula, `chosen` is None, and the restored sheet is unchanged
         if numbers_name in obj.PropertiesList and self.chosen is not None:
-            with suppress(InputError):  # ignore the error, because the next recompute reports it
+            with suppress(InputError):  # the next recompute reports the error
                 sheet = sheet_called(getattr(obj, name), getattr(obj, numbers_name))
                 put(obj, **{numbers_name: text_of(sheet)})
                 if name == "Sheet" and "Thickness" in obj.PropertiesList:
@@ -150,7 +144,7 @@ class Feature(Unsaved):
                 _recolor(obj, self.chosen)
 
     def keep_sheets(self, obj: Any) -> None:
-        """Update the list of sheets, and mark the feature for recompute if the user has edited its sheet."""
+        """Update the list of sheets, and mark the feature for recompute if the user has edited the sheet."""
         measured = {name: getattr(obj, name) for name in ("Thickness",) if name in obj.PropertiesList}
         saved = {name: getattr(obj, name) for name in self.sheets.values()}
         for name in self.sheets:
@@ -167,34 +161,34 @@ class Feature(Unsaved):
                 if new != old:
                     obj.touch()
                 if name == "Sheet" and measured and obj.Thickness.Value == old.thickness:
-                    # update the thickness if it was the nominal thickness of the sheet
+                    # the thickness was the nominal thickness of the sheet
                     put(obj, Thickness=new.thickness)
 
-    def _keep_numbers(self, obj: Any) -> None:
-        """Store the data of the sheet, from which the shape is computed, in the document."""
+    def _store_sheets(self, obj: Any) -> None:
+        """The shape is computed from the sheet, whose data are stored in the document."""
         for name, numbers in self.sheets.items():
             with suppress(InputError):
                 put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
 
     @property
     def execute(self) -> Callable[[Any], None]:
-        """Function that FreeCAD calls in a recompute. After an error, the last valid shape is kept."""
-        return raising(self._made_or_refused)
+        """Function that FreeCAD calls in a recompute; after an error, the shape is unchanged."""
+        return raising(self._error_of_make)
 
-    def _made_or_refused(self, obj: Any) -> RefusalError | None:
+    def _error_of_make(self, obj: Any) -> RefusalError | None:
         try:
             require_choices(obj, self.properties)
-            self._keep_numbers(obj)
+            self._store_sheets(obj)
             self.make(obj)
         except FAILURES as error:
             explanation = explained(error)
             self.failed(obj, explanation)
             return refused(obj, explanation)
-        _show_again(obj)
+        _restore_visibility(obj)
         return None
 
     def make(self, obj: Any) -> None:
-        """Compute the shape and results from the properties. Each feature defines this method."""
+        """Compute shape and results from the properties, in every feature."""
         raise NotImplementedError
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
@@ -203,7 +197,7 @@ class Feature(Unsaved):
         hide(obj)
 
     def show_error(self, obj: Any, error: ElasticaError) -> None:
-        """Write the error into the results, if the feature has any."""
+        """Write the error into the results, if the feature has results."""
 
     def covered(self, _obj: Any) -> list[Any]:
         """Return the features that are hidden because this feature displays them."""
@@ -213,10 +207,7 @@ class Feature(Unsaved):
 def added(
     document: Any, name: str, proxy: type[Feature], sources: Iterable[Any] = (), **properties: Any
 ) -> Any:
-    """Add a feature with these properties to the document.
-
-    If all its sources are in the same App::Part, it is added there.
-    """
+    """Add a feature with these properties to the document, or to the App::Part that contains all sources."""
     obj = document.addObject("Part::FeaturePython", name)
     proxy(obj)
     groups = {source.getParentGeoFeatureGroup() for source in sources}
@@ -235,10 +226,8 @@ def _show_title(obj: Any, name: str) -> None:
 
 
 def _recolor(obj: Any, before: str) -> None:
-    """Recolour a feature and the objects made from it, except objects with their own sheet or a colour set by
-    the user.
-    """
-    with suppress(InputError):  # ignore the error if the sheet no longer exists
+    """Objects with their own sheet or a colour set by the user are not changed."""
+    with suppress(InputError):  # the sheet may no longer exist
         old, new = (sheet_color(sheet_called(name)) for name in (before, obj.Sheet))
         users = [user for user in obj.InList if not getattr(getattr(user, "Proxy", None), "sheets", None)]
         for view in [user.ViewObject for user in (obj, *users)]:
@@ -248,9 +237,9 @@ def _recolor(obj: Any, before: str) -> None:
 
 
 def hide(obj: Any) -> None:
-    """Hide a failed feature and everything that depends on it, because their shapes are outdated.
+    """Hide a failed feature and the features that depend on it, because their shapes are outdated.
 
-    Valid features that they had replaced become visible again.
+    Valid features that the hidden features had replaced become visible again.
     """
     failed = _with_users(obj)
     ours = [feature for feature in failed if is_ours(feature)]
@@ -262,7 +251,7 @@ def hide(obj: Any) -> None:
         part for feature in ours if feature.HiddenByError for part in feature.Proxy.covered(feature)
     ):
         well = part not in failed and "Invalid" not in part.State
-        if well and not (part.Visibility or part.ShownByError or _covering(part)):
+        if well and not (part.Visibility or part.ShownByError or _visible_users(part)):
             part.ShownByError = True
             part.Visibility = True
 
@@ -270,12 +259,12 @@ def hide(obj: Any) -> None:
 def give_up(document: Any) -> None:
     """Set the error of features that depend on a failed object, because FreeCAD does not recompute them.
 
-    The failed object may belong to another workbench, or be a feature whose formula cannot be computed.
+    The failed object belongs to another workbench, or has a formula that cannot be computed.
     """
-    for source in filter(_failed_unasked, document.Objects):
+    for source in filter(_failed_before, document.Objects):
         ours = [feature for feature in _with_users(source) if is_ours(feature)]
         message = why_not_made(source)
-        # if all features are hidden, the error was reported before
+        # the error was reported before if all features are hidden
         if any(feature.Visibility for feature in ours):
             names = ", ".join(
                 [feature.Label for feature in ours[:MOST_NAMES]] + ["..."] * (len(ours) > MOST_NAMES)
@@ -287,17 +276,17 @@ def give_up(document: Any) -> None:
 
 
 def why_left_out(obj: Any) -> str:
-    """Return the reason why FreeCAD skipped the recompute of an object, or "" if it did not."""
-    for followed in (obj, *_followed(obj)):
+    """Return why FreeCAD skipped the recompute of an object, or "" if FreeCAD recomputed the object."""
+    for followed in (obj, *_sources_of(obj)):
         sources = [
             source for source in followed.OutList if source not in getattr(followed, CONTAINERS.name, ())
         ]
-        for failed in filter(_failed_unasked, (followed, *sources)):
+        for failed in filter(_failed_before, (followed, *sources)):
             return why_not_made(failed)
     return ""
 
 
-def _failed_unasked(obj: Any) -> bool:
+def _failed_before(obj: Any) -> bool:
     """Return True if an object failed before FreeCAD called the code of this workbench."""
     return "Invalid" in obj.State and (not is_ours(obj) or bool(why_not_computed(obj)))
 
@@ -310,10 +299,7 @@ def hide_failed(source: Any) -> None:
 
 
 def _with_users(obj: Any) -> list[Any]:
-    """Return an object and all objects that depend on it.
-
-    Dependence on the placement of a container is ignored.
-    """
+    """Return an object and all objects that depend on it, except by the placement of a container."""
     affected = [obj]
     for source in affected:
         users = [user for user in source.InList if source not in getattr(user, CONTAINERS.name, ())]
@@ -321,8 +307,8 @@ def _with_users(obj: Any) -> list[Any]:
     return affected
 
 
-def _show_again(obj: Any) -> None:
-    """After a successful recompute, restore the visibility that an error had changed."""
+def _restore_visibility(obj: Any) -> None:
+    """A successful recompute restores the visibility that an error had changed."""
     if obj.HiddenByError:
         obj.HiddenByError = False
         obj.Visibility = True
@@ -332,8 +318,7 @@ def _show_again(obj: Any) -> None:
                 part.Visibility = False
 
 
-def _covering(part: Any) -> list[Any]:
-    """Return the visible features that display this feature."""
+def _visible_users(part: Any) -> list[Any]:
     users = (user for user in part.InList if is_ours(user))
     return [user for user in users if user.Visibility and part in user.Proxy.covered(user)]
 
@@ -358,7 +343,7 @@ def keep_containers(document: Any, moved: Collection[str]) -> None:
             changes = obj.Containers != containers
             if changes:
                 obj.Containers = containers
-            standing = (above for source in (obj, *_followed(obj)) for above in (source, *parents(source)))
+            standing = (above for source in (obj, *_sources_of(obj)) for above in (source, *parents(source)))
             if changes or any(source.Name in moved for source in standing):
                 obj.touch()
 
@@ -374,13 +359,11 @@ def keep_sheets() -> None:
 
 
 def keep_places(container: Any) -> None:
-    """Mark features for recompute after a container moved them without their sources, or their sources
-    without them.
-    """
+    """Mark features for recompute if a container moves either the features or their sources."""
     for obj in container.Document.Objects:
         ours = is_ours(obj) and CONTAINERS.name in obj.PropertiesList
         inside = ours and container in parents(obj)
-        if ours and any(inside != (container in parents(source)) for source in _followed(obj)):
+        if ours and any(inside != (container in parents(source)) for source in _sources_of(obj)):
             obj.touch()
 
 
@@ -401,24 +384,25 @@ def _containers(obj: Any) -> list[Any]:
     """Return the containers that move the sources of a feature, except containers that depend on the feature."""
     ancestors = [obj, *parents(obj)]
     containers = [
-        container for source in _followed(obj) for container in parents(source) if container not in ancestors
+        container
+        for source in _sources_of(obj)
+        for container in parents(source)
+        if container not in ancestors
     ]
-    return [container for container in dict.fromkeys(containers) if not _hangs_on(container, obj)]
+    return [container for container in dict.fromkeys(containers) if not _depends_on(container, obj)]
 
 
-def _hangs_on(container: Any, obj: Any) -> bool:
-    """Return True if a container contains an object that depends on `obj`."""
+def _depends_on(container: Any, obj: Any) -> bool:
     sources = [container]
     for user in sources:
         sources += [source for source in dict.fromkeys(user.OutList) if source not in sources]
     return obj in sources
 
 
-def _followed(obj: Any) -> Iterator[Any]:
-    """Yield the objects that a feature depends on, recursively."""
+def _sources_of(obj: Any) -> Iterator[Any]:
     for name in [entry for entry in FOLLOWED if entry in obj.PropertiesList]:
         value = getattr(obj, name)
         sources = value[:1] if name.endswith("Curve") and value else value or ()
         for source in sources:
             yield source
-            yield from _followed(source)
+            yield from _sources_of(source)

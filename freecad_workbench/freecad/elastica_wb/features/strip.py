@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The strip as a parametric object. It follows a sketch, and its results are stored in its properties."""
+"""The strip as a parametric object, which follows a curve and stores the results in properties."""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -51,11 +51,11 @@ BODY = "PartDesign::Body"
 
 CHANGEABLE = ("smooth", "nearest", "between", "max_width", "thickness", "sheet")
 DRAWN = ("point", "size")
-"""Fields that suggested changes may change: fields of properties, and fields of the drawn sketch."""
+"""Fields that suggestions may change: of the strip, and (DRAWN) of the sketch."""
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
-"""Strips by the hash of their request. The caches of solved strips keep the strips alive."""
+"""Strips by the hash of their request; the caches of solved strips keep the strips alive."""
 
 
 class StripFeature(Feature):
@@ -69,14 +69,16 @@ class StripFeature(Feature):
         obj.Anticlastic = True
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """Accept a strip beyond its limits if its file was written by a version that only warned of this."""
+        """Accept a strip beyond the limits if the version that wrote the file only warned of this."""
         lacks_override = "Anyway" not in obj.PropertiesList
         super().onDocumentRestored(obj)
         if lacks_override:
             obj.Anyway = obj.StrainUse >= 100  # earlier versions did not refuse such a strip
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Reset PlacesLength after a change of ties or loads, because new positions refer to the current curve."""
+        """Reset PlacesLength after a change of ties or loads, because new positions refer to the current
+        curve.
+        """
         super().onChanged(obj, name)
         if (
             name in ("Between", "Loads")
@@ -92,7 +94,7 @@ class StripFeature(Feature):
         keep_fractions(obj, drawn)
         strip = solve_strip(spec)
         shape = bent_shape(strip) if obj.Form == "Bent" else flat_shape(strip)
-        made_from = _mark(obj, drawn, spec)
+        made_from = _hash_of_request(obj, drawn, spec)
         if hasattr(obj, "AddSubShape"):  # the patterns of PartDesign repeat this shape
             obj.AddSubShape = shape
         obj.Shape = shape
@@ -111,7 +113,7 @@ class StripFeature(Feature):
         _show_results(obj, strip, changed, moved_by_smoothing(spec))
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """Write the error into the results. While the sketch is open, no feature is hidden."""
+        """While the sketch is open, an error hides no feature."""
         if is_edited(obj):
             self.show_error(obj, error)
         else:
@@ -139,15 +141,12 @@ class StripFeature(Feature):
 
 
 def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
-    """Make a strip that follows a sketch or edges of an object.
-
-    It is displayed after a recompute of the document.
-    """
+    """Make a strip that follows a sketch or edges of an object, without recomputing the document."""
     group = sketch.getParentGeoFeatureGroup()
     body = group is not None and group.TypeId == BODY and not _solids(group)
     obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
     StripFeature(obj)
-    # use the label of the sketch only if the user chose it, because FreeCAD does not allow two equal labels
+    # FreeCAD does not allow equal labels, so only a label that the user chose is used
     if is_sketch(sketch) and sketch.Label != sketch.Name:
         obj.Label = f"{sketch.Label} {translate('Elastica', 'strip')}"
     if group is not None and (body or group.TypeId != BODY):
@@ -167,8 +166,7 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
     Raises
     ------
     InputError
-        For the reasons of `copies`. Or a pattern of a body repeats a strip, which would fuse the copies
-        to one solid.
+        For the reasons of `copies`, or because a pattern of a body repeats a strip and fuses the copies.
     """
     for standing in copies(obj):
         strip = next(filter(is_strip, repeated(standing[0])), None)
@@ -183,21 +181,12 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
 
 
 def strip_of(obj: Any) -> Strip:
-    """Return the `Strip` record of a strip feature.
-
-    Raises
-    ------
-    ElasticaError
-        The strip cannot be made as requested.
-    """
+    """Return the `Strip` record of a strip feature."""
     return solve_strip(spec_of(obj, drawn_curve(obj.Curve, obj)))
 
 
 def valid_request(obj: Any) -> StripSpec | None:
-    """Return the request, or None if it is not valid.
-
-    If only the curve is refused, another curve or a support may help.
-    """
+    """Return the request, even if no strip can take its curve, or None if the request is not valid."""
     try:
         spec = spec_of(obj, drawn_curve(obj.Curve, obj))
     except FAILURES:
@@ -206,9 +195,9 @@ def valid_request(obj: Any) -> StripSpec | None:
 
 
 def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
-    """Return suggested changes that need no search: a text, and the new values of properties.
+    """Return suggested changes that need no search, as a text and the new values of properties.
 
-    They result from messages on a strip, join edges that do not meet, or ignore a limit.
+    They follow from messages on a strip, join edges that do not meet, or ignore a limit.
     """
     changes: list[Change] = []
     spec = None
@@ -228,19 +217,15 @@ def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
 
 
 def changeable(obj: Any) -> tuple[str, ...]:
-    """Return the fields that suggestions may change.
-
-    Fields of the sketch are included if the strip follows the whole sketch.
+    """Return the fields that suggestions may change; fields of the sketch only if the strip follows all of
+    it.
     """
     source, edges = obj.Curve or (None, ())
     return (*CHANGEABLE, *(DRAWN if is_sketch(source) and not any(edges) else ()))
 
 
 def values_of(obj: Any, change: Change) -> dict[str, Any]:
-    """Return the values of properties for a suggested change.
-
-    The result is empty if the strip has no such property.
-    """
+    """Return the values of properties for a suggested change; empty if the strip has no such property."""
     match change:
         case Change("max_width", width):
             return {"MaxWidth" if obj.Style == STYLES[0] else "MaterialWidth": width}
@@ -256,10 +241,7 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
 
 
 def _may_help(spec: StripSpec, change: Change) -> bool:
-    """Return True if a strip can be made after a change.
-
-    Changes of switches are not tried; they count as possible.
-    """
+    """Return True if a strip can be made after a change, which is not tried for a switch."""
     if isinstance(change.value, bool):
         return True
     with suppress(ElasticaError):
@@ -269,21 +251,15 @@ def _may_help(spec: StripSpec, change: Change) -> bool:
 
 
 def shown_strip(obj: Any) -> Strip:
-    """Return the strip from which the current shape was made. Features that depend on the strip use it.
-
-    Raises
-    ------
-    ElasticaError
-        For the reasons of `strip_of`, which is called if no strip is cached.
-    """
+    """Return the strip from which the current shape was made, or compute it."""
     return _shown.get(obj.MadeFrom) or strip_of(obj)
 
 
 def show_held(obj: Any) -> None:
     """Write into the results how far a strip, as cut and held, is from its curve.
 
-    The computation takes as long as all other results together, so it is done after the recompute. It is not
-    done for strips with rails, pins, ties or point forces.
+    The computation takes as long as all other results together, so it follows the recompute. Strips with
+    rails, pins, ties or point forces are not computed.
     """
     if obj.Held or not obj.MadeFrom or "Invalid" in obj.State:
         return
@@ -291,19 +267,19 @@ def show_held(obj: Any) -> None:
         strip = strip_of(obj)
         if strip.rod.acting:
             return
-        held = held_shape(strip)
+        shape = held_shape(strip)
         message = (
             note(
                 "With its ends held in these positions, the strip takes a shape far from its design. Hold "
                 "the ends nearer to their designed positions."
             )
-            if held is None
-            else str(held)
+            if shape is None
+            else str(shape)
         )
     except ElasticaError as error:
-        held, message = None, str(error)
-    far = (0.0, 0.0) if held is None else (held.deviation, held.expected)
-    put(obj, HeldDeviation=far[0], ExpectedDeviation=far[1], Held=message)
+        shape, message = None, str(error)
+    distances = (0.0, 0.0) if shape is None else (shape.deviation, shape.expected)
+    put(obj, HeldDeviation=distances[0], ExpectedDeviation=distances[1], Held=message)
 
 
 def is_stale(obj: Any, changed: set[str]) -> bool:
@@ -318,13 +294,13 @@ def is_stale(obj: Any, changed: set[str]) -> bool:
         return True
     try:
         drawn = drawn_curve(obj.Curve, obj)
-        return bool(obj.MadeFrom != _mark(obj, drawn, spec_of(obj, drawn)))
+        return bool(obj.MadeFrom != _hash_of_request(obj, drawn, spec_of(obj, drawn)))
     except FAILURES:
         return True
 
 
-def _mark(obj: Any, drawn: Any, spec: Any) -> str:
-    """Return a hash that identifies a request within a session of FreeCAD."""
+def _hash_of_request(obj: Any, drawn: Any, spec: Any) -> str:
+    """The hash identifies a request within a session of FreeCAD."""
     return f"{hash((spec, obj.Form, tuple(drawn.placement.toMatrix().A))):x}"
 
 
@@ -334,10 +310,7 @@ def _solids(body: Any) -> bool:
 
 
 def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
-    """Write the results.
-
-    `changed` and `smoothed` are the distances, mm, by which search and smoothing moved the curve.
-    """
+    """`changed` and `smoothed` are the distances, mm, by which search and smoothing moved the curve."""
     rod, stability, sideways = strip.rod, judged(strip.rod), strip.sideways
     faults, bent, refused = list(strip_faults(strip)), is_bent_beforehand(strip), strip.strain_verdict.refused
     notes = [
@@ -348,13 +321,13 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
     ]
     words = [fault.words for fault in faults if not (refused and fault.number == "LargestStrain")]
     fails = note("The strip fails: {faults}.", faults=sentences(words, "; ")) if words else ""
-    taken = "" if faults else note(
+    verdict = "" if faults else note(
         "A pre-bent strip takes this curve." if bent else "A flat strip takes this curve."
     )  # fmt: skip
     if not faults and rod.check is not None and rod.check.undecided is not None:
-        taken = rod.check.verdict
+        verdict = rod.check.verdict
     if changed is not None:
-        taken = note(
+        verdict = note(
             "A pre-bent strip cannot take this curve, but it can take a curve that differs by at most {far}."
             if bent else
             "A flat strip cannot take this curve, but it can take a curve that differs by at most {far}.",
@@ -362,10 +335,10 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
         )  # fmt: skip
     if refused:
         breaks = "A pre-bent strip would break on this curve."
-        fails, taken = note(breaks if bent else "A flat strip would break on this curve."), fails
+        fails, verdict = note(breaks if bent else "A flat strip would break on this curve."), fails
     put(
         obj,
-        Verdict=sentences([fails, taken, note("There are remarks.") if notes else ""], " "),
+        Verdict=sentences([fails, verdict, note("There are remarks.") if notes else ""], " "),
         Reasons=list(dict.fromkeys(notes)),
         Fails=[fault.number for fault in faults],
         Ratio=rod.ratio,
@@ -385,7 +358,7 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
 
 
 def is_edited(obj: Any) -> bool:
-    """Return True if the sketch of the strip is open for editing. Hiding the strip would then cause flicker."""
+    """Return True if the sketch of the strip is open; hiding the strip would then cause flicker."""
     if not App.GuiUp or obj.Curve is None or not is_sketch(obj.Curve[0]):
         return False
     import FreeCADGui as Gui

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Properties of a strip (options and results), and the conversion of its options to a table of a design file.
-
-The core reads this table. Most properties are generated from the declared fields of a strip. Properties that
-do not correspond to a single field are declared here.
+"""Properties of a strip, and the conversion of its options to the table of a design file, which the core
+reads.
 """
 
 import math
@@ -58,13 +56,13 @@ EXAMPLES = {
     "KeepOut": "point = [0, 0], normal = [0, 1]",
     "StiffnessBounds": "lower = 1, upper = [2, 3, 2]",
 }
-"""Examples of the lines of properties that contain tables, written as in a design file."""
+"""Examples of the lines of properties with tables, written as in a design file."""
 
 OWN_BOXES = (
     "curve", "engrave", "sheet", "style", "compensate", "gravity", "loads", "supports", "natural_curvature", "ends",
     "limits.margin", "limits.strain", "limits.length", "limits.width", "keep.ends", "keep.tangents", "keep.line",
 )  # fmt: skip
-"""Keys that do not correspond to a single property. Special functions read them."""
+"""Keys without a single property of their own, which special functions read."""
 
 OWN_TABLES = ("style", "limits", "keep")
 """Keys whose subkeys have properties."""
@@ -78,19 +76,19 @@ def _group(path: str) -> str:
     return GROUPS.get(table) or GROUPS.get(paths_of(StripKeys)[table].option.group, "Strip")
 
 
-def _one_to_one() -> Iterator[tuple[str, Field]]:
-    known, of_files = paths_of(StripKeys), {declared_field.name for declared_field in declared(StripKeys)}
-    for path, field in known.items():
+def _single_fields() -> Iterator[tuple[str, Field]]:
+    paths, of_files = paths_of(StripKeys), {declared_field.name for declared_field in declared(StripKeys)}
+    for path, field in paths.items():
         table, _, key = path.rpartition(".")
         if path in OWN_BOXES or key in ("kind", "backing") or (table and table not in OWN_TABLES):
             continue
         if table or path not in (*OWN_TABLES, "shop", *of_files):
             yield path, field
-    yield "shop.least_width", known["shop.least_width"]
+    yield "shop.least_width", paths["shop.least_width"]
 
 
-FIELDS = dict(_one_to_one())
-"""Fields of the keys that correspond to a single property, by the path of the key."""
+FIELDS = dict(_single_fields())
+"""Fields of the keys with a single property, by the path of the key."""
 
 SHEET_PROPERTIES = (
     Property("Length", "Thickness", "Sheet", "Thickness of the sheet; measure yours", 1.0),
@@ -102,7 +100,7 @@ SHEET_PROPERTIES = (
         hidden=True,
     ),
 )
-"""Properties for the thickness and the stored data of the sheet from which a feature is cut."""
+"""Properties for the thickness and the stored data of the sheet of a feature."""
 
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
@@ -116,7 +114,7 @@ PROPERTIES = (
         "Anticlastic",
         "Width",
         "Compensate anticlastic bending in the widths if the sheet's Poisson ratio is known",
-        # False in files of earlier versions, so that their widths do not change
+        # False in files of earlier versions, whose widths must not change
     ),
     Property(
         "Length",
@@ -262,13 +260,12 @@ MASS_LINE, WEIGHT_LINE, TAB_LINE = "at = 90, mass = 3", "alpha = 1, own = true",
 LENGTHS = tuple(p.name for p in PROPERTIES if p.kind == "Length" and not p.result)
 
 SHEET, BACKING = "sheet", "backing"
-"""Keys of the sheets in the table of a strip. The document stores the data of both sheets."""
+"""Keys of the sheets in the table of a strip; the document stores the data of both sheets."""
 
 
 def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
-    """Return the request that the properties define.
-
-    Properties of other styles or of an unused nearest curve are ignored.
+    """Return the request that the properties define, without properties of other styles or of an unused
+    nearest curve.
 
     Raises
     ------
@@ -280,7 +277,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
     if obj.Style == "Laminated":
         sheets[BACKING] = sheet_called(obj.Backing, obj.BackingData)
     nearest = obj.Follow == "Nearest"
-    fields = {path: field for path, field in FIELDS.items() if _counts(obj, path, nearest=nearest)}
+    fields = {path: field for path, field in FIELDS.items() if _has_effect(obj, path, nearest=nearest)}
     table = _table(obj, drawn, fields, READ_STRIP | READ_ROD | (READ_LIMITS if nearest else {}))
     if before := obj.PlacesLength.Value:
         table = Table(table.data | scaled_places(table.data, drawn.curve.length / before), "", {})
@@ -288,9 +285,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
 
 
 def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
-    """Return the request for the nearest rod within the limits, even if the strip follows the drawn curve
-    exactly.
-    """
+    """Return the request for the nearest rod within the limits, even if the strip follows the curve exactly."""
     limits = {path: field for path, field in FIELDS.items() if path.startswith(("limits.", "keep."))}
     table = _table(obj, drawn, limits, READ_ROD | READ_LIMITS)
     fields = read_fields(table, Reader({SHEET: sheet_of(obj)}))
@@ -333,14 +328,12 @@ def acting_lines(items: Iterable[Acting]) -> dict[str, list[str]]:
 
 
 def _line(table: Mapping[str, Any]) -> str:
-    """Return a table as a line of text for a property."""
     return ", ".join(toml_text(table).splitlines())
 
 
 def keep_fractions(obj: Any, drawn: DrawnCurve) -> None:
-    """Convert the positions of ties and loads to the current curve.
-
-    As fractions of its length, they are unchanged.
+    """Convert the positions of ties and loads to the current curve; the fractions of the length are
+    unchanged.
     """
     length, before = drawn.curve.length, obj.PlacesLength.Value
     if before == length:
@@ -373,13 +366,7 @@ def acting_words(item: Acting, places: Sequence[float]) -> str:
 def _table(
     obj: Any, drawn: DrawnCurve, fields: Mapping[str, Field], readers: Mapping[str, Callable[[Any], Any]]
 ) -> Table:
-    """Return the table of a design file that is equivalent to the properties for some keys.
-
-    Raises
-    ------
-    InputError
-        A line is not a table, or the limits of a range are in the wrong order.
-    """
+    """Return the table of a design file that is equivalent to the properties of some keys."""
     table: dict[str, Any] = {}
     for path, field in fields.items():
         value = value_of_field(obj, name_of(path), field)
@@ -394,14 +381,14 @@ def _table(
     return Table(table, "", {})
 
 
-def _counts(obj: Any, path: str, *, nearest: bool) -> bool:
+def _has_effect(obj: Any, path: str, *, nearest: bool) -> bool:
     """Return True if the property of a key has an effect on this strip."""
     table, _, key = path.rpartition(".")
     if table == "style":
         return key in names_of(BY_KIND[Style][obj.Style.lower()])
     if table in ("limits", "keep"):
         return nearest
-    # the widths have no effect with a width law, which contains its limits
+    # a width law contains its limits
     if path in ("max_width", "min_width"):
         return not obj.Law.strip() and (path == "min_width" or obj.Style == "Plain")
     return path != "samples" or not nearest
@@ -444,9 +431,8 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
 
 
 def sheet_of(obj: Any) -> Sheet:
-    """Return the sheet with its measured thickness.
-
-    If that differs from the nominal thickness, the thickness range is removed.
+    """Return the sheet with the measured thickness, without a thickness range if this is not the nominal
+    thickness.
     """
     sheet, thickness = sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value
     if sheet.thickness == thickness:
@@ -460,25 +446,20 @@ def _style(obj: Any) -> dict[str, Any]:
 
 
 def _max_width(obj: Any) -> float | None:
-    """Return the limit of the material width for a styled outline.
-
-    For a plain strip, another property sets the limit.
-    """
     return None if obj.Style == "Plain" or obj.Law.strip() else obj.MaterialWidth.Value or None
 
 
 def _shop(obj: Any) -> dict[str, Any] | None:
-    """Return the limits of the workshop. The smallest ligament is set by the style."""
+    """The style sets the smallest ligament."""
     return {"least_ligament": obj.LeastLigament.Value} if obj.Style == "Perforated" else None
 
 
 def _compensate(obj: Any) -> bool | None:
-    """Return True to compensate everything, False to compensate nothing, or None for the default."""
+    """True compensates everything, False nothing, and None is the default."""
     return None if obj.Anticlastic and not obj.Compensate else bool(obj.Compensate)
 
 
 def _gravity(obj: Any, drawn: DrawnCurve) -> Any:
-    """Return the direction of the strip's weight in space."""
     if not obj.Gravity:
         return None
     direction = list(obj.GravityDirection)
@@ -512,7 +493,7 @@ def _limits(obj: Any) -> dict[str, Any]:
 
 
 def _range(obj: Any, kind: str) -> list[float] | None:
-    """Return the smallest and largest value, mm, or None if no largest value is set."""
+    """Return the smallest and the largest value, mm, or None without a largest value."""
     least, most = getattr(obj, f"Least{kind}").Value, getattr(obj, f"Most{kind}").Value
     if not most:
         return None
@@ -567,6 +548,4 @@ READ_ROD: dict[str, Callable[[Any], Any]] = {
     "natural_curvature": _natural_curvature,
 }
 READ_LIMITS: dict[str, Callable[[Any], Any]] = {"limits": _limits, "keep": _keep}
-"""Functions for keys that do not correspond to a single property: two properties for a value, or a property
-for two values.
-"""
+"""Functions for keys without a single property of their own."""

@@ -12,21 +12,21 @@ from freecad.elastica_wb.host.resources import icon
 
 
 class View(Unsaved):
-    """Base class of all view providers. They have no data."""
+    """Base class of all view providers, which have no data."""
 
     icon_name = "Elastica"
     panel_of: ClassVar[Callable[[Any], Any]]
-    """Function that makes the panel of a feature. The graphical interface sets it."""
+    """Function that makes the panel of a feature, set by the graphical interface."""
 
     def __init__(self, provider: Any) -> None:
         provider.Proxy = self
 
     def attach(self, provider: Any) -> None:
-        """Store the object. FreeCAD calls this with the view provider at creation and after loading."""
+        """Store the object. FreeCAD calls this method at creation and after loading."""
         self.Object = provider.Object
 
     def setEdit(self, provider: Any, mode: int = 0) -> bool | None:
-        """Open the panel. Leave other edit modes, such as Transform, to FreeCAD."""
+        """Open the panel, but leave other edit modes, such as Transform, to FreeCAD."""
         if mode != 0:
             return None
         Gui.Control.showDialog(self.panel_of(provider.Object))
@@ -72,7 +72,7 @@ class ModelView(View):
     icon_name = "Elastica_Interlock"
 
     def claimChildren(self) -> list[Any]:
-        """Return the strips for the tree. The model displays the strips with their slots."""
+        """Return the strips, which the model displays with their slots."""
         return list(self.Object.Strips)
 
     def onDelete(self, _provider: Any, _elements: Any) -> bool:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Cached strips and nearest curves. Equal requests are computed once."""
+"""Cached strips and nearest curves; equal requests are computed once."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -41,12 +41,9 @@ Result = TypeVar("Result")
 
 
 def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
-    """Cache the results and errors of a function.
+    """Cache the results and errors of a function, for the current and previous state of a hundred strips.
 
-    The size suffices for the current and previous state of a hundred strips.
-
-    Errors are cached because FreeCAD recomputes a failed object at each change of the document, also if the
-    change is unrelated.
+    Errors are cached, because FreeCAD recomputes a failed object at each change of the document.
     """
 
     @lru_cache(maxsize=256)
@@ -60,7 +57,7 @@ def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
     def result_or_error(*arguments: Any) -> Result:
         result = outcome(*arguments)
         if isinstance(result, ElasticaError):
-            raise result.with_traceback(None)  # raise a cached error without the traceback of earlier calls
+            raise result.with_traceback(None)  # without the traceback of earlier calls
         return result
 
     return result_or_error
@@ -72,10 +69,8 @@ STEPS, FINER = 641, 21
 def sharpest_bend(
     curve: PlaneCurve, rest: NaturalCurvature, samples: CurveSamples | None = None
 ) -> tuple[float, float]:
-    """Return the largest change of curvature, 1/mm, from the natural curvature of a strip to a curve, and its
-    position, mm.
-
-    The search is repeated with smaller steps near the largest value.
+    """Return the largest change of curvature, 1/mm, from a strip before bending to a curve, and its position,
+    mm.
     """
     samples = curve.sample(STEPS) if samples is None else samples
     s, t = samples.s, samples.t
@@ -92,7 +87,7 @@ MANY_HOLES = 100
 HEADROOM = 1.003  # factor by which the curvature limit is reduced for a rod whose curve is drawn as a spline
 # largest number of searches; factor by which each search corrects the excess over the limit
 STRICTER, BEYOND = 4, 1.3
-AS_DRAWN_MM = 0.05  # a curve meets all limits if the nearest curve within the limits is nearer than this, mm
+AS_DRAWN_MM = 0.05  # a curve meets all limits if the nearest curve within the limits is closer than this, mm
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
 
 
@@ -102,14 +97,8 @@ def default_spec(curve: PlaneCurve) -> StripSpec:
 
 
 def solve_strip(spec: StripSpec) -> Strip:
-    """Return the strip of a request.
-
-    Raises
-    ------
-    ElasticaError
-        The strip cannot be made. The message states the problem, its position and an instruction.
-    """
-    spec = _first_equal(spec.in_plane)
+    """Return the strip of a request."""
+    spec = _shared_request(spec.in_plane)
     return in_background(SEARCHING, _strip, spec) if spec.may_change else _strip(spec)
 
 
@@ -125,12 +114,12 @@ def changes_that_help(spec: StripSpec, fields: tuple[str, ...]) -> tuple[Suggest
 
 def moved_by_smoothing(spec: StripSpec) -> float:
     """Return the distance, mm, by which smoothing moves the curve of a request."""
-    return _first_equal(spec.in_plane).rod_spec.smoothing.moved
+    return _shared_request(spec.in_plane).rod_spec.smoothing.moved
 
 
 @remembered
-def _first_equal(spec: StripSpec) -> StripSpec:
-    """Return the first of equal requests, whose smoothing is already computed."""
+def _shared_request(spec: StripSpec) -> StripSpec:
+    """The smoothing of the first of equal requests is computed already."""
     return spec
 
 
@@ -140,34 +129,34 @@ def find_nearest(spec: RodSpec) -> NearestRod:
 
 
 def find_nearest_to_draw(spec: RodSpec) -> NearestRod:
-    """Return the nearest rod for drawing its curve: the spline of the curve is also within the limits."""
+    """Return the nearest rod whose curve, as a spline, is within the limits."""
     return in_background(SEARCHING, find_nearest_now, spec)
 
 
 @remembered
 def find_nearest_now(spec: RodSpec) -> NearestRod:
-    """Do the same as `find_nearest_to_draw`, in this thread and without a progress bar.
+    """Return `find_nearest_to_draw` in this thread, without a progress bar.
 
-    The curvature of a spline differs from that of its rod by some thousandths. Therefore the limits of the
-    rod are stricter by this amount.
+    The curvature of a spline differs from that of its rod by some thousandths, so the limits of the rod are
+    stricter.
     """
     limits = spec.limits
     most = None if limits is None else limits.largest_curvature
     if limits is None or most is None:
         return find_rod(spec)
-    share = HEADROOM
+    factor = HEADROOM
     for _ in range(STRICTER):
-        near = find_rod(replace(spec, limits=limits.tightened(curvature=share, strain=share)))
+        near = find_rod(replace(spec, limits=limits.tightened(curvature=factor, strain=factor)))
         if near.found is None or not near.met:
             break
         used = sharpest_bend(near.curve, spec.natural_curvature)[0] / most
         if used <= 1 + STRAIN_SLACK:
             return near
-        share *= 1 + BEYOND * (used - 1)
+        factor *= 1 + BEYOND * (used - 1)
     return find_rod(spec)
 
 
-# factors by which limits are stricter, tried in turn, because a curve with few poles differs from its rod
+# factors by which limits are stricter, in turn, because a curve with few poles differs from its rod
 ROOMS = (1.1, 1.25, 1.5)
 # largest distance of a curve with few poles: multiple of the least distance, or fraction of the length
 FARTHER, NEAR_SHARE = 3, 0.01
@@ -175,9 +164,9 @@ SPANS = (8, 12, 16, 20)
 
 
 def find_nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
-    """Return a nearest curve with few enough poles for dragging, and a message on its larger deviation.
+    """Return a nearest curve with few enough poles for dragging, and a message on the larger deviation.
 
-    If no such curve is within the limits, return the nearest curve with all its poles.
+    If no such curve is within the limits, return the nearest curve with all poles.
     """
     return in_background(SEARCHING, _nearest_to_drag, spec)
 
@@ -188,15 +177,15 @@ def _nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
     if not nearest.met or len(nearest.curve.control_points) <= MOST_DRAGGED:
         return nearest.curve, ""
     farthest = max(FARTHER * nearest.deviation, NEAR_SHARE * spec.curve.length)
-    for room in ROOMS:
-        limits = spec.limits.tightened(curvature=room, strain=room)
+    for factor in ROOMS:
+        limits = spec.limits.tightened(curvature=factor, strain=factor)
         near = find_rod(
-            replace(spec, limits=replace(limits, ratio=limits.ratio and max(1.0, limits.ratio / room)))
+            replace(spec, limits=replace(limits, ratio=limits.ratio and max(1.0, limits.ratio / factor)))
         )
         for spans in SPANS if near.met and near.deviation <= farthest else ():
             with suppress(NotConvergedError):
                 curve = coarse_curve(near.rod, spans)
-                if _keeps_limits(replace(spec, curve=curve)):
+                if _is_within_limits(replace(spec, curve=curve)):
                     return curve, note(
                         "The new curve has {count} poles and is {far} from the original curve. With {most} "
                         "poles, too many to drag, the distance would be {near}.",
@@ -210,15 +199,14 @@ def _nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
     )
 
 
-def _keeps_limits(spec: RodSpec) -> bool:
-    """Return True if a strip can be bent into the curve of the request within the limits."""
+def _is_within_limits(spec: RodSpec) -> bool:
     most, ratio = spec.limits.largest_curvature, spec.limits.ratio
     if most is not None and sharpest_bend(spec.curve, spec.natural_curvature)[0] > most * (1 + STRAIN_SLACK):
         return False
     try:
         if ratio is not None and find_rod(replace(spec, limits=None, keep=None)).ratio > ratio:
             return False
-        again = find_rod(spec)  # this check is the last, because the search is slow
+        again = find_rod(spec)  # the slow search is the last check
     except ElasticaError:
         return False
     return bool(again.met and again.deviation <= AS_DRAWN_MM)
@@ -234,9 +222,7 @@ def judged(rod: Rod) -> Stability | None:
 
 @remembered
 def held_shape(strip: Strip) -> HeldShape | None:
-    """Return the shape of a strip as cut, with its ends held as designed, or None if the shape is far from
-    the design.
-    """
+    """Return the shape of a strip as cut and held, or None if the shape is far from the design."""
     try:
         return strip.held()
     except NotConvergedError:
@@ -245,11 +231,8 @@ def held_shape(strip: Strip) -> HeldShape | None:
 
 @remembered
 def bent_shape(strip: Strip) -> Part.Shape:
-    """Return the body of the bent strip, with its curve in the xy plane.
-
-    The body of a laminate has both layers.
-    """
-    # bodies with thousands of holes take seconds, so they are computed in a thread, with a progress bar
+    """Return the body of the bent strip, with its curve in the xy plane; a laminate has both layers."""
+    # bodies with thousands of holes take seconds
     many = len(strip.holes) > MANY_HOLES
     layers = (
         in_background(QT_TRANSLATE_NOOP("Elastica", "Bending the strip"), _bent, strip)
@@ -281,10 +264,9 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
 
 @remembered
 def engraved_shape(strip: Strip, layer: int = 0) -> Part.Shape:
-    """Return the shape of `flat_shape`, with the engraved text as edges on its upper face.
+    """Return the shape of `flat_shape`, with the engraved text as edges on the upper face.
 
-    Bodies of tapered strips and of stacks of plies are returned without text, because they have no plane face
-    for it.
+    Tapered strips and stacks of plies have no plane face for the text.
     """
     shape = flat_shape(strip, layer)
     if strip.layout.worked_size is not None or strip.layout.stack is not None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Results of the checks of curves and strips (possible, impossible, would break), with reasons in words."""
+"""Verdicts on curves and strips (possible, impossible, would break), with reasons in words."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
@@ -23,7 +23,7 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 SLENDER = 2.0
-"""Smallest ratio of length to width for which a strip can be modelled as a rod."""
+"""Least ratio of length to width of a strip that can be modelled as a rod."""
 
 
 @dataclass(frozen=True)
@@ -96,11 +96,11 @@ def is_bent_beforehand(strip: Strip) -> bool:
     return bool(np.any(strip.rod.natural_curvature))
 
 
-def pre_bend_messages(named: Iterable[tuple[str, Strip]]) -> list[str]:
-    """Return instructions for named strips that are pre-bent before assembly: one message for all strips with
-    the same pre-bend.
+def pre_bend_messages(named_strips: Iterable[tuple[str, Strip]]) -> list[str]:
+    """Return instructions for strips that are pre-bent before assembly, one for all strips with the same
+    pre-bend.
     """
-    return together((name, pre_bend_message(strip)) for name, strip in named)
+    return together((name, pre_bend_message(strip)) for name, strip in named_strips)
 
 
 class Verdict(Enum):
@@ -125,7 +125,7 @@ class Answer:
 def quick_answer(
     curve: PlaneCurve, samples: CurveSamples, spec: StripSpec, check: EquilibriumCheck
 ) -> Answer:
-    """Return the result of the checks that need no search: equilibrium, strain at the surface, widths."""
+    """Return the result of the checks without a search: equilibrium, strain at the surface, widths."""
     if check.undecided is not None:
         return _undecided(check)
     if not check.realizable:
@@ -156,7 +156,7 @@ def _failing(faults: list[Fault]) -> Answer:
 
 
 def refusal_answer(error: ElasticaError) -> Answer:
-    """Return the result for an error, which is caused by the curve or by an option of the strip."""
+    """Return the result for an error that the curve or an option of the strip causes."""
     if isinstance(error, NotRealizable):
         if isinstance(error.check, EquilibriumCheck) and error.check.undecided is not None:
             return _undecided(error.check)
