@@ -1,12 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Tool that draws the curve of a strip of given length between two clamped ends, edited by handles in an open
-sketch.
-
-The solver of the sketcher cannot keep the length of a curve. Therefore only a preview follows a drag, and the
-curve is drawn when the mouse is released.
-"""
+"""Tool that draws the curve of a strip of given length between two clamped ends in an open sketch."""
 
 from collections.abc import Callable
 from contextlib import suppress
@@ -40,23 +35,22 @@ DIFFERENT_MM = 1e-6
 
 
 class BetweenClamps:
-    """Tool that draws the curve of a strip between two clamped ends.
-
-    Its parameters are two ends, two tangents and a length.
+    """Tool that draws the curve of a strip between two clamped ends, with two ends, two tangents and a
+    length.
     """
 
     def __init__(self, sketch: Any, view: Any) -> None:
         self.sketch = sketch
-        self.number, self.ends, self.angles, self.length, self.side = _taken(sketch, view)
+        self.number, self.ends, self.angles, self.length, self.side = _initial_parameters(sketch, view)
         self.found: ElasticaBetween | None = None
         placement = container(sketch).multiply(sketch.Placement)
         self.card = LengthCard(view, self.length, self._lengthen, self._turn_over, stop)
         self.preview = Preview(view, placement)
         self._solve()
-        # start with the tangents of a strip whose ends rotate freely
+        # the first tangents are those of a strip whose ends rotate freely
         if self.angles is None and self.found is not None:
-            turned = self.found.rod.angle
-            self.angles = [float(turned[0]), float(turned[-1])]
+            angles = self.found.rod.angle
+            self.angles = [float(angles[0]), float(angles[-1])]
         self.angles = self.angles or [0.0, 0.0]
         self.preview.add_handles(self._places(), self._moved, self._draw)
         Gui.addDocumentObserver(self)
@@ -65,7 +59,7 @@ class BetweenClamps:
             self._draw()
 
     def close(self) -> None:
-        """Remove preview, handles and card from the view. The drawn curve is not removed."""
+        """Remove preview, handles and card, but not the drawn curve, from the view."""
         App.removeDocumentObserver(self)
         Gui.removeDocumentObserver(self)
         self.preview.remove()
@@ -105,7 +99,6 @@ class BetweenClamps:
         self._draw()
 
     def _turn_over(self) -> None:
-        """Mirror the curve about its chord."""
         along = 2 * atan2(*(self.ends[1] - self.ends[0])[::-1])
         self.angles = [along - angle for angle in self.angles]
         self.side = -self.side
@@ -125,14 +118,13 @@ class BetweenClamps:
         self.preview.show(np.zeros((0, 2)), points, None if self.angles is None else self._places()[order])
 
     def _draw(self) -> None:
-        """Draw the current curve into the sketch, in one undo step."""
         self.preview.handles.put(self._places())
         if self.found is None:
             return
         document = self.sketch.Document
         open_step(document, translate("Elastica_Between", "Curve of given length"))
         self.number = recorded(replace_curve, self.sketch, self.number, self.found.curve)
-        record_call(self.sketch, "solve")  # solve within the step, because solving moves points
+        record_call(self.sketch, "solve")  # within the step, because solving moves points
         close_step(document)
 
     def _places(self) -> FloatArray:
@@ -141,13 +133,10 @@ class BetweenClamps:
         return np.array([*self.ends, self.ends[0] + off[0], self.ends[1] - off[1]])
 
 
-def _taken(sketch: Any, view: Any) -> tuple[int | None, list[FloatArray], list[float] | None, float, int]:
-    """Return number, ends, angles, length and side with which the tool starts.
-
-    They are those of the selected curve or only spline of the sketch, of a selected line, or of a new
-    curve.
-    """
-    number = _chosen(sketch)
+def _initial_parameters(
+    sketch: Any, view: Any
+) -> tuple[int | None, list[FloatArray], list[float] | None, float, int]:
+    number = _chosen_number(sketch)
     if number is None:
         is_flat = str(view.getCameraType()) == "Orthographic"
         half = VIEW_SHARE * float(view.getCameraNode().height.getValue()) if is_flat else 50.0
@@ -165,8 +154,7 @@ def _taken(sketch: Any, view: Any) -> tuple[int | None, list[FloatArray], list[f
     return number, ends, angles, float(curve.length()), side
 
 
-def _chosen(sketch: Any) -> int | None:
-    """Return the number of the selected curve of a sketch, or else of its only spline."""
+def _chosen_number(sketch: Any) -> int | None:
     for choice in Gui.Selection.getSelectionEx():
         names = [name for name in choice.SubElementNames if name.startswith("Edge")]
         if choice.Object is sketch and names and not _is_closed(sketch.Geometry[int(names[0][4:]) - 1]):
@@ -205,7 +193,7 @@ def switch() -> None:
 
 
 def stop() -> None:
-    """End the tool. The drawn curve is not removed."""
+    """End the tool without removing the drawn curve."""
     while _running:
         _running.pop().close()
 
@@ -215,8 +203,8 @@ PAUSE_MS = 150  # time, ms, after the last key, until the length is used
 
 
 class LengthCard(QtCore.QObject):
-    """Card in the upper left corner of a view with a length, a button that mirrors the curve, and a button
-    that ends the tool.
+    """Card in the upper left corner of a view: the length, and buttons that mirror the curve and end the
+    tool.
     """
 
     def __init__(
@@ -260,14 +248,14 @@ class LengthCard(QtCore.QObject):
         self._pause = later(lambda: lengthened(value_of(self.length)), PAUSE_MS, self.frame)
         on_change(self.length, lambda *_: self._pause.start())
         self.side.clicked.connect(lambda *_: turned_over())
-        # end the tool later, because a button must not be deleted while it is pressed
+        # a button must not be deleted while it is pressed
         self.done.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, done))
         self.frame.setFixedWidth(WIDE_PX)
         self.frame.move(free_part(over).topLeft() + QtCore.QPoint(GAP_PX, GAP_PX))
         self.frame.show()
 
     def show_message(self, sentence: str, *, good: bool) -> None:
-        """Describe the curve, or explain why there is none. Lengths are in mm."""
+        """Describe the curve, or explain why there is none."""
         self.heading.setStyleSheet(heading_style(Verdict.CAN if good else Verdict.CANNOT))
         words = worded(sentence)
         if words != self.words.text():

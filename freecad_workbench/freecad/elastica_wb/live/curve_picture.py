@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Contents of the overlay as arrays of points in the plane of the sketch. This module works without a window."""
+"""Contents of the overlay as arrays of points in the plane of the sketch, without a window."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -26,7 +26,7 @@ from elastica_cad.strip.strip_spec import StripSpec
 
 TEETH = 161  # number of teeth of the curvature comb, whose rim then looks smooth on a screen
 COMB_HEIGHT = 0.2  # height of the curvature comb, as a fraction of the extent of the curve
-# length by which inflection line and thrust line extend beyond the curve, as a fraction of its extent
+# length by which inflection and thrust line extend beyond the curve, as a fraction of the extent of the curve
 LINE_MARGIN = 0.15
 # deviation of inflections from a line that `check_equilibrium` corrects, as a fraction of the length
 ON_LINE = 1e-4
@@ -48,10 +48,9 @@ class Picture:
     answer : Answer
         The result of the checks that need no search.
     realizable : bool or None
-        True if a strip is possible. None, for a curve with weight, if only the solver can decide this.
+        True if a strip is possible, or None for a curve with weight, about which only the solver decides.
     comb, strained : tuple of (n, 2) arrays
-        Rim and teeth of the curvature comb: parts within the strain limit of the sheet, and parts beyond the
-        limit.
+        Rim and teeth of the curvature comb, within and beyond the strain limit of the sheet.
     line : (2, 2) array or None
         Part of the inflection line near the curve.
     on_line, off_line : (k, 2) arrays
@@ -63,8 +62,7 @@ class Picture:
     thrust : tuple of (n, 2) arrays
         Sides of the thrust line, for a curve with elements or point forces.
     stations : tuple of ((x, y), str)
-        Positions of rails, pins, ties and point forces. The first position of each has the name of its kind
-        as the text.
+        Positions of rails, pins, ties and point forces; the first position of each has the kind as text.
     cords : tuple of (2, 2) arrays
         Ties.
     """
@@ -96,7 +94,7 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     except ElasticaError as error:
         cannot = Answer(Verdict.CANNOT, translate("Elastica", "cannot"), str(error))
         return Picture(cannot, False, *_combs(curve.sample(TEETH), spec, scale))
-    # the whole drawn curve, with its straight ends
+    # drawn curve with straight ends
     drawn_curve = smoothing.curve if smoothing.moved else curve
     samples = drawn_curve.sample(TEETH)
     comb, strained = _combs(samples, spec, scale)
@@ -104,8 +102,8 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
     good = [s for s, d in places.items() if abs(d) <= ON_LINE * check.length]
     bad = [s for s in places if s not in good]
     met = [*check.crossings, *check.touches]
-    named = [*good, *bad, *met]
-    marks = _at(check.curve, named)
+    positions = [*good, *bad, *met]
+    marks = _at(check.curve, positions)
     on_line, off_line, crossings = np.split(marks, [len(good), len(good) + len(bad)])
     answer, realizable = quick_answer(drawn_curve, samples, spec, check), check.realizable
     thrust: tuple[FloatArray, ...] = ()
@@ -120,11 +118,11 @@ def curve_picture(curve: PlaneCurve, spec: StripSpec, scale: float | None = None
         realizable=None if rod_spec.gravity is not None and realizable else realizable,
         comb=comb,
         strained=strained,
-        line=None if check.line is None else _inside(check, samples.position),
+        line=None if check.line is None else _line_near(check, samples.position),
         on_line=on_line,
         off_line=off_line,
         crossings=crossings,
-        labels=tuple((_point(mark), Length(s)) for mark, s in zip(marks, named, strict=True)),
+        labels=tuple((_point(mark), Length(s)) for mark, s in zip(marks, positions, strict=True)),
         thrust=thrust,
         stations=tuple(
             (_point(place), "" if k else noun_of(element.element))
@@ -165,10 +163,7 @@ def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
 def _combs(
     samples: CurveSamples, spec: StripSpec, scale: float
 ) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
-    """Return the parts of the comb within the strain limit and beyond it.
-
-    As in FreeCAD, teeth are on the outer side of the bend.
-    """
+    """As in FreeCAD, teeth are on the outer side of the bend."""
     normals = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     tips = samples.position - scale * samples.curvature[:, None] * normals
     bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))
@@ -188,10 +183,7 @@ def _at(curve: PlaneCurve, places: Sequence[float] | FloatArray) -> FloatArray:
     return np.asarray(curve.at(np.array(places)).position)
 
 
-def _inside(check: EquilibriumCheck, points: FloatArray) -> FloatArray:
-    """Return the part of the inflection line that is slightly longer than the projection of the curve on the
-    line.
-    """
+def _line_near(check: EquilibriumCheck, points: FloatArray) -> FloatArray:
     along, start = np.asarray(check.line.direction), np.asarray(check.line.point)
     shadow = (points - start) @ along
     margin = LINE_MARGIN * float(np.ptp(points, axis=0).max())

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Observers of documents, installed when FreeCAD starts. Large modules are imported on first use."""
+"""Observers of documents, installed when FreeCAD starts, so large modules are imported on first use."""
 
 import sys
 from concurrent.futures import Future
@@ -24,7 +24,7 @@ SOUGHT_MS = 50  # interval, ms, between checks whether work in another thread ha
 
 
 class LaterResults:
-    """Observer that computes slow results after a recompute: deviation of strips, overlaps in models,
+    """Observer that computes slow results after a recompute: deviation of strips, overlaps of models,
     messages on nests.
     """
 
@@ -35,7 +35,7 @@ class LaterResults:
         self._timer = later(self._next)
 
     def slotRecomputedObject(self, obj: Any) -> None:
-        """Queue a strip or a model. Work starts after the last object is recomputed."""
+        """Queue a strip or a model until all objects are recomputed."""
         if is_strip(obj) or is_model(obj):
             self._wait_for(obj)
 
@@ -52,9 +52,7 @@ class LaterResults:
             self._wait_for(obj)
 
     def slotDeletedObject(self, obj: Any) -> None:
-        """Queue the nests of the document, because a feature that changed a strip may be deleted without a
-        recompute.
-        """
+        """Queue the nests of the document: a feature that changed a strip may be deleted without a recompute."""
         for nest in filter(lives, self._nests.get(obj.Document.Name, ())):
             self._wait_for(nest)
 
@@ -74,7 +72,7 @@ class LaterResults:
         if not self._waiting:
             return
         first, obj = next(iter(self._waiting.items()))
-        # wait while the user drags, or while the document recomputes: timers run during its progress bar
+        # timers also run while the user drags, and during the progress bar of a recompute
         if QtWidgets.QApplication.mouseButtons() or (lives(obj) and obj.Document.Recomputing):
             self._timer.start(PAUSE_MS)
             return
@@ -85,7 +83,7 @@ class LaterResults:
         self._timer.start(0 if is_finished else SOUGHT_MS)
 
     def _finish(self, name: tuple[str, str], obj: Any) -> bool:
-        """Write the results of an object. Return False if they are not computed yet."""
+        """Return False if the results of an object are not computed yet."""
         if is_strip(obj):
             from freecad.elastica_wb.features.strip import show_held
 
@@ -150,8 +148,8 @@ class Edits:
     """Observer that starts the overlay when a sketch is opened, and ends it when the sketch is closed."""
 
     def slotInEdit(self, provider: Any) -> None:
-        """Start the overlay when FreeCAD has handled this signal, because the sketcher draws its points only
-        then.
+        """Start the overlay after FreeCAD has handled this signal, because the sketcher then draws its
+        points.
         """
         sketch = getattr(provider, "Object", None)
         if is_sketch(sketch) and wants_overlay(sketch):
@@ -161,14 +159,14 @@ class Edits:
         """End the overlay when its sketch is closed."""
         sketch = getattr(provider, "Object", None)
         if is_on(sketch):
-            _imported("live.session").stop()
+            _module_if_imported("live.session").stop()
             QtCore.QTimer.singleShot(0, lambda: _hide_failed(sketch))
 
     def slotDeletedDocument(self, document: Any) -> None:
         """End the overlay when its document is closed."""
         session = _session()
         if session is not None and session.sketch.Document.Name == document.Document.Name:
-            _imported("live.session").stop()
+            _module_if_imported("live.session").stop()
 
 
 class Changes:
@@ -190,7 +188,12 @@ class Changes:
             self._pasted.append(obj)
             if len(self._pasted) == 1:
                 QtCore.QTimer.singleShot(0, self._after_paste)
-        if is_sketch(obj) and not obj.Document.Restoring and not obj.Document.Transacting and _here():
+        if (
+            is_sketch(obj)
+            and not obj.Document.Restoring
+            and not obj.Document.Transacting
+            and _is_workbench_active()
+        ):
             remember(obj, True)
 
     def slotBeforeChangeObject(self, obj: Any, name: str) -> None:
@@ -205,16 +208,16 @@ class Changes:
     def slotChangedObject(self, obj: Any, name: str) -> None:
         """Update the overlay and dependent features after a change."""
         if name == "Label":
-            _renamed(obj, self._called.pop((obj.Document.Name, obj.Name), ""))
+            _rename_users(obj, self._called.pop((obj.Document.Name, obj.Name), ""))
         if obj.Document.Transacting:
             if name not in SEEN_ONLY:
                 names = self._changed.setdefault(obj.Document.Name, {})
                 names.setdefault(obj.Name, set()).add(name)
         elif name == "Group" and not obj.Document.Restoring:
             moved = self._held.pop((obj.Document.Name, obj.Name), set()) ^ _names(obj.Group)
-            _shared("keep_containers", obj.Document, moved)
+            _call_in_proxy("keep_containers", obj.Document, moved)
         elif name == "Placement" and obj.hasExtension("App::GeoFeatureGroupExtension"):
-            _shared("keep_places", obj)
+            _call_in_proxy("keep_places", obj)
         if name == "Geometry" and is_on(obj):
             self._soon()
 
@@ -226,18 +229,18 @@ class Changes:
     def slotRecomputedDocument(self, document: Any) -> None:
         """Set the error of features that FreeCAD skipped because an object failed."""
         self._input.leave()
-        _shared("give_up", document)
+        _call_in_proxy("give_up", document)
 
     def slotDeletedObject(self, obj: Any) -> None:
         """End the overlay when its sketch is deleted."""
         if is_on(obj):
-            _imported("live.session").stop()
+            _module_if_imported("live.session").stop()
 
     def slotUndoDocument(self, document: Any) -> None:
-        """Note the changes of an undone step, and recompute later, because the next undo may delete the objects.
+        """Note the changes of an undone step, and recompute later, because the next undo may delete the
+        objects.
 
-        The recompute is necessary because an undo does not restore shapes that were computed after the step
-        was closed.
+        An undo does not restore shapes that were computed after the step was closed.
         """
         step = self._changed.pop(document.Name, {})
         self._changed.clear()
@@ -262,11 +265,9 @@ class Changes:
                 recompute(_stale(ours, changed, half))
 
     def _after_paste(self) -> None:
-        """Recompute pasted features, because they may have been pasted without their sources, and FreeCAD
-        0.20 does not recompute them.
-        """
+        """Pasted features may lack their sources, and FreeCAD 0.20 does not recompute them."""
         pasted = [obj for obj in self._pasted if lives(obj)]
-        # wait until FreeCAD has imported the objects, because timers run during its progress bar
+        # timers run during the progress bar of the import
         if any(_is_importing(obj.Document) for obj in pasted):
             QtCore.QTimer.singleShot(AGAIN_MS, self._after_paste)
             return
@@ -301,38 +302,31 @@ class Changes:
 
 
 def _is_importing(document: Any) -> bool:
-    """Return True while objects are pasted or merged into a document."""
     return bool(getattr(document, "Importing", False))
 
 
-def _here() -> bool:
-    """Return True if this workbench is active."""
+def _is_workbench_active() -> bool:
     return bool(App.GuiUp) and Gui.activeWorkbench().name() == WORKBENCH
 
 
-def _imported(module: str) -> Any:
-    """Return a module of this workbench from `sys.modules`, or None if it was not imported before."""
+def _module_if_imported(module: str) -> Any:
     return sys.modules.get(f"freecad.elastica_wb.{module}")
 
 
 def _session() -> Any:
-    """Return the running overlay, without importing its module."""
-    module = _imported("live.session")
+    module = _module_if_imported("live.session")
     return None if module is None else module.session()
 
 
-def _shared(work: str, *subject: Any) -> None:
-    """Call a function of `features.proxy` if that module is imported."""
-    module = _imported("features.proxy")
+def _call_in_proxy(work: str, *subject: Any) -> None:
+    module = _module_if_imported("features.proxy")
     if module is not None:
         getattr(module, work)(*subject)
 
 
-def _renamed(obj: Any, old: str) -> None:
-    """After an object was renamed, rename features that are named after it, and update messages with the old
-    name.
-    """
-    module = _imported("features.proxy")
+def _rename_users(obj: Any, old: str) -> None:
+    """Features that are named after an object, and messages with its name, change with the name."""
+    module = _module_if_imported("features.proxy")
     if old and not obj.Document.Transacting and not _is_importing(obj.Document):
         for user in filter(is_ours, obj.InList):
             if user.Label.startswith(f"{old} "):
@@ -343,16 +337,15 @@ def _renamed(obj: Any, old: str) -> None:
 
 
 def _hide_failed(sketch: Any) -> None:
-    """Hide the failed features of a closed sketch again, because the sketcher makes them visible."""
     if lives(sketch):
-        _shared("hide_failed", sketch)
+        _call_in_proxy("hide_failed", sketch)
 
 
 def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> list[Any]:
     """Return the features whose shape does not match their properties, and all features that depend on them.
 
-    Curves and failed features are included if a source changed. `half` contains the names of objects of which
-    an undo restored either the shape or the properties, but not both.
+    `half` contains the names of objects of which an undo restored either the shape or the properties, but not
+    both.
     """
     from freecad.elastica_wb.features.strip import is_stale
 
@@ -381,23 +374,19 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
 
 
 def _names(objects: list[Any]) -> set[str]:
-    """Return the names of objects, because objects may be deleted later.
-
-    FreeCAD lists an object that is being deleted as None.
-    """
+    """FreeCAD lists an object that is being deleted as None."""
     return {obj.Name for obj in objects if obj is not None}
 
 
 def _containers_of(obj: Any) -> list[Any]:
-    """Return the containers of a feature, and the containers that move only its sources."""
     parent = obj.getParentGeoFeatureGroup()
     return [*([parent] if parent is not None else []), *getattr(obj, "Containers", ())]
 
 
 def _is_half_undone(obj: Any, changed: dict[str, set[str]]) -> bool:
-    """Return True if an undo restored only the shape of a feature, or only its sources.
+    """Return True if an undo restored only the shape of a feature, or only the sources.
 
-    This happens because FreeCAD records the recompute after closing a sketch as a separate step.
+    FreeCAD records the recompute after closing a sketch as a separate step.
     """
     results = {entry.name for entry in obj.Proxy.properties if entry.result}
     properties = changed.get(obj.Name, set())

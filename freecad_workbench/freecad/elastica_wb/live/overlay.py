@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The overlay in the 3D view. It has a few permanent Coin nodes, whose points are replaced."""
+"""The overlay in the 3D view: a few permanent Coin nodes, whose points are replaced."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -30,16 +30,14 @@ COLORS: dict[Verdict, Color] = {
     Verdict.CANNOT: (0.85, 0.18, 0.18),
     Verdict.NOTHING: (0.42, 0.42, 0.45),
 }
-"""Color (red, green, blue) of each kind of result. Medium lightness contrasts with light and dark backgrounds."""
+"""Color (red, green, blue) of each kind of result, of medium lightness for light and dark backgrounds."""
 HELD: Color = (0.10, 0.33, 0.66)
 LABEL, LABEL_GROUND, LABEL_SIZE = (1.0, 1.0, 1.0), (0.13, 0.13, 0.15), 10
 
 
 @dataclass(frozen=True)
 class Part:
-    """A part of the overlay: lines with a width and a pattern, or marks; with its symbol and text in the
-    legend.
-    """
+    """A part of the overlay, lines with a width and a pattern or marks, with symbol and text in the legend."""
 
     color: Color
     sign: str
@@ -100,7 +98,9 @@ class Overlay:
             cords=[line for picture in pictures for line in picture.cords],
             stations=(np.array([place for place, _ in stations]).reshape(-1, 2),),
         )
-        lengths = [(place, note("{far}", far=far)) for picture in pictures for place, far in picture.labels]
+        lengths = [
+            (place, note("{far}", far=distance)) for picture in pictures for place, distance in picture.labels
+        ]
         self._write([*titles, *lengths, *((place, noun) for place, noun in stations if noun)])
 
     def clear(self) -> None:
@@ -109,13 +109,12 @@ class Overlay:
         self._write(())
 
     def show_width(self, edges: Sequence[FloatArray]) -> None:
-        """Show both edges of the strip. An empty sequence hides them."""
+        """Show both edges of the strip; an empty sequence hides the edges."""
         self._set(width=edges)
 
     def show_nearest(self, *curves: FloatArray) -> None:
-        """Show the nearest possible curve, or the curves of a suggested change.
-
-        A call without curves hides them.
+        """Show the nearest possible curve, or the curves of a suggested change; no curves hide the earlier
+        curves.
         """
         self._set(nearest=curves)
 
@@ -141,14 +140,13 @@ class Overlay:
 
 
 def _label() -> Any:
-    """Return a Coin node of FreeCAD's label class: text on a background, drawn over all objects."""
     label = coin.SoType.fromName("SoFrameLabel").createInstance()
     label.textColor, label.backgroundColor, label.size = LABEL, LABEL_GROUND, LABEL_SIZE
     return label
 
 
 class _Points:
-    """Lines or marks of one colour. Fields of Coin nodes are cached, because looking them up is slow."""
+    """Lines or marks of one colour. Fields of Coin nodes are cached, because looking up a field is slow."""
 
     def __init__(self, root: Any, part: Part) -> None:
         points, paint = coin.SoCoordinate3(), coin.SoBaseColor()
@@ -166,7 +164,7 @@ class _Points:
         self.set([])
 
     def set(self, pieces: Sequence[FloatArray]) -> None:
-        """Replace all points. Each array in `pieces` is a line."""
+        """Each array in `pieces` is a line."""
         pieces = [piece for piece in pieces if len(piece)]
         if not pieces and self.count == 0:
             return

@@ -61,9 +61,8 @@ class Preview:
         moved: Callable[[int, Place], None],
         released: Callable[[], None] | None = None,
     ) -> None:
-        """Add handles at points (n, 2).
-
-        `moved` is called with the number and the new position of a dragged handle.
+        """Add handles at points (n, 2); `moved` is called with the number and the new position of a dragged
+        handle.
         """
         self.handles = Handles(self._view, self._placement, places, moved, released)
 
@@ -82,7 +81,7 @@ class Preview:
 
 
 class _Ribbon:
-    """Surface of a strip without thickness. Half of its width is on each side of the plane."""
+    """Surface of a strip without thickness, with half of the width on each side of the plane."""
 
     def __init__(self, root: Any) -> None:
         material, hints = coin.SoMaterial(), coin.SoShapeHints()
@@ -103,16 +102,15 @@ class _Ribbon:
 REACH_PX = 12  # distance, pixels, from a handle within which the mouse grabs it
 SIZE_PX = 13  # px
 REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)
-# the plane is seen edge-on if the sine of its angle to the line of sight is smaller than this
+# smallest sine of the angle between the plane and the line of sight at which the plane is not seen edge-on
 EDGE_ON_SINE = 1e-6
 
 
 class Handles:
     """Handles at points (n, 2) of a plane.
 
-    `moved` is called with the number and the new position of a dragged handle.
-
-    `released` is called when the user releases a handle. Mouse moves during a call of `moved` are ignored.
+    `moved` is called with the number and the new position of a dragged handle, and `released` when the user
+    releases a handle. Mouse moves during a call of `moved` are ignored.
     """
 
     def __init__(
@@ -208,7 +206,6 @@ class Handles:
 
 
 def _put(coordinates: Any, rows: FloatArray) -> FloatArray:
-    """Replace the points (n, 3) of a node, and return them."""
     coordinates.point.setNum(len(rows))
     coordinates.point.setValues(0, len(rows), rows.tolist())
     return rows
@@ -223,7 +220,7 @@ def plane_node(placement: Any) -> Any:
 
 
 def marks_in_plane(name: str, placement: Any) -> Any:
-    """Return a Coin group for unlit marks in a plane. They are drawn over all objects and ignore the mouse."""
+    """Return a Coin group for unlit marks in a plane, drawn over all objects, that ignore the mouse."""
     light, pick, depth = coin.SoLightModel(), coin.SoPickStyle(), coin.SoDepthBuffer()
     light.model, pick.style = coin.SoLightModel.BASE_COLOR, coin.SoPickStyle.UNPICKABLE
     depth.test = False
@@ -243,9 +240,9 @@ def add_group(root: Any, *nodes: Any) -> None:
 
 
 class _Mouse(QtCore.QObject):
-    """Event filter that handles the left mouse button before FreeCAD rotates the view or selects objects.
+    """Event filter for the left mouse button, before FreeCAD rotates the view or selects objects.
 
-    All navigation styles use this button, and some handle it before Coin's scene receives the event.
+    All navigation styles use this button, and some handle the event before Coin's scene.
     """
 
     def __init__(self, view: Any, *answers: Callable[[FloatArray], bool]) -> None:
@@ -256,20 +253,20 @@ class _Mouse(QtCore.QObject):
         self._answers = dict(
             zip((kinds.MouseButtonPress, kinds.MouseMove, kinds.MouseButtonRelease), answers, strict=True)
         )
-        # without a widget, the handles are visible but can be moved only by the numbers in the panel
+        # without a widget, the handles can be moved only by the numbers in the panel
         if self._widget is not None:
             self._widget.installEventFilter(self)
 
     def leave(self) -> None:
-        """Remove the event filter. The view may be closed already."""
+        """The view may be closed already."""
         with suppress(RuntimeError):
             if self._widget is not None:
                 self._widget.removeEventFilter(self)
-        # release the wrapper, because PySide would reuse it for the next view
+        # PySide would reuse the wrapper for the next view
         self._widget = self._view = None
 
     def eventFilter(self, _widget: Any, event: Any) -> bool:
-        """Return True if a handle used the event, so that other receivers do not get it."""
+        """Return True if a handle used the event, which other receivers then do not get."""
         answer = self._answers.get(kind_of(event))
         if answer is None:
             return False

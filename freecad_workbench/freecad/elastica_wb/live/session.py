@@ -60,7 +60,7 @@ from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip_spec import StripSpec
 
-REST_MS = 40  # time, ms, without a mouse move, before slower results are computed
+REST_MS = 40  # time, ms, without a mouse move, until slower results are computed
 NO_POLES = np.zeros((0, 2))
 SEEN = 24  # number of points of a curve that the card tries not to hide
 PEEK_MS = 60  # interval, ms, between checks whether the nearest curve was found
@@ -68,7 +68,7 @@ STEP_SHARE = 1e-3  # smallest move of a pole towards the border, as a fraction o
 MOVES, HALVINGS = (
     3,
     12,
-)  # a dragged pole is moved to the last possible place in so many moves, each with at most so many trials
+)  # largest numbers of moves of a dragged pole to the last possible position, and of trials of each move
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
@@ -118,7 +118,7 @@ class Session:
         if self.card.keep.isChecked() and self._stop_at_border():
             return  # the changed sketch causes another refresh
         self._attach()
-        # relate the drawn points to the current geometry
+        # the drawn points belong to the current geometry
         self._dragged = Dragged(self.sketch, self._points()) if self._node is not None else None
         self._show(None)
 
@@ -139,13 +139,13 @@ class Session:
         document = self.sketch.Document
         try:
             curve, self._cost = find_nearest_to_drag(replace(self._allows, curve=self._curve))
-        except FAILURES as error:  # the error is also raised if the user stopped the search
+        except FAILURES as error:  # also if the user stopped the search
             self._show_answer(replace(self.card.answer, sentence=str(explained(error))))
             return
         self._placed = curve.control_points
         open_step(document, translate("Elastica", "Use the nearest curve"))
         recorded(curve_into, self.sketch, curve)
-        record_call(self.sketch, "solve")  # solve within the step, because solving moves points
+        record_call(self.sketch, "solve")  # within the step, because solving moves points
         close_step(document)
         self.refresh()
 
@@ -155,9 +155,9 @@ class Session:
         self.refresh()
 
     def _stop_at_border(self) -> bool:
-        """Move a dragged curve back to the last curve that a strip can take. Return True if the sketch changed.
+        """Move a dragged curve back to the last possible curve, and return True if the sketch changed.
 
-        The sketcher moves the poles itself until the mouse is released. The undo step of the drag is replaced.
+        The sketcher moves the poles until the mouse is released. The undo step of the drag is replaced.
         """
         try:
             self._curve = curve = sketch_curve(self.sketch, None, gap_of(*sketches.followers(self.sketch)))
@@ -171,7 +171,7 @@ class Session:
                 return poles
             return None
 
-        now, last = _Possible(curve, _driving(self.sketch)), self._possible
+        now, last = _Possible(curve, _driving_constraints(self.sketch)), self._possible
         if possible(curve.control_points) is not None:
             self._possible = now
             return False
@@ -179,8 +179,10 @@ class Session:
         if last is None or document.RedoCount or not last.is_dragged_to(now):
             return False
         start = poles = last.curve.control_points
-        drawn = drawn_in(self.sketch, None)
-        is_spline = len(drawn) == 1 and hasattr(drawn[0], "getPoles")  # other curves return to their start
+        geometry = drawn_in(self.sketch, None)
+        is_spline = len(geometry) == 1 and hasattr(
+            geometry[0], "getPoles"
+        )  # other curves return to their start
         for _ in range(MOVES if is_spline else 0):
             step = STEP_SHARE * curve.length
             nearer = move_while_possible(poles, curve.control_points, possible, step, HALVINGS)
@@ -195,10 +197,7 @@ class Session:
         return True
 
     def _attach(self) -> None:
-        """Observe the points that the sketcher draws.
-
-        Some releases use a new Coin node after new geometry is added.
-        """
+        """Some releases of FreeCAD use a new Coin node after new geometry is added."""
         if self._sensor is not None:
             self._sensor.detach()
         self._sensor = self._node = None
@@ -225,12 +224,11 @@ class Session:
             self._soon.start()
 
     def _follow(self) -> None:
-        """Update the overlay. There may have been several mouse moves since the last update."""
         if self._dragged is not None and self._dragged.usable:
             points = self._points()
             try:
                 self._show(self._dragged.geometry(points))
-            # if the sketch has lost points, wait for the update when the mouse is released
+            # the sketch has lost points: wait for the update when the mouse is released
             except IndexError:
                 self._dragged = None
 
@@ -266,12 +264,13 @@ class Session:
         self._rest.start()
 
     def _show_several(self, chains: list[tuple[str, ...]], geometry: list[Any] | None) -> Answer:
-        """Show the curves of a sketch with several curves, and return a common result."""
-        drawn, gap = drawn_in(self.sketch, geometry), gap_of(*sketches.followers(self.sketch))
+        geometry_drawn, gap = drawn_in(self.sketch, geometry), gap_of(*sketches.followers(self.sketch))
         pictures, titles, answers = [], [], []
         for number, names in enumerate(chains, 1):
             try:
-                curve, _ = plane_curve([drawn[int(name[len("Edge") :]) - 1] for name in names], gap=gap)
+                curve, _ = plane_curve(
+                    [geometry_drawn[int(name[len("Edge") :]) - 1] for name in names], gap=gap
+                )
                 if self._scale is None:
                     self._scale = comb_scale(curve)
                 pictures.append(curve_picture(curve, self._spec_along(names, curve), self._scale))
@@ -292,7 +291,7 @@ class Session:
         return Answer(worst, words, sentences(lines, "\n"))
 
     def _spec_along(self, names: tuple[str, ...], curve: PlaneCurve) -> StripSpec:
-        """Request for the strip along edges of this sketch. It is constant during a drag."""
+        """The request for the strip along edges is constant during a drag."""
         if names not in self._asks_along:
             spec = default_spec(curve)
             for strip in sketches.followers(self.sketch):
@@ -302,7 +301,6 @@ class Session:
         return self._asks_along[names]
 
     def _finish(self) -> None:
-        """Compute the widths while the mouse rests."""
         if self._curve is None:
             return
         places = np.concatenate([self._curve.control_points, self._curve.sample(SEEN).position])
@@ -323,10 +321,9 @@ class Session:
             self._request()
 
     def _request(self) -> None:
-        """Start the search for the nearest curve in another thread. Results for earlier curves are ignored.
+        """Start the search for the nearest curve in another thread; results for earlier curves are ignored.
 
-        The search ignores rails, pins, ties and point forces, so it is not started for strips that have
-        them.
+        The search ignores rails, pins, ties and point forces, so strips with these are not searched.
         """
         if self._asks.between or self._asks.rod_spec.point_forces:
             return
@@ -337,7 +334,6 @@ class Session:
         self._answer.start()
 
     def _look(self) -> None:
-        """Show the nearest curve, if the search has finished."""
         if not self._asked.done():
             self._answer.start()
             return
@@ -359,18 +355,17 @@ class Session:
         )
 
     def _spec(self) -> StripSpec:
-        """Request for the strip of this sketch. It is constant during a drag."""
+        """The request for the strip is constant during a drag."""
         if self._asks is None:
             asks = default_spec(self._curve)
             allows = RodSpec(self._curve, limits=Limits(CUTTABLE_RATIO, SAFE_MARGIN, sheet=asks.material))
             for strip in sketches.followers(self.sketch):
-                drawn = drawn_curve(strip.Curve, strip)
-                asks, allows = spec_of(strip, drawn), nearest_spec_of(strip, drawn)
+                curve = drawn_curve(strip.Curve, strip)
+                asks, allows = spec_of(strip, curve), nearest_spec_of(strip, curve)
             self._asks, self._allows = asks, allows
         return self._asks
 
     def _show_read(self, answer: Answer) -> None:
-        """Show a result, with a line on the geometry of the sketch."""
         read = read_line((self.sketch, ()), self._geometry)
         self._show_answer(replace(answer, sentence=sentences([answer.sentence, read], "\n")))
 
@@ -383,23 +378,23 @@ class Session:
 
 @dataclass(frozen=True, eq=False)
 class _Possible:
-    """A curve that a strip can take, and the values of the constraints of its sketch."""
+    """A curve that a strip can take, and the values of the constraints of the sketch."""
 
     curve: PlaneCurve
     constraints: list[tuple[str, float]]
 
     def is_dragged_to(self, other: "_Possible") -> bool:
-        """Return True if another curve of the same sketch differs only in the places of its poles."""
+        """Return True if another curve of the same sketch differs only in the positions of the poles."""
         same = self.curve.control_points.shape == other.curve.control_points.shape
         return same and self.constraints == other.constraints
 
 
-def _driving(sketch: Any) -> list[tuple[str, float]]:
+def _driving_constraints(sketch: Any) -> list[tuple[str, float]]:
     return [(c.Type, c.Value) for c in sketch.Constraints if c.Driving and c.Type not in AUTOMATIC]
 
 
 class _OwnComb:
-    """Switch for FreeCAD's curvature comb, which is off while the overlay is displayed."""
+    """FreeCAD's curvature comb, which is off while the overlay is displayed."""
 
     def __init__(self) -> None:
         self._group = App.ParamGet(SKETCHER)
@@ -408,7 +403,6 @@ class _OwnComb:
             self._group.SetBool(OWN_COMB, False)
 
     def restore(self) -> None:
-        """Restore the setting of the user."""
         if self._was:
             self._group.SetBool(OWN_COMB, True)
 
@@ -419,7 +413,7 @@ def session() -> Session | None:
 
 
 def start(sketch: Any) -> Session | None:
-    """Show the overlay of a sketch, whether it is open or not."""
+    """Show the overlay of a sketch, whether the sketch is open or not."""
     global _session  # noqa: PLW0603 - a view shows only one overlay
     stop()
     view = Gui.getDocument(sketch.Document.Name).activeView()

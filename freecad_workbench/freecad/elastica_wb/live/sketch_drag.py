@@ -1,11 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Geometry of a sketch during a drag, computed from the points that the sketcher draws.
-
-FreeCAD does not notify observers of a drag before the mouse is released, but the sketcher draws all points
-again.
-"""
+"""Geometry of a sketch during a drag, computed from the points that the sketcher draws."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -32,10 +28,10 @@ POINTS = {
 
 
 class Dragged:
-    """Reconstruction of the geometry of a sketch from its drawn points.
+    """Reconstruction of the geometry of a sketch from the drawn points.
 
-    `usable` is False if the points are in an unknown order, or if a pole is not drawn as a point. In this
-    case the geometry is known only after the mouse is released.
+    `usable` is False if the points are in an unknown order, or if a pole is not drawn as a point. The
+    geometry is then known only after the mouse is released.
     """
 
     def __init__(self, sketch: Any, points: Sequence[Sequence[float]]) -> None:
@@ -85,24 +81,24 @@ class Dragged:
         return Part.ArcOfCircle(circle, first, last if last > first else last + 6.283185307179586)
 
     def _pole_circles(self, spline: int) -> list[int | None]:
-        """Return, for each pole of a spline, the number of the construction circle that displays it, or None."""
+        """Return the number of the construction circle of each pole of a spline, or None."""
         pole_circles: list[int | None] = []
-        taken: set[int] = set()
+        used: set[int] = set()
         for pole in self._geometry[spline].getPoles():
             circles = {
                 g.Center.distanceToPoint(pole): i
                 for i, g in enumerate(self._geometry)
-                if self._construction[i] and i not in taken and isinstance(g, Part.Circle)
+                if self._construction[i] and i not in used and isinstance(g, Part.Circle)
             }
             near = min(circles, default=SOLVED_MM)
             circle = circles[near] if near < SOLVED_MM else None
             pole_circles.append(circle)
             if circle is not None:
-                taken.add(circle)
+                used.add(circle)
         return pole_circles
 
     def _fits(self, points: Sequence[Sequence[float]], shift: int) -> bool:
-        """Return True if the drawn points match the geometry that is stored in the document."""
+        """Return True if the drawn points match the geometry in the document."""
         for i, circles in self._poles.items():
             for pole, circle in zip(self._geometry[i].getPoles(), circles, strict=True):
                 x, y = points[shift + self._first[circle]][:2]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The open sketch, the strips that follow it, and its stored state of the overlay."""
+"""The open sketch, the strips that follow it, and the state of the overlay that a sketch stores."""
 
 from collections.abc import Callable
 from typing import Any
@@ -40,21 +40,20 @@ def followers(sketch: Any) -> list[Any]:
 
 
 def remember(sketch: Any, on: bool, name: str = MEMORY) -> None:
-    """Store in the sketch whether its overlay is on, or another state."""
+    """Store a state in a property of the sketch, by default whether the overlay is on."""
     if name not in sketch.PropertiesList:
         words = {
             MEMORY: App.Qt.translate("App::Property", "Show live feedback while this sketch is open"),
             KEEP: App.Qt.translate("App::Property", "Stop dragged poles where the strip can be made"),
         }
-        sketch.addProperty("App::PropertyBool", name, "Elastica", words[name], 8)  # causes no recompute
+        sketch.addProperty(
+            "App::PropertyBool", name, "Elastica", words[name], 8
+        )  # 8: a change causes no recompute
     setattr(sketch, name, on)
 
 
 def wants_overlay(sketch: Any) -> bool:
-    """Return True if the overlay of a sketch is on.
-
-    If the sketch stores no state, return True if a strip follows it.
-    """
+    """Return True if the overlay of a sketch is on; without a stored state, if a strip follows the sketch."""
     if not preferences.get("LiveMode"):
         return False
     if MEMORY in sketch.PropertiesList:
@@ -63,7 +62,7 @@ def wants_overlay(sketch: Any) -> bool:
 
 
 def recompute(strips: list[Any]) -> None:
-    """Recompute strips and the features that depend on them, and no other objects."""
+    """Recompute strips and the features that depend on them, but no other objects."""
     alive = [strip for strip in strips if lives(strip)]
     if not alive:
         return

@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The card over a 3D view with the result of the check: a sentence, a legend, and a button for the nearest
-curve.
-"""
+"""The card over a 3D view with the result of the check, a legend, and a button for the nearest curve."""
 
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -24,9 +22,10 @@ from elastica_cad.mechanics.sheets import hex_color
 GAP_PX = 12  # distance, pixels, from the edges of the view, and from points that must stay visible
 CUBE_PX = 140  # space, pixels, for the navigation cube and the axes at the right edge
 WIDEST_PX, NARROW_PX, FOLDED_PX = 480, 320, 240
-# largest width of the card, as a fraction of the width of the view, so that the curve is visible beside it
+# largest width of the card, as a fraction of the width of the view, so that the curve is visible beside the
+# card
 SHARE = 0.45
-SMALL = 0.15  # a card that hides points is folded if it covers a larger fraction of the view than this
+SMALL = 0.15  # largest fraction of the view that a card with hidden points covers without being folded
 LOOKED_MS = 100  # time, ms, after the last move of the camera, until the card is placed again
 FOLDED = "CardFolded"
 
@@ -34,12 +33,12 @@ FOLDED = "CardFolded"
 class VerdictCard(QtCore.QObject):
     """Frame over a view that ignores the mouse, with three buttons.
 
-    The lowest button calls `wanted`, and `keep` is a switch. The card is placed in the corner of the view in which
-    it hides the fewest of the points that must stay visible.
+    The lowest button calls `use_nearest`, and `keep` is a switch. The card is in the corner of the view in
+    which it hides the fewest of the points that must stay visible.
     """
 
-    def __init__(self, view: Any, wanted: Callable[[], None]) -> None:
-        # if the view has no drawing widget, the card is placed over the area of all views
+    def __init__(self, view: Any, use_nearest: Callable[[], None]) -> None:
+        # without a drawing widget, the card is over the area of all views
         self._view, self._over = view, surface_of(view) or Gui.getMainWindow().centralWidget()
         super().__init__(self._over)
         self.frame = QtWidgets.QFrame(self._over)
@@ -51,7 +50,7 @@ class VerdictCard(QtCore.QObject):
         for label in (self.heading, self.words, self.legend):
             label.setWordWrap(label is not self.heading)
             layout.addWidget(label)
-        # the buttons are outside of the frame, because the frame ignores the mouse
+        # the frame ignores the mouse, so the buttons are outside the frame
         self.button, self.fold = QtWidgets.QPushButton(self._over), QtWidgets.QPushButton(self._over)
         self.keep = QtWidgets.QPushButton(translate("Elastica", "Keep it possible"), self._over)
         self.keep.setCheckable(True)
@@ -62,11 +61,11 @@ class VerdictCard(QtCore.QObject):
         self.button.setObjectName("useNearest")
         self.fold.setObjectName("foldVerdict")
         self.fold.setToolTip(translate("Elastica", "Fold or unfold the card"))
-        self.button.clicked.connect(lambda *_: wanted())
+        self.button.clicked.connect(lambda *_: use_nearest())
         self.fold.clicked.connect(self._turn)
         for part in (self.frame, self.button, self.fold, self.keep):
             part.setStyleSheet(STYLE)
-            # the card takes no keyboard focus, so that the sketcher receives keys
+            # without keyboard focus, so that the sketcher receives keys
             part.setFocusPolicy(QtCore.Qt.NoFocus)
         self.answer: Answer | None = None
         self._tall = self._corner = 0
@@ -78,11 +77,8 @@ class VerdictCard(QtCore.QObject):
         self._camera = sensor(coin.SoNodeSensor, self._looks_elsewhere)
 
     def show(self, answer: Answer, sentence: str, counts: Mapping[str, int]) -> None:
-        """Show a result.
-
-        `sentence` is in the units of the user; `counts` has the number of points of each part of the overlay.
-        """
-        with suppress(RuntimeError):  # ignore the error if the view was closed
+        """Show a result; `counts` has the number of points of each part of the overlay."""
+        with suppress(RuntimeError):  # the view may be closed
             self._show(answer, sentence, _legend(counts))
         self.answer = answer
 
@@ -94,14 +90,14 @@ class VerdictCard(QtCore.QObject):
             self.words.setText(sentence)
             self.legend.setText(legend)
             tall = sum(label.heightForWidth(label.width()) for label in (self.words, self.legend))
-            # place the card again only if its height has changed; most mouse moves only change numbers
+            # most mouse moves change numbers only, so the card is placed again only for another height
             if tall != self._tall:
                 self._tall = tall
                 self._place()
         self.frame.show()
 
     def offer(self, words: str, *, usable: bool = True) -> None:
-        """Set the text of the button and show it. The button is not hidden afterwards."""
+        """Set the text of the button and show the button."""
         with suppress(RuntimeError):
             if words != self.button.text():
                 self.button.setText(words)
@@ -112,7 +108,7 @@ class VerdictCard(QtCore.QObject):
         """Set the points in space that the card should not hide."""
         with suppress(RuntimeError):
             self._places = places
-            self._place()  # place the card first, because this raises an error if the view was closed
+            self._place()  # before the camera is used: this raises an error if the view was closed
             self._camera.attach(self._view.getCameraNode())
 
     def remove(self) -> None:
@@ -124,7 +120,7 @@ class VerdictCard(QtCore.QObject):
                 part.hide()
                 part.deleteLater()
             self.deleteLater()
-        # release the wrapper, because PySide would reuse it for the next view
+        # PySide would reuse the wrapper for the next view
         self._over = self._view = None
 
     def eventFilter(self, _watched: Any, event: Any) -> bool:
@@ -134,7 +130,7 @@ class VerdictCard(QtCore.QObject):
         return False
 
     def _looks_elsewhere(self) -> None:
-        """Place the card again after a camera move. The view may be closed before its camera and timer."""
+        """The view may be closed before its camera and timer."""
         with suppress(RuntimeError):
             self._soon.start()
 
@@ -146,7 +142,7 @@ class VerdictCard(QtCore.QObject):
         self._place()
 
     def _place(self) -> None:
-        """Place the card and its buttons in a corner. In a small view, fold the card if it would hide points."""
+        """In a small view, the card is folded if it would hide points."""
         if self._over is None:  # FreeCAD may report a camera move while it is closing the view
             return
         folded = preferences.get(FOLDED)
@@ -158,7 +154,7 @@ class VerdictCard(QtCore.QObject):
             self._lay_out(folded=True)
 
     def _lay_out(self, *, folded: bool) -> int:
-        """Set the width of the card, and move the card. Return the number of points that it hides."""
+        """Set width and position of the card, and return the number of hidden points."""
         over = self._over
         self.fold.setText("▴" if folded else "▾")
         self.fold.setFixedSize(self.fold.sizeHint())
@@ -169,8 +165,8 @@ class VerdictCard(QtCore.QObject):
         self.keep.setFixedSize(self.keep.sizeHint())
         self.keep.setVisible(not folded)
         rows = [button for button in (self.keep, self.button) if button.isVisible()]
-        layout, room = self.frame.layout(), sum(button.height() + GAP_PX for button in rows)
-        layout.setContentsMargins(0, 0, 0, room + (0 if folded else GAP_PX // 2))
+        layout, button_height = self.frame.layout(), sum(button.height() + GAP_PX for button in rows)
+        layout.setContentsMargins(0, 0, 0, button_height + (0 if folded else GAP_PX // 2))
         widest = max(min(WIDEST_PX, round(SHARE * free_part(over).width())), FOLDED_PX)
         # a narrow card is higher, and may fit beside the curve
         widths = (FOLDED_PX,) if folded else (widest, min(widest, NARROW_PX))
@@ -195,10 +191,10 @@ class VerdictCard(QtCore.QObject):
         return hidden
 
     def _free_corner(self) -> tuple[tuple[int, int], int]:
-        """Return the upper left corner at which the frame hides the fewest points, and the number of these points.
+        """Return the upper left corner at which the frame hides the fewest points, and the number of these
+        points.
 
-        The current position is preferred to other positions with the same number. A corner with another card
-        counts as the worst.
+        The current corner is preferred, and a corner with another card is the worst.
         """
         over, size = self._over, self.frame.size()
         part = free_part(over)
@@ -207,7 +203,7 @@ class VerdictCard(QtCore.QObject):
         below = max(above, part.top() + part.height() - size.height() - GAP_PX)
         corners = [(start, below), (start, above), (end, above), (end, below)]
         scale = self._view.getSize()[1] / over.height()
-        seen = [
+        points = [
             (x / scale, over.height() - y / scale) for x, y in map(self._view.getPointOnScreen, self._places)
         ]
 
@@ -220,16 +216,16 @@ class VerdictCard(QtCore.QObject):
         def hidden(corner: int) -> int:
             left, top = corners[corner]
             if any(card.intersects(QtCore.QRect(QtCore.QPoint(left, top), size)) for card in cards):
-                return len(seen) + 1
+                return len(points) + 1
             wide, tall = size.width() + GAP_PX, size.height() + GAP_PX
-            return sum(left - GAP_PX < x < left + wide and top - GAP_PX < y < top + tall for x, y in seen)
+            return sum(left - GAP_PX < x < left + wide and top - GAP_PX < y < top + tall for x, y in points)
 
         self._corner = min(range(len(corners)), key=lambda corner: (hidden(corner), corner != self._corner))
         return corners[self._corner], hidden(self._corner)
 
 
 def free_part(over: Any) -> Any:
-    """Return the rectangle of a view that no panel covers. FreeCAD 1.x shows panels over the edges of views."""
+    """Return the rectangle of a view that no panel covers; FreeCAD 1.x shows panels over the edges of views."""
     free = over.rect()
     for panel in Gui.getMainWindow().findChildren(QtWidgets.QTabWidget):
         if panel.metaObject().className() == PANELS and panel.isVisible() and panel.count():
@@ -271,4 +267,4 @@ STYLE = """
 #keepPossible:checked { color: white; background: #14873d; }
 #foldVerdict { border: none; padding: 3px 8px; color: white; background: transparent; }
 """
-"""Style of the card. It is white on dark in every theme, because the view behind it may have any colour."""
+"""Style of the card, white on dark in every theme, because the view behind it may have any colour."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel for bending a strip by moving its ends. The document is not changed before OK."""
+"""The panel for bending a strip by moving its ends; the document changes after OK."""
 
 from typing import Any
 
@@ -22,10 +22,7 @@ from elastica_cad.strip.strip import strip_sideways
 
 
 class BendPanel(Panel):
-    """Panel with displacements and rotations of both ends, set by numbers or handles.
-
-    The preview follows the mouse.
-    """
+    """Panel with displacements and rotations of both ends, set by numbers or handles."""
 
     file = "bend"
     icon_name = "Elastica_Bend"
@@ -61,7 +58,7 @@ class BendPanel(Panel):
         self._show(self.rod)
 
     def dragged(self, end: int, place: tuple[float, float]) -> None:
-        """Move the start (0) or the end (1) to the position of its dragged handle in the plane of the curve."""
+        """Move the start (0) or the end (1) to the position of the dragged handle in the plane of the curve."""
         shift, name = np.asarray(place) - self.rest.position[-end], ("Start", "End")[end]
         widgets = (getattr(self.form, f"{name}{axis}") for axis in "XY")
         for widget, value in zip(widgets, shift, strict=True):
@@ -74,8 +71,8 @@ class BendPanel(Panel):
 
         rod = self.rest
         with self.telling():
-            for share in np.linspace(0.0, 1.0, 21)[1:]:
-                rod = self._bent(float(share), rod)
+            for fraction in np.linspace(0.0, 1.0, 21)[1:]:
+                rod = self._bent(float(fraction), rod)
                 self._show(rod)
                 QtWidgets.QApplication.processEvents()
             self.rod = rod
@@ -94,8 +91,8 @@ class BendPanel(Panel):
             if getattr(self.feature, name).Value != value:
                 record_value(self.feature, name, value)
 
-    def _bent(self, share: float, guess: Rod) -> Rod:
-        return moved(self.rest, {name: share * self.value(name) for name in MOVES}, guess)
+    def _bent(self, fraction: float, guess: Rod) -> Rod:
+        return moved(self.rest, {name: fraction * self.value(name) for name in MOVES}, guess)
 
     def _show(self, rod: Rod) -> None:
         self._draw(rod)
@@ -116,7 +113,7 @@ class BendPanel(Panel):
         if self.preview is None:
             return
         self.preview.show(self.rest.position, rod.position)
-        share = np.linspace(0.0, 1.0, len(rod.position))
-        self.preview.show_strip(rod.position, self.strip.width(share * self.strip.width.length))
+        fractions = np.linspace(0.0, 1.0, len(rod.position))
+        self.preview.show_strip(rod.position, self.strip.width(fractions * self.strip.width.length))
         if self.preview.handles is not None and not self.preview.handles.is_held:
             self.preview.handles.put(rod.position[[0, -1]])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of a check: its complete result in words, and the overlay on the curve."""
+"""The panel of a check: the complete result in words, and the overlay on the curve."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -38,7 +38,6 @@ class CheckPanel(Panel):
 
 
 def _verdict(link: tuple[Any, tuple[str, ...]]) -> str:
-    """Return the result of the check of a curve, in paragraphs."""
     try:
         curve, read = drawn_curve(link).curve, read_line(link)
         spec = default_spec(curve)
@@ -49,7 +48,7 @@ def _verdict(link: tuple[Any, tuple[str, ...]]) -> str:
     if check.realizable:
         try:
             answer = strip_answer(solve_strip(spec))
-            # the curve is possible in equilibrium, but the sheet would break
+            # possible in equilibrium, but the sheet would break
             words = [answer.sentence] if answer.verdict is Verdict.BREAKS else [*words, answer.sentence]
         except ElasticaError as error:
             words.append(str(error))

@@ -38,9 +38,7 @@ from elastica_cad.strip.solids import FlatSolid
 
 
 class CouponPanel(Panel):
-    """Panel that makes the coupon in the document and as a file, reads measured droops, and saves the
-    calibrated sheet.
-    """
+    """Panel that makes the coupon, reads measured droops, and saves the calibrated sheet."""
 
     file = "coupon"
     icon_name = "Elastica_Coupon"
@@ -129,13 +127,7 @@ def add_coupon(document: Any, sheet_name: str) -> Any:
 
 
 def readings_of(text: str) -> tuple[list[float], list[float]]:
-    """Return overhangs and droops from a text such as "120 = 14.5; 150 = 31".
-
-    Raises
-    ------
-    InputError
-        The text does not have this form.
-    """
+    """Return overhangs and droops from a text such as "120 = 14.5; 150 = 31"."""
     pairs = []
     commas = ";" in text or decimal_point() == ","  # True if commas in the text are decimal separators
     for part in text.split(";" if commas else ","):

@@ -34,7 +34,7 @@ from elastica_cad.strip.pieces import Piece
 
 
 class ExportPanel(Panel):
-    """Panel whose OK writes the files. The document is not changed."""
+    """Panel whose OK writes the files without changing the document."""
 
     file = "export"
     icon_name = "Elastica_Export"
@@ -62,7 +62,7 @@ class ExportPanel(Panel):
         words = [message for obj in cut for message in later_feature_messages(obj)]
         words += [message for obj in cut if is_model(obj) for message in overlaps_of(obj)]
         words += pre_bend_messages_of(cuts)
-        words += map(_listed, self.pieces)
+        words += map(_piece_line, self.pieces)
         if find_spec("ezdxf") is None:
             words.append(
                 translate(
@@ -81,10 +81,9 @@ class ExportPanel(Panel):
         if folder:
             self.form.folder.setText(folder)
 
-    def _show_sheet(self, wanted: bool) -> None:
-        """Show the widgets for the size of the sheets only if nested sheets are requested."""
+    def _show_sheet(self, visible: bool) -> None:
         for name in ("sheetWidth", "label_5_Sheetwidth", "sheetHeight", "label_6_Sheetheight"):
-            getattr(self.form, name).setVisible(wanted)
+            getattr(self.form, name).setVisible(visible)
 
     def finished(self) -> None:
         """Write the files."""
@@ -104,9 +103,9 @@ class ExportPanel(Panel):
             self.browse()
         if not self.form.folder.text().strip():
             raise InputError(translate("Elastica", "choose a folder for the files"))
-        # "~" is not replaced if the home folder does not exist
+        # "~" remains if the home folder does not exist
         folder = Path(os.path.expanduser(self.form.folder.text().strip()))
-        # a relative path is refused, because users do not know FreeCAD's working folder
+        # users do not know FreeCAD's working folder
         if not folder.is_absolute():
             raise InputError(translate("Elastica", "Enter the full path of the folder, or press Browse."))
         with progress(
@@ -133,14 +132,14 @@ class ExportPanel(Panel):
 
 
 def _usual_folder(document: Any) -> str:
-    """Return the last used folder, else the folder of the document, else "", so that the user has to choose."""
+    """Return the last used folder, or the folder of the document, or "", so that the user has to choose."""
     last = preferences.get("ExportFolder")
     if last and os.path.isdir(last):  # `isdir` returns False also for a folder without permission
         return str(last)
     return str(Path(document.FileName).parent) if document.FileName else ""
 
 
-def _listed(piece: Piece) -> str:
+def _piece_line(piece: Piece) -> str:
     long, short = map(Length, piece.size)
     return note(
         "{count} x {piece}: {long:.5g} x {short:.5g}, {sheet}",

@@ -52,7 +52,7 @@ from elastica_cad.strip.summary import (
 
 
 def strip_rows(obj: Any) -> Sequence[Row]:
-    """Return the rows of the report on the strip of the current shape. There are none if the curve is lost."""
+    """Return the rows of the report on the strip of the current shape, or no rows if the curve is lost."""
     try:
         strip = shown_strip(obj)
     except FAILURES:
@@ -70,29 +70,26 @@ def strip_rows(obj: Any) -> Sequence[Row]:
 
 
 def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
-    """Return the rows. They are marked as errors if one of the properties `results` is beyond its limit."""
+    """Mark the rows as errors if one of the properties `results` is beyond its limit."""
     failed = bool({*results} & {*obj.Fails})
     return [replace(row, severity="error") if failed else row for row in rows]
 
 
 def _accuracy(obj: Any, strip: Strip) -> Row:
-    """Return the row on accuracy.
-
-    Its text is "…" until it is computed, or "-" if the footnote explains why it is missing.
-    """
+    """The text of the row is "…" until it is computed, or "-" if the footnote explains why it is missing."""
     if strip.rod.acting:
         return not_computed_row()
-    held = held_shape(strip) if obj.Held else None
-    return Row(note("Accuracy"), "-" if obj.Held else LATER) if held is None else accuracy_row(held)
+    shape = held_shape(strip) if obj.Held else None
+    return Row(note("Accuracy"), "-" if obj.Held else LATER) if shape is None else accuracy_row(shape)
 
 
 def _flat_footnote(obj: Any) -> str:
-    """Return the instruction for pre-bending the strip, because the flat part does not show the pre-bend."""
+    """The flat part does not show the pre-bend of the strip."""
     return "\n".join(map(worded, pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))])))
 
 
-def _where(name: str, *values: object) -> Callable[[Any], bool]:
-    """Return a function of an object that checks whether its property `name` has one of these values."""
+def _has_value(name: str, *values: object) -> Callable[[Any], bool]:
+    """Return a function that checks whether the property `name` of an object has one of these values."""
     return lambda obj: getattr(obj, name) in values
 
 
@@ -135,16 +132,16 @@ STRIP = Layout(
     },
     PROPERTIES,
     {
-        "MaxWidth": _where("Style", "Plain"),
-        "OuterWidth": _where("Style", *STYLES[1:]),
-        "Columns": _where("Style", "Perforated"),
-        "Rows": _where("Style", "Perforated"),
-        "Backing": _where("Style", "Laminated"),
+        "MaxWidth": _has_value("Style", "Plain"),
+        "OuterWidth": _has_value("Style", *STYLES[1:]),
+        "Columns": _has_value("Style", "Perforated"),
+        "Rows": _has_value("Style", "Perforated"),
+        "Backing": _has_value("Style", "Laminated"),
         "TabRadius": _has_tabs,
         "TabHole": _has_tabs,
         **dict.fromkeys(
             ("RatioLimit", "MarginLimit", "StrainLimit", "KeepTangents", "KeepLength"),
-            _where("Follow", "Nearest"),
+            _has_value("Follow", "Nearest"),
         ),
     },
     "Curve",
@@ -159,7 +156,7 @@ MODEL = Layout(
     "Edit model",
     {QT_TRANSLATE_NOOP("Elastica", "Slots"): ("Interlock", "Clearance", "Fit", "Relief")},
     ModelFeature.properties,
-    dict.fromkeys(("Clearance", "Fit", "Relief"), _where("Interlock", True)),
+    dict.fromkeys(("Clearance", "Fit", "Relief"), _has_value("Interlock", True)),
     results=lambda obj: (Row(translate("Elastica", "Joints"), str(obj.Joints), ("Joints",)),),
     footnote=lambda obj: "\n".join(obj.Overlaps),
 )
@@ -268,9 +265,9 @@ SECTION = Layout(
     },
     SectionFeature.properties,
     {
-        "Axis": _where("Family", *FAMILIES[:2]),
-        "Path": _where("Family", FAMILIES[2]),
-        **dict.fromkeys(("ThroughX", "ThroughY", "ThroughZ", "Sweep"), _where("Family", FAMILIES[1])),
+        "Axis": _has_value("Family", *FAMILIES[:2]),
+        "Path": _has_value("Family", FAMILIES[2]),
+        **dict.fromkeys(("ThroughX", "ThroughY", "ThroughZ", "Sweep"), _has_value("Family", FAMILIES[1])),
     },
     "Path",
     lambda obj: (Row(translate("Elastica", "Curves"), str(obj.Curves), ("Curves",)),),
@@ -303,10 +300,7 @@ FLEXURE = Layout(
 
 
 def _force_chart(part: Flexure) -> Any:
-    """Return the chart of the force over the travel.
-
-    For a bistable part, it is the travel of the pushed point, for other parts the travel or rotation of the end.
-    """
+    """The travel is that of the pushed point for a bistable part; otherwise, the end is displaced or rotated."""
     travel, size, name = part.travel, 1.0, note("rotation of the end (degrees)")
     if travel.unit == "mm":
         unit = shown_unit()
@@ -333,7 +327,7 @@ LAYOUTS = {
 
 
 def panel_of(obj: Any, others: Iterable[Any] = ()) -> Panel:
-    """Return the panel of a feature. It also edits the features `others` of the same kind."""
+    """Return the panel of a feature, which also edits the features `others` of the same kind."""
     if feature_kind(obj) == "Bent":
         return BendPanel(obj.Strip, obj)
     return PropertyPanel(obj, LAYOUTS[feature_kind(obj)], others)

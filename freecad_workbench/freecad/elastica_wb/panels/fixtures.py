@@ -26,10 +26,10 @@ class FixturesPanel(Panel):
     step = "End fixtures and base plate"
 
     def __init__(self, sources: list[Any]) -> None:
-        """Open the panel for sources. If all sources are base plates, their strips are used."""
+        """Open the panel for sources, or for the strips of sources that are all base plates."""
         super().__init__(sources[0].Document, sources)
-        held = [source for obj in sources if is_plate(obj) for source in obj.Sources]
-        self.sources = [obj for obj in sources if not is_plate(obj)] or list(dict.fromkeys(held))
+        strips = [source for obj in sources if is_plate(obj) for source in obj.Sources]
+        self.sources = [obj for obj in sources if not is_plate(obj)] or list(dict.fromkeys(strips))
         for box in (self.form.sheet, self.form.ringSheet):
             put_sheets(box, sheet_list())
             set_value(box, default_sheet())
@@ -41,7 +41,7 @@ class FixturesPanel(Panel):
         if not any(box.isChecked() for box in (form.plate, form.rings, form.blocks)):
             raise InputError(translate("Elastica", "Select blocks, a plate or rings."))
         holders = []
-        # the plate is made first, because its errors should be reported before the slower blocks are made
+        # errors of the plate are reported before the slower blocks are made
         if form.plate.isChecked():
             holders.append(recorded(baseplate.create, self.document, self.sources))
             record_value(holders[-1], "Sheet", self.value("sheet"))

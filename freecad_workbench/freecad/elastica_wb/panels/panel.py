@@ -27,7 +27,7 @@ PAUSE_MS = 60  # time, ms, after the last key, until the panel computes its resu
 
 
 class Panel:
-    """A task panel. `changed` is called shortly after the user changes a widget."""
+    """A task panel, whose method `changed` is called shortly after the user changes a widget."""
 
     file = ""
     icon_name = "Elastica"
@@ -39,26 +39,25 @@ class Panel:
     opened: "Panel | None" = None
 
     def __init__(self, document: Any = None, subjects: Iterable[Any] = ()) -> None:
-        """Open the panel, which may change `document`.
-
-        It needs the objects `subjects`. If one of them was deleted, OK shows an error.
+        """Open the panel, which may change `document`. If one of the objects `subjects` was deleted, OK shows
+        an error.
         """
         Panel.opened = self
         self.subjects = list(subjects)
         self._homes = [subject.Document for subject in self.subjects] + [document]
         self.form = self.make_form()
         calm(self.form)
-        # the text is plain, because a label may look like HTML
+        # a label may look like HTML
         self.form.message.setTextFormat(QtCore.Qt.PlainText)
         self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
         self.document = document
         self._timer = later(self._safely_changed, PAUSE_MS, self.form)
-        # earlier changes without a step, such as changes in the console, must not become part of this step
+        # earlier changes without a step, such as in the console, must not become part of this step
         if self.step and not (document.HasPendingTransaction and active_step(document)):
             open_step(document, self.step)
 
     def make_form(self) -> Any:
-        """Make the form. Its message is at the top, so that it is visible without scrolling."""
+        """Make the form with the message at the top, where it is visible without scrolling."""
         form = load_panel(self.file)
         for name, value in quantities_of(self.file).items():
             set_value(getattr(form, name), value)
@@ -71,7 +70,7 @@ class Panel:
         return value_of(getattr(self.form, name))
 
     def accept(self) -> bool:
-        """Apply the panel (OK). All changes since its opening form a single undo step."""
+        """Apply the panel (OK), with all changes since its opening in a single undo step."""
         try:
             self._all_there()
             self.finished()
@@ -107,8 +106,8 @@ class Panel:
     def getStandardButtons(self) -> int:
         """Return the buttons: OK (or Save) and Cancel, or Close for a panel that only displays results."""
         kinds = QtWidgets.QDialogButtonBox
-        wanted = [kinds.Close] if self.only_tells else [getattr(kinds, self.done), kinds.Cancel]
-        return sum(int(getattr(button, "value", button)) for button in wanted)
+        buttons = [kinds.Close] if self.only_tells else [getattr(kinds, self.done), kinds.Cancel]
+        return sum(int(getattr(button, "value", button)) for button in buttons)
 
     def isAllowedAlterSelection(self) -> bool:
         """Return True, because the user may select objects while the panel is open."""
@@ -122,7 +121,7 @@ class Panel:
         """Compute and show the results for the values of the widgets."""
 
     def finished(self) -> None:
-        """Apply the panel after OK. If it raises an exception, the panel stays open."""
+        """Apply the panel after OK; after an exception, the panel stays open."""
 
     def closed(self) -> None:
         """Remove the preview from the view."""
@@ -161,7 +160,6 @@ class Panel:
             self._safely_changed()
 
     def _all_there(self) -> None:
-        """Raise an error if the user has deleted an object of the panel."""
         if not all(map(lives, self.subjects)):
             raise InputError(translate("Elastica", "The edited object was deleted. Press Cancel."))
 
@@ -177,14 +175,14 @@ class Panel:
         if Gui.ActiveDocument is not None:
             Gui.ActiveDocument.resetEdit()
         Gui.Control.closeDialog()
-        # release the wrappers, because PySide would reuse them for the next widgets at the same addresses; they
-        # are collected, because signals form reference cycles
+        # PySide would reuse the wrappers for the next widgets at the same addresses, and signals form
+        # reference cycles
         self.form = None
         gc.collect()
 
 
 class _Documents:
-    """Observer that closes a panel when a document that it changes or reads is closed."""
+    """Observer that closes a panel when a document of the panel is closed."""
 
     def slotDeletedDocument(self, document: Any) -> None:
         panel = Panel.opened
@@ -193,7 +191,7 @@ class _Documents:
             panel.let_go()
             panel.document, panel.preview = None, None
             panel._homes = []
-            # close the panel later, because an undo would crash while FreeCAD destroys the document
+            # an undo would crash while FreeCAD destroys the document
             QtCore.QTimer.singleShot(0, panel.abandon)
 
 

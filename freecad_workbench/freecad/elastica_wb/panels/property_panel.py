@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of a feature: a labelled widget for each property. Widgets and properties are synchronized."""
+"""The panel of a feature, with a labelled widget for each property, synchronized with the property."""
 
 import gc
 from collections import defaultdict
@@ -50,11 +50,11 @@ STYLES = {
     severity: f' style="color: {hex_color(COLORS[verdict])};"'
     for severity, verdict in (("error", Verdict.CANNOT), ("warning", Verdict.BREAKS))
 }
-"""Style of rows by their severity: red if a result is beyond its limit, orange for other warnings."""
+"""Style of rows by severity: red for a result beyond its limit, orange for other warnings."""
 
 
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching for changes that help")
-BUTTON_LETTERS = 32  # largest number of letters in a line of a button, so that it does not widen the panel
+BUTTON_LETTERS = 32  # largest number of letters in a line of a button, so that the panel stays narrow
 MOST_SUGGESTED = 5  # largest number of buttons for suggested changes
 
 
@@ -70,8 +70,8 @@ class Layout:
     table : tuple of Property
         Declarations of the properties.
     applies : mapping
-        For a property, the function that returns True if it has an effect for an object. Otherwise it is
-        hidden.
+        For a property, the function that returns True if the property has an effect for an object and
+        is shown.
     source : str
         Property with the curve, which the user can pick again, or "".
     results : callable
@@ -102,8 +102,7 @@ class Layout:
 
 
 class PropertyPanel(Panel):
-    """Panel that edits the properties of a feature, or of several features of a kind, and updates results and
-    shapes.
+    """Panel that edits the properties of a feature, or of several features of a kind.
 
     A widget writes only its property, and shows changes that are made elsewhere. For several features,
     widgets show the values of the first feature and change all features.
@@ -111,12 +110,12 @@ class PropertyPanel(Panel):
 
     def __init__(self, obj: Any, layout: Layout, others: Iterable[Any] = ()) -> None:
         self.objects = list(dict.fromkeys([obj, *others]))
-        # for several features, curve and results are not shown, because they differ
+        # curve and results of several features differ
         if len(self.objects) > 1:
             layout = replace(layout, source="", results=lambda _: (), footnote=lambda _: "")
         self.object, self.layout = obj, layout
-        for shown in self.objects:
-            reword(shown)
+        for feature in self.objects:
+            reword(feature)
         self.helps = {entry.name: entry.translated_help for entry in layout.table}
         self.icon_name, self.step = layout.icon_name, layout.step
         self.fields: dict[str, Any] = {}
@@ -183,7 +182,7 @@ class PropertyPanel(Panel):
                 setattr(form, name, widget)
                 set_value(widget, _plain(getattr(self.object, name)))
             outer.addWidget(box)
-        # the footnote is at the bottom, so that slow results do not move the widgets
+        # at the bottom, slow results do not move the widgets
         form.footnote = QtWidgets.QLabel()
         form.footnote.setWordWrap(True)
         outer.addWidget(form.footnote)
@@ -210,20 +209,18 @@ class PropertyPanel(Panel):
         self._record()
 
     def _record(self) -> None:
-        # nothing is read without changes, because the objects may already be deleted
+        # without changes, nothing is read: the objects may be deleted
         for obj, name in self._unbound(self._changed) if self._changed else ():
             record_value(obj, name, _plain(getattr(obj, name)))
         self._changed.clear()
 
     def _unbound(self, names: Iterable[str]) -> list[tuple[Any, str]]:
-        """Return pairs of a feature and the name of a property, except properties that are set by a formula."""
+        """Return pairs of a feature and the name of a property that is not set by a formula."""
         bound = {(obj, path) for obj in self.objects for path, *_ in obj.ExpressionEngine}
         return [(obj, name) for obj in self.objects for name in names if (obj, name) not in bound]
 
     def closed(self) -> None:
-        """Stop observing the document, and delete the widgets, because widgets bound to an object must be
-        deleted before it.
-        """
+        """Stop observing the document, and delete the widgets before the object to which they are bound."""
         App.removeDocumentObserver(self)
         self._stop_picking()
         self._refresh.stop()
@@ -243,13 +240,11 @@ class PropertyPanel(Panel):
         self.closed()
 
     def slotChangedObject(self, obj: Any, name: str) -> None:
-        """Update the panel after a property was changed by the property editor, a formula, an undo or a
-        recompute.
-        """
+        """Update the panel after a change by the property editor, a formula, an undo or a recompute."""
         if self.form is None or obj not in self.objects:
             return
         if obj is self.object and name in self.fields and not self._writing:
-            # discard the pending value of the widget, because the value of a formula is newer
+            # the value of a formula is newer than the pending value of the widget
             self._touched.pop(name, None)
             self._refill(name)
         self._refresh.start()
@@ -316,7 +311,6 @@ class PropertyPanel(Panel):
             self._show_if_used(layout.source, self.form.sourceLabel, self.form.source, self.form.pick)
 
     def _show_if_used(self, name: str, *widgets: Any) -> None:
-        """Show the widgets of a property if it has an effect for the feature, else hide them."""
         used = name not in self.layout.applies or self.layout.applies[name](self.object)
         for widget in widgets:
             widget.setVisible(used)
@@ -336,7 +330,6 @@ class PropertyPanel(Panel):
         return why_not_made(obj) or "\n".join(getattr(obj, "Reports", []))
 
     def _suggest(self) -> None:
-        """Show a button for each change that makes the strip possible, or that a message on the strip suggests."""
         self._preview(None)
         self._suggested = defaultdict(list)
         for suggestion in self._tried:
@@ -354,9 +347,6 @@ class PropertyPanel(Panel):
             button.setVisible(bool(text))
 
     def _begin_search(self) -> None:
-        """Start the search for suggestions, unless the user is pressing a mouse button or an earlier search
-        is running.
-        """
         if self._refused is None:
             return
         runs = self._search is not None and not self._search.done()
@@ -368,7 +358,7 @@ class PropertyPanel(Panel):
         self._look.start()
 
     def _end_search(self) -> None:
-        """Show the suggestions when the search has ended, unless the request has changed in the meantime."""
+        """Suggestions for an earlier request are ignored."""
         if not self._search.done():
             self._look.start()
         elif self._searched is self._refused:
@@ -377,7 +367,6 @@ class PropertyPanel(Panel):
             self._suggest()
 
     def _preview(self, number: int | None) -> None:
-        """Show the curve of a suggested change in the view, or hide it."""
         if self._overlay is not None:
             self._overlay.remove()
             self._overlay = None
@@ -437,13 +426,13 @@ class PropertyPanel(Panel):
         rows.addWidget(form.pick)
         return rows
 
-    def _picking(self, wanted: bool) -> None:
+    def _picking(self, on: bool) -> None:
         Gui.Selection.removeObserver(self)
-        if wanted:
+        if on:
             Gui.Selection.clearSelection()
             Gui.Selection.addObserver(
                 self, 0
-            )  # use the full path, because a part that is displayed through a link is a part of the link
+            )  # 0: the full path, because a part that is displayed through a link is a part of the link
             source, _ = getattr(self.object, self.layout.source) or (None, ())
             if source is not None:
                 source.Visibility = True
@@ -455,9 +444,8 @@ class PropertyPanel(Panel):
 
 
 class _ChangeButton(QtWidgets.QPushButton):
-    """Button of a suggested change.
-
-    It calls `preview` with its number when the mouse enters it, and with None when the mouse leaves.
+    """Button of a suggested change, which calls `preview` with its number, or with None when the mouse leaves
+    it.
     """
 
     def __init__(self, number: int, preview: Callable[[int | None], None]) -> None:
@@ -465,12 +453,10 @@ class _ChangeButton(QtWidgets.QPushButton):
         self._number, self._preview = number, preview
 
     def enterEvent(self, event: Any) -> None:
-        """Show the curve of the suggested change."""
         self._preview(self._number)
         super().enterEvent(event)
 
     def leaveEvent(self, event: Any) -> None:
-        """Hide the curve of the suggested change."""
         self._preview(None)
         super().leaveEvent(event)
 
@@ -486,7 +472,6 @@ def table_of(rows: Sequence[Row]) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Return the number of a quantity. Other values are returned unchanged."""
     return getattr(value, "Value", value)
 
 

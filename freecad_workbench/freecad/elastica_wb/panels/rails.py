@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel for rails, pins, ties and loads of a strip.
-
-They are placed by clicks, and moved by dragging or by numbers.
-"""
+"""The panel for rails, pins, ties and loads of a strip, which are placed by clicks, dragging or numbers."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -69,16 +66,14 @@ KINDS = {
     QT_TRANSLATE_NOOP("Elastica", "Force"): Kind(1, lambda _, places: PointForce(places[0], USUAL_FORCE_N)),
     QT_TRANSLATE_NOOP("Elastica", "Hung mass"): Kind(1, lambda _, places: PointMass(places[0], USUAL_MASS_G)),
 }
-"""Kinds of elements and loads. If the curve changes, rails and pins keep their point in space, ties and
-loads their position as a fraction of the length.
+"""Kinds of elements and loads.
+
+If the curve changes, rails and pins keep their point in space, ties and loads their fraction of the length.
 """
 
 
 class RailsPanel(Panel):
-    """Panel that edits the properties Between and Loads of a strip.
-
-    The overlay is updated while a mark is dragged.
-    """
+    """Panel that edits the properties Between and Loads of a strip, with an overlay during a drag."""
 
     file = "rails"
     icon_name = "Elastica_Rails"
@@ -138,7 +133,7 @@ class RailsPanel(Panel):
         self, document: str, _name: str, element: str, place: tuple[float, float, float]
     ) -> None:
         """Use a point of the curve that the user clicks in the view."""
-        # ignore a selection in the tree or in another document
+        # not in the tree or in another document
         if not element or document != self.object.Document.Name:
             return
         x, y, _ = self.drawn.world.inverse().multVec(App.Vector(*place))
@@ -165,10 +160,10 @@ class RailsPanel(Panel):
             self.chosen = self.items.index(item)
             self._write()
 
-    def _picking(self, wanted: bool) -> None:
+    def _picking(self, on: bool) -> None:
         Gui.Selection.removeObserver(self)
         self._clicked = []
-        if wanted:
+        if on:
             Gui.Selection.clearSelection()
             Gui.Selection.addObserver(self, 0)
             self.object.Curve[0].Visibility = True
@@ -185,18 +180,15 @@ class RailsPanel(Panel):
         self._show_numbers()
 
     def _dragged(self, mark: int, point: tuple[float, float]) -> None:
-        """Move an element along the curve while its mark is dragged.
-
-        The strip is computed when the mouse is released.
-        """
+        """The strip is computed when the mouse is released."""
         self.chosen, key = self._keys()[mark]
         try:
             place = self._distance(point)
-        except InputError:  # ignore the move if the mouse is not near the curve
+        except InputError:  # the mouse is not near the curve
             return
         item = self.items[self.chosen]
-        kept = isinstance(getattr(item, key), tuple)
-        self.items[self.chosen] = replace(item, **{key: self._point(place) if kept else place})
+        is_point = isinstance(getattr(item, key), tuple)
+        self.items[self.chosen] = replace(item, **{key: self._point(place) if is_point else place})
         self._show_numbers()
         answer = self._draw()
         self.show_message(answer.sentence)
@@ -204,7 +196,7 @@ class RailsPanel(Panel):
     # --- places
 
     def _distance(self, point: tuple[float, float]) -> float:
-        """Return the distance along the drawn curve, mm, to the point of the curve nearest to `point`."""
+        """Return the distance along the drawn curve, mm, of the point nearest to `point`."""
         curve = self._along()
         return round(float(PlacedElement.on(Pin(point), curve, curve).s[0]), PLACE_DIGITS)
 
@@ -213,16 +205,14 @@ class RailsPanel(Panel):
         return x, y
 
     def _along(self) -> Any:
-        """Return the curve along which positions are measured."""
         rod_spec = self.spec.rod_spec
         return rod_spec.drawn or rod_spec.curve
 
     def _keys(self) -> list[tuple[int, str]]:
-        """Return, for each mark, the number of its item and the name of the field with its position."""
+        """Return the number of the item of each mark, and the name of the field with the position."""
         return [(i, key) for i, item in enumerate(self.items) for key in keys_of(item)]
 
     def _marks(self) -> FloatArray:
-        """Return the points (k, 2) of all marks on the drawn curve."""
         places = [place for item in self.items for place in places_of(item)]
         points = [place if isinstance(place, tuple) else self._point(place) for place in places]
         return np.array(points, dtype=float).reshape(-1, 2)

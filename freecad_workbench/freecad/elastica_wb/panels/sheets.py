@@ -19,7 +19,7 @@ NUMBERS = ("thickness", "youngs_modulus", "density", "max_strain", "kerf", "pois
 
 
 class SheetsPanel(Panel):
-    """Panel that shows a sheet. Save stores a changed sheet under a new name, and Cancel discards the changes."""
+    """Panel that shows a sheet. Save stores a changed sheet under a new name."""
 
     file = "sheets"
     icon_name = "Elastica_Sheets"
@@ -61,12 +61,12 @@ class SheetsPanel(Panel):
 
     def sheet(self) -> Sheet:
         """Return the sheet that the widgets define."""
-        # read only numbers that the user has changed, because widgets round the displayed numbers
+        # widgets round the displayed numbers, so only changed numbers are read
         typed = {field: self.value(field) for field in NUMBERS if self.value(field) != self.filled[field]}
-        # remove the range of a property for which the user typed another number, because it no longer applies
+        # the range of a property does not apply to a typed number
         ranges = {f"{field}_range": None for field in typed if hasattr(self.seen, f"{field}_range")}
         name, source = self.form.name.text().strip(), " ".join(self.form.source.toPlainText().split())
-        # 0 is displayed as an empty field, which means that the modulus is estimated
+        # 0 is an empty field, which means that the modulus is estimated
         if typed.get("shear_modulus") == 0:
             typed["shear_modulus"] = None
         return replace(self.seen, name=name, source=source, **typed, **ranges)
@@ -79,7 +79,7 @@ class SheetsPanel(Panel):
         changed = {name: sheet for name, sheet in self.own.items() if self.before.get(name) != sheet}
         removed = self.before.keys() - self.own.keys()
         if changed or removed:
-            # read the file again, because another window may have saved sheets in the meantime
+            # another window may have saved sheets meanwhile
             now = own_sheets() | changed
             save_own_sheets(sheet for name, sheet in now.items() if name not in removed)
             keep_sheets()

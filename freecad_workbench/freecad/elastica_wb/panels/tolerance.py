@@ -19,7 +19,7 @@ from elastica_cad.refusals import Length, note
 
 
 class TolerancePanel(Panel):
-    """Panel that runs the study on request. The user can stop it and see the results so far."""
+    """Panel that runs the study on request; the user can stop the study and see the results so far."""
 
     file = "tolerance"
     icon_name = "Elastica_Tolerance"
@@ -57,8 +57,8 @@ class TolerancePanel(Panel):
             (
                 name,
                 *(
-                    worded(note("{far:.3f}", far=far / unit.size))
-                    for far in (effect.percentile_95, effect.worst)
+                    worded(note("{far:.3f}", far=deviation / unit.size))
+                    for deviation in (effect.percentile_95, effect.worst)
                 ),
             )
             for name, effect in zip(names, effects, strict=True)
@@ -75,7 +75,7 @@ class Stopped(Exception):  # noqa: N818 - not an error, but a decision of the us
 
 
 class Watched:
-    """Executor that runs tasks in this thread, and shows its progress after every task."""
+    """Executor that runs tasks in this thread, and shows the progress after every task."""
 
     def __init__(self, title: str) -> None:
         self._title = title
@@ -100,9 +100,8 @@ ROW, WIDTH = 24, 300  # height of a row, and width of the chart, pixels
 
 
 def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
-    """Draw a chart of rows (name, usual value, worst value), mm.
-
-    Dark bars are usual values, and light bars are worst values.
+    """Draw a chart of rows (name, usual value, worst value), mm, with dark bars for usual and light bars for
+    worst values.
     """
     largest = max((worst for _, _, worst in rows), default=0.0) or 1.0
     picture = QtGui.QPixmap(WIDTH, ROW * len(rows) + 10)
@@ -110,16 +109,16 @@ def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
     painter = QtGui.QPainter(picture)
     lengths = [painter.fontMetrics().boundingRect(name).width() for name, _, _ in rows]
     left = max(lengths, default=0) + 14
-    room = WIDTH - left - 70
+    width = WIDTH - left - 70
     for i, ((name, usual, worst), long) in enumerate(zip(rows, lengths, strict=True)):
         y = 6 + ROW * i
         painter.setPen(QtGui.QColor("#222222"))
         painter.drawText(QtCore.QPoint(left - 10 - long, y + 14), name)
         for value, color in ((worst, "#f0c9a0"), (usual, "#c8641e")):
             painter.fillRect(
-                QtCore.QRect(left, y + 2, round(room * value / largest), 14), QtGui.QColor(color)
+                QtCore.QRect(left, y + 2, round(width * value / largest), 14), QtGui.QColor(color)
             )
-        end = QtCore.QPoint(left + round(room * worst / largest) + 6, y + 14)
+        end = QtCore.QPoint(left + round(width * worst / largest) + 6, y + 14)
         painter.drawText(end, worded(note("{worst:.2f}", worst=Length(worst))))
     painter.end()
     return picture
