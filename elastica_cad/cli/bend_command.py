@@ -16,6 +16,7 @@ from elastica_cad.cli.options import (
     POINT,
     Length,
     given_of,
+    option_name,
     output_options,
     requested_sheet,
     sheet_options,
@@ -148,15 +149,12 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
             )
     finished = None if curve is None else _strip_of_report(curve, chosen)
     has_material = chosen["sheet"] is not None or finished is not None
-    if chosen["gravity"] and not has_material:
-        raise InputError("--gravity needs a material. Add --sheet NAME.")
+    for option in ("gravity", "thickness", "max_width"):
+        if not has_material and chosen[option] is not None and chosen[option] is not False:
+            raise InputError("{option} needs a material. Add --sheet NAME.", option=option_name(option))
     has_weight = finished is not None and finished.spec.gravity
     if chosen["down"] is not None and not (chosen["gravity"] or has_weight or chosen["point_mass"]):
         raise InputError(IDLE_DOWN)
-    if chosen["thickness"] is not None and not has_material:
-        raise InputError("--thickness needs a material. Add --sheet NAME.")
-    if chosen["max_width"] is not None and not has_material:
-        raise InputError("--max-width needs a material. Add --sheet NAME.")
     settings = parsed_settings(chosen["settings"], BentKeys)
     if settings and (curve is None or not has_material):
         raise InputError("--set applies to the strip of a CURVE only. Name a CURVE and add --sheet NAME.")

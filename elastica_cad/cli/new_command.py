@@ -53,17 +53,14 @@ def new(kind: str, output: Path, force: bool) -> None:
         new_files.append(File("arch.dxf", lambda path: write_curves(curves, path)))
     if kind == "sections":
         new_files.append(File("bowl.obj", lambda path: write_text(path, _bowl())))
-    if not _contains(output / SCHEMA_FILE, text):
+    present = output / SCHEMA_FILE
+    if not (os.path.isfile(present) and present.read_bytes() == text.encode()):
         new_files.append(schema)
     wrote(write_files(new_files, output, force=force))
     typed = quote_words(["model", str(output / f"{kind}.toml"), "-o", str(output / f"{kind}-kit")])
     following = f"{name_program()} {typed}"
     say_row(Row("Next", following))
     answer({"kind": kind, "next": following})
-
-
-def _contains(path: Path, text: str) -> bool:
-    return os.path.isfile(path) and path.read_bytes() == text.encode()
 
 
 def _bowl() -> str:

@@ -4,7 +4,6 @@ import shutil
 import sys
 from collections.abc import Callable, Collection, Sequence
 from contextlib import suppress
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -81,19 +80,15 @@ def suggest_later(
     instruction.
     """
 
+    context = click.get_current_context()
+
     def search(problem: ElasticaError) -> list[Cure]:
-        with suppress(ElasticaError):
+        with context.scope(cleanup=False), suppress(ElasticaError):
             spec = request(problem)
             return [] if spec is None else cures_of(spec, problem, spelled, fields)
         return []
 
-    context = click.get_current_context()
-    context.meta[SUGGEST] = lambda problem: _inside(context, partial(search, problem))
-
-
-def _inside(context: click.Context, search: Callable[[], list[Cure]]) -> list[Cure]:
-    with context.scope(cleanup=False):
-        return search()
+    context.meta[SUGGEST] = search
 
 
 def cures_after(problem: ElasticaError) -> list[Cure]:

@@ -13,7 +13,6 @@ import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import and_more, counted
-from elastica_cad.errors import missing_library
 from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.model.assembly import (
     AssemblyStep,
@@ -142,7 +141,8 @@ def _pages(
                         fontsize=TEXT_POINTS, color=INK, ha="right")  # fmt: skip
         top = paper[1] - MARGIN - TITLE_POINTS
         if k == 0:
-            summary = f"{counted(len(model.placed), 'strip')}; assembled {_by(view.size)} mm (x, y, z)"
+            size = " x ".join(f"{length:.0f}" for length in view.size)
+            summary = f"{counted(len(model.placed), 'strip')}; assembled {size} mm (x, y, z)"
             figure.text(MARGIN / paper[0], (top + 12.0) / paper[1], summary, fontsize=TEXT_POINTS, color=INK)
             picture = np.array([paper[0] - 2 * MARGIN, view.height(scale) if shared else top - MARGIN])
             top -= picture[1]
@@ -152,18 +152,11 @@ def _pages(
 
 
 def _page(title: str, paper: FloatArray) -> Any:
-    try:
-        from matplotlib.figure import Figure
-    except ImportError as error:
-        raise missing_library("assembly sheets need matplotlib", "matplotlib") from error
+    from matplotlib.figure import Figure
 
     figure = Figure(figsize=tuple(paper / 72.0))
     figure.suptitle(title, x=MARGIN / paper[0], y=1 - MARGIN / paper[1], ha="left", fontsize=14, color=INK)
     return figure
-
-
-def _by(size: FloatArray) -> str:
-    return " x ".join(f"{length:.0f}" for length in size)
 
 
 def _plate_pairs(holders: Sequence[Holder]) -> Iterator[tuple[BasePlate, BasePlate, float]]:

@@ -185,7 +185,8 @@ def _strip(request: Mapping[str, Any]) -> Record:
             _strip_of_drag(request) if possible is None else _strip_record(spec, scaled, *possible, live=True)
         )
     try:
-        rod, strip = _solve(spec)
+        rod = solve_rod(spec.rod_spec)
+        strip = spec.make(rod)
     except ElasticaError as problem:
         curve, at = spec.rod_spec.curve_to_bend, problem.refusal.where.get("at")
         places = [] if at is None else _rounded(curve.at([np.clip(at, 0, curve.length)]).position, 3)
@@ -218,11 +219,6 @@ def _strip_record(
         "rows": _rows(strip_rows(strip, near, quick=live)),
     }
     return record | (_drawn_points(spec) if spec.may_change else {})
-
-
-def _solve(spec: StripSpec) -> tuple[Rod | NearestRod, Strip]:
-    rod = solve_rod(spec.rod_spec)
-    return rod, spec.make(rod)
 
 
 def _strip_of_drag(request: Mapping[str, Any]) -> Record:

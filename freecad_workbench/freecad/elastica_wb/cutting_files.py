@@ -202,11 +202,12 @@ def _bodies(obj: Any) -> list[tuple[str, Any, App.Placement, Any]]:
     world = drawn_curve(obj.Curve, obj).world
     lying = FlatSolid.layers(strip, frame_beside(strip, frame_of(world)))
     flat = [
-        (f"{name} {word}", flat_shape(strip, i), _placement_at(lying[i].frame.origin), layer.sheet)
+        (
+            f"{name} {word}",
+            flat_shape(strip, i),
+            App.Placement(App.Vector(*lying[i].frame.origin), App.Rotation()),
+            layer.sheet,
+        )
         for i, (word, layer) in enumerate(zip(("flat", "backing"), strip.layers, strict=False))
     ]
     return [*flat, (f"{name} bent", bent_shape(strip), world, strip.sheet)]
-
-
-def _placement_at(origin: Any) -> App.Placement:
-    return App.Placement(App.Vector(*origin), App.Rotation())

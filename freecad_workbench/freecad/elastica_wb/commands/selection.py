@@ -47,7 +47,11 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
             curves += [(source, chain) for chain in _chains(source, edges)]
         elif source.TypeId == BODY and not any(obj in source.Group for obj in meant):
             curves += _curves_of_sketch(_only_sketch_in(source))
-        elif hasattr(source, "Shape") and source.Shape.Edges and _is_open(source.Shape):
+        elif (
+            hasattr(source, "Shape")
+            and source.Shape.Edges
+            and (not source.Shape.Faces or is_outline(source.Shape))
+        ):
             chains = _chains(source, [f"Edge{i + 1}" for i in range(len(source.Shape.Edges))])
             curves += [(source, chain) for chain in chains] if len(chains) > 1 else [(source, ())]
     if not curves:
@@ -123,10 +127,6 @@ def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
     if feature_kind(source) == "Section":
         return [(name,) for name in names]
     return chains_of(source, names)
-
-
-def _is_open(shape: Any) -> bool:
-    return not shape.Faces or is_outline(shape)
 
 
 def is_curve_chosen() -> bool:
