@@ -30,7 +30,7 @@ from elastica_cad.refusals import Length
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
 
-LEAST_SHARE = 0.25  # default for the least size, as a fraction of the stock's size
+LEAST_FRACTION = 0.25  # default for the least size, as a fraction of the stock's size
 MOST_STATIONS = 1000
 
 _STOCK = (
@@ -169,7 +169,7 @@ def _stock(chosen: dict[str, Any]) -> ThicknessLaw | RoundLaw:
             "The material of the batten is missing. Add --stock WIDTH THICKNESS for a strip, or --rod DIAMETER."
         )
     largest = rod if strip is None else strip[1]
-    least = LEAST_SHARE * largest if chosen["least"] is None else chosen["least"]
+    least = LEAST_FRACTION * largest if chosen["least"] is None else chosen["least"]
     if chosen["leaves"] is not None:
         if strip is None:
             raise InputError("--leaves applies to strips only. Use --stock WIDTH THICKNESS instead of --rod.")

@@ -40,7 +40,7 @@ SHARED = 0.55  # least scale of the picture above text, relative to the scale on
 FEWEST = 3  # least number of lines of a table at the end of a page
 LABEL_HIGH, LABEL_PAD = 13.0, 6.0  # height of a label in the picture, and space beside its letters, points
 LABEL_OFF = 3.0  # distance of a label from the point beside it, points
-LABEL_ROOM = np.array([24.0, 10.0])  # space for labels at the sides, and above and below, points
+LABEL_SPACE = np.array([24.0, 10.0])  # space for labels at the sides, and above and below, points
 LABEL_AT = np.array([0.0, 0.3, 0.6, 1.0])  # positions of a label between tab and holder
 GAP_LETTERS = 2  # space between columns
 # direction to the viewer, and unit vectors to the right and upwards in the picture
@@ -447,11 +447,11 @@ class View:
 
     def scale(self, size: FloatArray) -> float:
         """Return the scale, points per mm, at which the picture fills the size (2,), points."""
-        return float(((size - 2 * LABEL_ROOM) / np.maximum(np.ptp(self._box, axis=0), EDGE_MM)).min())
+        return float(((size - 2 * LABEL_SPACE) / np.maximum(np.ptp(self._box, axis=0), EDGE_MM)).min())
 
     def height(self, scale: float) -> float:
         """Return the height of the picture, points, with its labels."""
-        return float(scale * np.ptp(self._box, axis=0)[1] + 2 * LABEL_ROOM[1])
+        return float(scale * np.ptp(self._box, axis=0)[1] + 2 * LABEL_SPACE[1])
 
     def draw(self, axes: Any, size: FloatArray) -> None:
         """Draw the picture on axes of a size (2,), points."""

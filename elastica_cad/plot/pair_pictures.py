@@ -11,7 +11,7 @@ from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new
 
 CUT, FIRST, SECOND, WAY = "#8a8f98", "#1f5fa8", "#c2571a", "#d9dbe0"
 # largest distance between splines and the polylines that are drawn, as a fraction of the length
-CHORD_SHARE = 1e-4
+CHORD = 1e-4
 
 ARROW = 0.3  # length of the arrow, as a fraction of the displacement between the states
 
@@ -22,7 +22,7 @@ def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
 
     The requested curves `drawn_as` are dashed.
     """
-    chord = CHORD_SHARE * part.pair.length
+    chord = CHORD * part.pair.length
     lines = [part.line_through(rest.position) for rest in part.rests]
     outlines = [
         part.outline.points(chord),

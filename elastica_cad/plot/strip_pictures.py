@@ -52,9 +52,9 @@ STIFFNESS = NUMBERED._replace(height=1.6, above=0.32)
 WIDE = WIDTH_INCHES - NUMBERED.left - NUMBERED.right
 """Width of the axes, inches."""
 
-MARGIN_SHARE = 0.04
+MARGIN_FRACTION = 0.04
 """Space beside the flat strip, as a fraction of its length."""
-COMB_SHARE = 0.16
+COMB_FRACTION = 0.16
 """Length of the longest tooth of the curvature comb, as a fraction of the extent of the curve."""
 
 SMOOTH_MM = 0.02
@@ -144,7 +144,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     _paint_stiffness(below[0], strip.rod)
     _paint_dimensioned(below[1], strip)
     (start, _), (end, _) = strip.outline.bounds
-    margin = MARGIN_SHARE * (end - start)
+    margin = MARGIN_FRACTION * (end - start)
     for axes in below:
         axes.set_xlim(start - margin, end + margin)
     return figure
@@ -270,7 +270,7 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
         half = float(strip.width(x)) / 2
         axes.plot([x, x], [-half, half], color=LINE, linewidth=0.9)
         axes.text(x, below, f"{float(size(x)):.2f}", ha="center", va="top", fontsize=9, color=LINE)
-    axes.set_xlim(left - MARGIN_SHARE * length, right + MARGIN_SHARE * length)
+    axes.set_xlim(left - MARGIN_FRACTION * length, right + MARGIN_FRACTION * length)
     axes.set_ylim(bottom - 5.0 * unit, top + 5.2 * unit)
     axes.set_aspect("equal")
     axes.set_xticks([])
@@ -393,7 +393,7 @@ def comb_tips(rod: Rod | CurveSamples) -> FloatArray:
     """Return the ends (n, 2) of the teeth of the curvature comb."""
     largest = float(np.abs(rod.curvature).max())
     extent = float(np.ptp(rod.position, axis=0).max())
-    scale = COMB_SHARE * extent / largest if largest > 0 else 0.0
+    scale = COMB_FRACTION * extent / largest if largest > 0 else 0.0
     normal = np.column_stack([-np.sin(rod.angle), np.cos(rod.angle)])
     return np.asarray(rod.position - scale * rod.curvature[:, None] * normal)
 

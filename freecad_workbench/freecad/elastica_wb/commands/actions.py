@@ -62,7 +62,6 @@ def _close_sketch() -> None:
 
 
 def _make_and_edit(step: str, make: Callable[..., Any], *arguments: Any) -> None:
-    """Make a feature and open its panel, in one undo step until OK."""
     open_step_and(_close_sketch, App.ActiveDocument, step)
     feature = recorded(make, App.ActiveDocument, *arguments)
     record_recompute(App.ActiveDocument)

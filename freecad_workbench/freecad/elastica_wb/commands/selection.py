@@ -83,7 +83,6 @@ def _picked() -> dict[Any, list[str]]:
 
 
 def _curves_of_sketch(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[Any, tuple[str, ...]]]:
-    """Return the curves of a sketch, or only the curves with picked edges."""
     if edited_sketch() is sketch:
         picked = edges_drawn(sketch, picked)
     return [(sketch, chain) for chain in curves_in(sketch, picked) or [()]]

@@ -137,7 +137,6 @@ def _parts(obj: Any) -> list[Shown] | None:
 
 
 def _mirror(obj: Any) -> App.Matrix:
-    """Return the reflection of a `Part::Mirroring`, without its placement."""
     normal = App.Vector(obj.Normal).normalize()
     rows = [axis - normal * (2 * normal.dot(axis)) for axis in AXES]
     shift = normal * (2 * normal.dot(obj.Base))

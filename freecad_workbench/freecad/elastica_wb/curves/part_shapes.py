@@ -152,7 +152,6 @@ def _exact_edges(geometry: Iterable[Any]) -> list[Edge]:
 
 
 def _exact_edge(item: Any) -> Edge:
-    """Return an edge of a shape, or a curve of a sketch, as an exact NURBS in space."""
     if isinstance(item, Part.Edge):
         if item.Degenerated:
             raise InputError("An edge is degenerate because it has no curve in space. Choose another edge.")

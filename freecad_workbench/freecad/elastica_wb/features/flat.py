@@ -73,7 +73,6 @@ def missing_layers(strip: Any) -> list[str]:
 
 
 def _strip_with_slots(obj: Any) -> Strip:
-    """A strip of a model has the slots of the model."""
     if obj.Model is None:
         return shown_strip(obj.Strip)
     if not is_model(obj.Model) or obj.Strip not in obj.Model.Strips:

@@ -221,7 +221,6 @@ def added(
 
 
 def _show_title(obj: Any, name: str) -> None:
-    """Write the full name of a sheet beside its name, in the language of the user."""
     put(obj, **{f"{name}Title": worded(title_of(getattr(obj, name)))})
 
 

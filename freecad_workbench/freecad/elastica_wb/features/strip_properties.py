@@ -278,7 +278,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
         sheets[BACKING] = sheet_called(obj.Backing, obj.BackingData)
     nearest = obj.Follow == "Nearest"
     fields = {path: field for path, field in FIELDS.items() if _has_effect(obj, path, nearest=nearest)}
-    table = _table(obj, drawn, fields, READ_STRIP | READ_ROD | (READ_LIMITS if nearest else {}))
+    table = _design_table(obj, drawn, fields, READ_STRIP | READ_ROD | (READ_LIMITS if nearest else {}))
     if before := obj.PlacesLength.Value:
         table = Table(table.data | scaled_places(table.data, drawn.curve.length / before), "", {})
     return read_request(table, Reader(sheets), drawn.curve, drawn.plane)
@@ -287,7 +287,7 @@ def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
 def nearest_spec_of(obj: Any, drawn: DrawnCurve) -> RodSpec:
     """Return the request for the nearest rod within the limits, even if the strip follows the curve exactly."""
     limits = {path: field for path, field in FIELDS.items() if path.startswith(("limits.", "keep."))}
-    table = _table(obj, drawn, limits, READ_ROD | READ_LIMITS)
+    table = _design_table(obj, drawn, limits, READ_ROD | READ_LIMITS)
     fields = read_fields(table, Reader({SHEET: sheet_of(obj)}))
     gravity, _ = pull_in_plane(fields.get("gravity"), sheet_of(obj), drawn.plane)
     return RodSpec(
@@ -363,10 +363,9 @@ def acting_words(item: Acting, places: Sequence[float]) -> str:
             return note("Mass at {at:.4g}: {mass:.4g} g", **at, mass=item.mass)
 
 
-def _table(
+def _design_table(
     obj: Any, drawn: DrawnCurve, fields: Mapping[str, Field], readers: Mapping[str, Callable[[Any], Any]]
 ) -> Table:
-    """Return the table of a design file that is equivalent to the properties of some keys."""
     table: dict[str, Any] = {}
     for path, field in fields.items():
         value = value_of_field(obj, name_of(path), field)
@@ -382,7 +381,6 @@ def _table(
 
 
 def _has_effect(obj: Any, path: str, *, nearest: bool) -> bool:
-    """Return True if the property of a key has an effect on this strip."""
     table, _, key = path.rpartition(".")
     if table == "style":
         return key in names_of(BY_KIND[Style][obj.Style.lower()])

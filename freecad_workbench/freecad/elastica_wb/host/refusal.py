@@ -109,8 +109,6 @@ class _Worker:
 
 
 class _Success:
-    """Result without an error."""
-
     def __or__(self, _thrower: object) -> None:
         return None
 

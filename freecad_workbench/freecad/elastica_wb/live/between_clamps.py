@@ -30,7 +30,7 @@ from elastica_cad.mechanics.between_clamps import ElasticaBetween, elastica_betw
 
 REACH = 0.25  # distance of the handles of tangents from the ends, as a fraction of the distance of the ends
 SLACK = 1.3  # length of a new strip, as a multiple of its chord
-VIEW_SHARE = 0.3  # half the chord of a new curve, as a fraction of the height of the view
+VIEW_FRACTION = 0.3  # half the chord of a new curve, as a fraction of the height of the view
 DIFFERENT_MM = 1e-6
 
 
@@ -139,7 +139,7 @@ def _initial_parameters(
     number = _chosen_number(sketch)
     if number is None:
         is_flat = str(view.getCameraType()) == "Orthographic"
-        half = VIEW_SHARE * float(view.getCameraNode().height.getValue()) if is_flat else 50.0
+        half = VIEW_FRACTION * float(view.getCameraNode().height.getValue()) if is_flat else 50.0
         return None, [np.array([-half, 0.0]), np.array([half, 0.0])], None, 2 * half * SLACK, 1
     curve = sketch.Geometry[number]
     first, last = curve.FirstParameter, curve.LastParameter

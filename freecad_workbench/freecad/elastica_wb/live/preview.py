@@ -266,7 +266,6 @@ class _Mouse(QtCore.QObject):
         self._widget = self._view = None
 
     def eventFilter(self, _widget: Any, event: Any) -> bool:
-        """Return True if a handle used the event, which other receivers then do not get."""
         answer = self._answers.get(kind_of(event))
         if answer is None:
             return False

@@ -64,7 +64,7 @@ REST_MS = 40  # time, ms, without a mouse move, until slower results are compute
 NO_POLES = np.zeros((0, 2))
 SEEN = 24  # number of points of a curve that the card tries not to hide
 PEEK_MS = 60  # interval, ms, between checks whether the nearest curve was found
-STEP_SHARE = 1e-3  # smallest move of a pole towards the border, as a fraction of the length of the curve
+LEAST_STEP = 1e-3  # smallest move of a pole towards the border, as a fraction of the length of the curve
 MOVES, HALVINGS = (
     3,
     12,
@@ -184,7 +184,7 @@ class Session:
             geometry[0], "getPoles"
         )  # other curves return to their start
         for _ in range(MOVES if is_spline else 0):
-            step = STEP_SHARE * curve.length
+            step = LEAST_STEP * curve.length
             nearer = move_while_possible(poles, curve.control_points, possible, step, HALVINGS)
             poles = poles if nearer is None else nearer
         record_call(document, "undo")

@@ -81,7 +81,6 @@ class Dragged:
         return Part.ArcOfCircle(circle, first, last if last > first else last + 6.283185307179586)
 
     def _pole_circles(self, spline: int) -> list[int | None]:
-        """Return the number of the construction circle of each pole of a spline, or None."""
         pole_circles: list[int | None] = []
         used: set[int] = set()
         for pole in self._geometry[spline].getPoles():

@@ -24,7 +24,7 @@ CUBE_PX = 140  # space, pixels, for the navigation cube and the axes at the righ
 WIDEST_PX, NARROW_PX, FOLDED_PX = 480, 320, 240
 # largest width of the card, as a fraction of the width of the view, so that the curve is visible beside the
 # card
-SHARE = 0.45
+WIDTH_FRACTION = 0.45
 SMALL = 0.15  # largest fraction of the view that a card with hidden points covers without being folded
 LOOKED_MS = 100  # time, ms, after the last move of the camera, until the card is placed again
 FOLDED = "CardFolded"
@@ -167,7 +167,7 @@ class VerdictCard(QtCore.QObject):
         rows = [button for button in (self.keep, self.button) if button.isVisible()]
         layout, button_height = self.frame.layout(), sum(button.height() + GAP_PX for button in rows)
         layout.setContentsMargins(0, 0, 0, button_height + (0 if folded else GAP_PX // 2))
-        widest = max(min(WIDEST_PX, round(SHARE * free_part(over).width())), FOLDED_PX)
+        widest = max(min(WIDEST_PX, round(WIDTH_FRACTION * free_part(over).width())), FOLDED_PX)
         # a narrow card is higher, and may fit beside the curve
         widths = (FOLDED_PX,) if folded else (widest, min(widest, NARROW_PX))
 

@@ -101,8 +101,6 @@ class RailsPanel(Panel):
         with self.telling():
             self._show()
 
-    # --- input by the user
-
     def changed(self) -> None:
         """Write the numbers of the chosen element into the strip, and recompute the document."""
         if self.items:
@@ -193,8 +191,6 @@ class RailsPanel(Panel):
         answer = self._draw()
         self.show_message(answer.sentence)
 
-    # --- places
-
     def _distance(self, point: tuple[float, float]) -> float:
         """Return the distance along the drawn curve, mm, of the point nearest to `point`."""
         curve = self._along()
@@ -228,8 +224,6 @@ class RailsPanel(Panel):
         if isinstance(item, PointMass):
             return PointMass(place, self.value("mass"))
         return replace(item, at=self._point(place) if self.value("fixed") else place)
-
-    # --- display
 
     def _write(self) -> None:
         for name, lines in acting_lines(self.items).items():

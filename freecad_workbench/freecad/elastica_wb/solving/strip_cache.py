@@ -157,9 +157,9 @@ def find_nearest_now(spec: RodSpec) -> NearestRod:
 
 
 # factors by which limits are stricter, in turn, because a curve with few poles differs from its rod
-ROOMS = (1.1, 1.25, 1.5)
+TIGHTER = (1.1, 1.25, 1.5)
 # largest distance of a curve with few poles: multiple of the least distance, or fraction of the length
-FARTHER, NEAR_SHARE = 3, 0.01
+FARTHER, NEAR_FRACTION = 3, 0.01
 SPANS = (8, 12, 16, 20)
 
 
@@ -176,8 +176,8 @@ def _nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
     nearest = find_nearest_now(spec)
     if not nearest.met or len(nearest.curve.control_points) <= MOST_DRAGGED:
         return nearest.curve, ""
-    farthest = max(FARTHER * nearest.deviation, NEAR_SHARE * spec.curve.length)
-    for factor in ROOMS:
+    farthest = max(FARTHER * nearest.deviation, NEAR_FRACTION * spec.curve.length)
+    for factor in TIGHTER:
         limits = spec.limits.tightened(curvature=factor, strain=factor)
         near = find_rod(
             replace(spec, limits=replace(limits, ratio=limits.ratio and max(1.0, limits.ratio / factor)))
