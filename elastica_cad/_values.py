@@ -199,7 +199,7 @@ _PLAIN = frozenset({type(None), bool, int, float, str})
 
 
 class EqualByValue:
-    """Base of a frozen dataclass, declared with `eq=False`, that is equal by the values of all fields."""
+    """Base of a frozen dataclass, declared with `eq=False`, whose equality and hash depend on all fields."""
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, type(self)) and _record_key(self) == _record_key(other)

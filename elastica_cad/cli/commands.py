@@ -315,7 +315,7 @@ def _numbers(value: Any) -> Iterator[float]:
 
 
 def _output_flag(*names: str, help: str) -> click.Option:
-    """The flag is processed before other options, because errors of these depend on it."""
+    """The flag takes effect before other options are processed."""
 
     def set_voice(_: click.Context, param: click.Parameter, value: bool) -> None:
         if value:

@@ -175,8 +175,7 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
 
 
 RIM, MODEL_RIM = 0.035, 0.0015
-"""Width of the dark line along edges: as a fraction of the strip width, but limited to a fraction of the
-model.
+"""Width of the dark line along edges: fraction of the strip width, and limit as a fraction of the model's extent.
 """
 
 ROUNDED_MM = 6

@@ -485,8 +485,7 @@ def enforce_constraints(
     tolerance: float = 1e-10,
     max_steps: int = 30,
 ) -> EnforcedCurve:
-    """Return the curve after the least move of its control points that makes inflections collinear and keeps
-    `like`.
+    """Move control points as little as possible, so that inflections are collinear and constraints are satisfied.
 
     Parameters
     ----------

@@ -85,7 +85,7 @@ def _strip_with_slots(obj: Any) -> Strip:
 
 
 def _free_placement(strip: Any) -> App.Placement:
-    """The flat part is in the plane z = 0 in front of the drawn curve, and overlaps no other flat part."""
+    """The flat part is in the plane z = 0 in front of the drawn curve, and overlaps no other part."""
     source = strip.Curve[0] if strip.Curve else None
     # largest width of the outline in every style
     width = max(strip.MaxWidth.Value, strip.OuterWidth.Value)

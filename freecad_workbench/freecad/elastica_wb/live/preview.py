@@ -102,7 +102,7 @@ class _Ribbon:
 REACH_PX = 12  # distance, pixels, from a handle within which the mouse grabs it
 SIZE_PX = 13  # px
 REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)
-# smallest sine of the angle between the plane and the line of sight at which the plane is not seen edge-on
+# largest sine of the angle between plane and line of sight at which the plane is seen edge-on
 EDGE_ON_SINE = 1e-6
 
 

@@ -25,7 +25,7 @@ WIDEST_PX, NARROW_PX, FOLDED_PX = 480, 320, 240
 # largest width of the card, as a fraction of the width of the view, so that the curve is visible beside the
 # card
 WIDTH_FRACTION = 0.45
-SMALL = 0.15  # largest fraction of the view that a card with hidden points covers without being folded
+SMALL = 0.15  # a card that hides points is folded if it covers a larger fraction of the view than this
 LOOKED_MS = 100  # time, ms, after the last move of the camera, until the card is placed again
 FOLDED = "CardFolded"
 

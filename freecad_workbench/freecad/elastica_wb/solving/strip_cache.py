@@ -135,7 +135,7 @@ def find_nearest_to_draw(spec: RodSpec) -> NearestRod:
 
 @remembered
 def find_nearest_now(spec: RodSpec) -> NearestRod:
-    """Return `find_nearest_to_draw` in this thread, without a progress bar.
+    """Do the same as `find_nearest_to_draw`, in this thread and without a progress bar.
 
     The curvature of a spline differs from that of its rod by some thousandths, so the limits of the rod are
     stricter.
