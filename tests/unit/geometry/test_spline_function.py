@@ -60,15 +60,15 @@ def test_compiled_parts_are_those_of_scipy_and_leave_it_whole():
 
 
 def test_a_build_of_scipy_without_these_files_is_asked_as_a_whole(monkeypatch):
-    monkeypatch.setattr(compiled_scipy, "_alone", lambda *_: None)
+    monkeypatch.setattr(compiled_scipy, "_compiled_module", lambda *_: None)
     whole, brent = compiled_scipy.lapack.__wrapped__(), compiled_scipy._brent.__wrapped__()
     assert whole.__name__ == "scipy.linalg.lapack"
     assert brent(np.cos, 1.0, 2.0, 1e-12, 1e-12, 100, (), False, True) == pytest.approx(np.pi / 2)
 
 
 def test_what_is_not_there_or_not_what_is_needed_is_none():
-    assert compiled_scipy._alone("linalg", "_no_such_file", "dgtsv") is None
-    assert compiled_scipy._alone("linalg", "_flapack", "no_such_function") is None
+    assert compiled_scipy._compiled_module("linalg", "_no_such_file", "dgtsv") is None
+    assert compiled_scipy._compiled_module("linalg", "_flapack", "no_such_function") is None
 
 
 @pytest.mark.parametrize("degree", [1, 2, 3, 5])
