@@ -56,9 +56,7 @@ NAMES = {
     "label": "EngravedText", "ignore_limits": "Anyway", "limits.ratio": "RatioLimit",
     "limits.natural_curvature": "NaturalCurvatureLimit", "limits.bend": "BendLimit",
 }  # fmt: skip
-"""Names of these properties in a strip, by key; the names of all other properties are derived from their
-keys.
-"""
+"""Names of properties that a strip has too, by key. All other names are derived from the keys."""
 
 FIELDS: dict[str, tuple[str, Field]] = {
     NAMES.get(path) or path.title().replace("_", "").replace(".", ""): (path, field)

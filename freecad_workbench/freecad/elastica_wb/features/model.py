@@ -112,7 +112,7 @@ def shown_model(obj: Any) -> Model:
 
 
 def model_of(obj: Any, *, as_displayed: bool = False) -> Model:
-    """Return the `Model` record of a model feature, with `as_displayed` of the strips as they are displayed."""
+    """Return the `Model` record of a model feature; `as_displayed` selects the strips of the current shapes."""
     other = next((strip for strip in obj.Strips if not is_strip(strip)), None)
     if other is not None:
         raise InputError("{object} is not a strip. Choose strips for the model.", object=other.Label)

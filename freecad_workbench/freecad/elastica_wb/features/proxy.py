@@ -62,7 +62,7 @@ HIDDEN_BY_ERROR = Property(
 SHOWN_BY_ERROR = result(
     "Bool", "ShownByError", "Shown because the recompute of its model failed", hidden=True
 )
-"""Property that is True for strips that are visible because their model failed; the view would be empty."""
+"""Property that is True for strips that became visible because their model failed."""
 
 REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 
@@ -358,7 +358,7 @@ def keep_sheets() -> None:
 
 
 def keep_places(container: Any) -> None:
-    """Mark features for recompute if a container moves either the features or their sources."""
+    """Mark features for recompute if a container moves only the features, or only their sources."""
     for obj in container.Document.Objects:
         ours = is_ours(obj) and CONTAINERS.name in obj.PropertiesList
         inside = ours and container in parents(obj)

@@ -51,7 +51,7 @@ BODY = "PartDesign::Body"
 
 CHANGEABLE = ("smooth", "nearest", "between", "max_width", "thickness", "sheet")
 DRAWN = ("point", "size")
-"""Fields that suggestions may change: of the strip, and (DRAWN) of the sketch."""
+"""Fields that suggestions may change: CHANGEABLE of the strip, DRAWN of the sketch."""
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()

@@ -80,8 +80,8 @@ def document_lives(document: Any) -> bool:
 def sensor(kind: Any, callback: Callable[..., None]) -> Any:
     """Return a Coin sensor that calls a method as long as the object of the method is referenced elsewhere.
 
-    The reference is weak, because pivy never releases the function that a sensor calls. A card and its
-    widgets would stay in memory, and PySide would reuse their wrappers for new widgets at the same addresses.
+    The reference is weak, because pivy never releases the function that a sensor calls. With a strong reference,
+    a card and its widgets would stay in memory, and PySide would reuse their wrappers for new widgets.
     """
     method = WeakMethod(callback)
 

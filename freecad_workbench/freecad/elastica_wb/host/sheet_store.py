@@ -51,7 +51,7 @@ def _read(path: Path, *_state: int) -> dict[str, Sheet]:
 
 
 def save_own_sheets(sheets: Iterable[Sheet]) -> None:
-    """Write the user's sheets, which replace all sheets in the file, unless the current file cannot be read."""
+    """Write the user's sheets, which replace all sheets in the file; an unreadable file is refused."""
     text = "\n".join(sheet.toml() for sheet in sheets)
     path = own_sheets_file()
     if path.exists():

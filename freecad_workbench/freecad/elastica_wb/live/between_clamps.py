@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Tool that draws the curve of a strip of given length between two clamped ends in an open sketch."""
+"""Tool that draws the curve of a strip of given length between two clamped ends in an open sketch.
+
+The solver of the sketcher cannot keep the length of a curve, so the curve is drawn when the mouse is released.
+"""
 
 from collections.abc import Callable
 from contextlib import suppress

@@ -148,9 +148,7 @@ class Edits:
     """Observer that starts the overlay when a sketch is opened, and ends it when the sketch is closed."""
 
     def slotInEdit(self, provider: Any) -> None:
-        """Start the overlay after FreeCAD has handled this signal, because the sketcher then draws its
-        points.
-        """
+        """Start the overlay after FreeCAD has handled this signal, because the sketcher then draws the points."""
         sketch = getattr(provider, "Object", None)
         if is_sketch(sketch) and wants_overlay(sketch):
             QtCore.QTimer.singleShot(0, lambda: start_if_wanted(sketch))
