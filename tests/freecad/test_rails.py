@@ -45,6 +45,23 @@ def test_lines_of_elements_and_loads_are_read_back(refused):
     assert (*spec.between, *spec.loads) == ITEMS
 
 
+def test_undo_and_redo_keep_the_curve_of_ties_and_loads(refused):
+    document, (first, *others) = (
+        refused.Document,
+        [acting_lines((tie,)) for tie in (ITEMS[2], ec.Tie(50, 300))],
+    )
+    change(refused, **first)
+    length = refused.PlacesLength.Value
+    for lines in others:
+        document.openTransaction("Tie")
+        change(refused, **lines)
+        document.commitTransaction()
+    document.undo()
+    assert (refused.Between, refused.PlacesLength.Value) == (first["Between"], length)
+    document.redo()
+    assert refused.PlacesLength.Value == length > 0
+
+
 def test_a_refused_curve_gets_the_support_that_the_core_finds(refused):
     assert "cannot" in refused.Verdict
     (suggestion,) = changes_that_help(valid_request(refused), changeable(refused))

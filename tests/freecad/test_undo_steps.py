@@ -6,6 +6,8 @@ from typing import Any
 
 import pytest
 
+from . import launching
+
 
 class OfProgram:
     """A document whose changes go into the program's transaction. `undo` lists the finished steps."""
@@ -182,6 +184,38 @@ def test_a_closed_document_ends_its_step_and_no_other(app, steps):
     else:
         second.change("unrelated")
         assert second.pending == []
+
+
+STEPS = {
+    "Strip": "Strip from sketch",
+    "Nearest": "Nearest curve to sketch",
+    "Edit": "Edit strip",
+    "Rails": "Rails, ties and loads",
+    "Perforate": "Perforate",
+    "Laminate": "Laminate",
+    "Flat": "Flat part",
+    "Bend": "Bend forward",
+    "Flexure": "Two-state part",
+    "Projective": "Projective edit",
+    "Fixtures": "End fixtures and base plate",
+    "Nest": "Nest on sheets",
+    "Coupon": "Coupon and calibrate",
+    "Section": "Section into curves",
+    "Interlock": "Interlock selected strips",
+}
+"""Commands with an undo step."""
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("owner", ["program", "document"])
+def test_commands_make_one_step_each(tmp_path, owner):
+    """Cancel and undo restore the document, OK makes one step, and no step stays open."""
+    found = launching.run_window("steps.py", tmp_path, ELASTICA_TEST_STEPS=owner)["tried"]
+    cancelled = {"Flat": [], "Nest": []}  # no panel
+    assert found == {
+        f"Elastica_{name}": [cancelled.get(name, [[], 0, {}]), [1, {}, True], step, []]
+        for name, step in STEPS.items()
+    }
 
 
 def test_the_modules_name_no_transaction_elsewhere():

@@ -39,7 +39,7 @@ def close_step(document: Any, *, abort: bool = False) -> None:
 def active_step(document: Any) -> int:
     """Return the number of the undo step that records changes of a document, or 0."""
     if _has_steps_of_documents():
-        return int(document.getBookedTransactionID())
+        return int(App.Document.getBookedTransactionID(document))
     return (App.getActiveTransaction() or ("", 0))[1]
 
 

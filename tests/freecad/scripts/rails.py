@@ -148,6 +148,7 @@ def work():
     until(lambda: live.session() is not None)
     live_at_rest()
     fit("Top")
+    fit(height=800)  # so that no panel of 1.1 is over the end
     wait(500)
     shown = live.session().overlay.shown()
     answers["live"] = {name: count for name, count in shown.items() if count}

@@ -61,8 +61,15 @@ def _close_sketch() -> None:
         Gui.ActiveDocument.resetEdit()
 
 
+def _begin_step(name: str) -> None:
+    """Begin an undo step, and close the open sketch in it. Cancel and undo show the sketch again."""
+    if (sketch := edited_sketch()) is not None:
+        sketch.Visibility = True  # FreeCAD hides a sketch while it is open
+    open_step_and(_close_sketch, App.ActiveDocument, name)
+
+
 def _make_and_edit(step: str, make: Callable[..., Any], *arguments: Any) -> None:
-    open_step_and(_close_sketch, App.ActiveDocument, step)
+    _begin_step(step)
     feature = recorded(make, App.ActiveDocument, *arguments)
     record_recompute(App.ActiveDocument)
     show_panel(panel_of, feature)
@@ -121,7 +128,7 @@ def bodies_and_path() -> tuple[list[Any], Any]:
 def make_strips() -> None:
     """Make a bent strip and its flat part for every selected curve, and open one panel for all strips."""
     selected = chosen_curves()
-    open_step_and(_close_sketch, App.ActiveDocument, "Strip from sketch")
+    _begin_step("Strip from sketch")
     strips = [recorded(make_strip, source, edges, flat_part=False) for source, edges in selected]
     for strip in strips:
         _add_flat(strip)
@@ -140,7 +147,7 @@ def make_flat_parts() -> None:
     missing = [(strip, layer) for strip in chosen_strips() for layer in flat.missing_layers(strip)]
     if not missing:
         raise InputError(translate("Elastica", "Every selected strip has its flat part."))
-    open_step_and(_close_sketch, App.ActiveDocument, "Flat part")
+    _begin_step("Flat part")
     for strip, layer in missing:
         _add_flat(strip, layer)
     close_step(App.ActiveDocument)
@@ -171,7 +178,7 @@ def laminate() -> None:
 
 def _set_constant_width(strips: list[Any], style: str, step: str) -> None:
     """The constant width is by default the largest width of the plain strip."""
-    open_step_and(_close_sketch, App.ActiveDocument, step)
+    _begin_step(step)
     usual = preferences.get("MaxWidth")
     for strip in strips:
         if strip.Style == "Plain" and strip.MaxWidth.Value and strip.OuterWidth.Value == usual:

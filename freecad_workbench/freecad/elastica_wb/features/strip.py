@@ -83,6 +83,7 @@ class StripFeature(Feature):
         if (
             name in ("Between", "Loads")
             and "Restore" not in obj.State
+            and not obj.Document.Transacting  # undo and redo also restore PlacesLength
             and "PlacesLength" in obj.PropertiesList
         ):
             put(obj, PlacesLength=0.0)
