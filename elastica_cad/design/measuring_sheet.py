@@ -35,8 +35,8 @@ WORDS = {
     "height_1": "from the chord to mark 1",
     "height_2": "from the chord to mark 2",
     "height_3": "from the chord to mark 3",
-    "start_angle": "between the chord and the tab at the start",
-    "end_angle": "between the chord and the tab at the end",
+    "start_angle": "between the chord and the tab at the start (1)",
+    "end_angle": "between the chord and the tab at the end (2)",
 }
 
 
