@@ -77,9 +77,7 @@ class Design:
     revolution: "RevolutionTable | None" = None
 
     def with_limits_ignored(self) -> "Design":
-        """Return the design with `ignore_limits`, so that parts that cannot be cut or handled are made with a
-        warning.
-        """
+        """Return the design with `ignore_limits`, so that parts beyond the limits are made with a warning."""
         return replace(
             self,
             entries=tuple(
@@ -119,10 +117,10 @@ class Design:
         failed: list[ElasticaError] = []
         refused: list[ElasticaError] = []
         for entry in self.entries:
-            key = _likeness(entry)
+            key = _comparison_key(entry)
             if key not in strips:
                 try:
-                    strips[key] = _make(entry, slotted=self.interlock is not None)
+                    strips[key] = _make_named(entry, slotted=self.interlock is not None)
                 except (NotRealizable, NotConvergedError, InputError) as problem:
                     (failed if entry.section else refused).append(problem)
                     continue
@@ -135,7 +133,7 @@ class Design:
             if done is not None:
                 done(entry.label)
         if refused:
-            raise _all_of(refused)
+            raise _merged_error(refused)
         plates: tuple[Ring, ...] = ()
         if self.revolution is not None:
             surface = self.revolution.model(self.name)
@@ -258,10 +256,7 @@ def parse_design(path: Path) -> dict[str, Any]:
 
 
 def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
-    """Return the surface of revolution of a design, or None.
-
-    Keys that its table lacks are taken from the design.
-    """
+    """Return the surface of revolution of a design, or None. Missing keys are taken from the design."""
     if not top.has("revolution"):
         return None
     from elastica_cad.design.revolution_table import INHERITED, read_revolution
@@ -272,9 +267,7 @@ def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
 
 
 class _Sheets(dict[str, Sheet]):
-    """Sheets that a design may use: sheets that it defines, by name, and sheet files in its folder, by file
-    name.
-    """
+    """Sheets of a design by name, and sheet files in the folder of the design by file name."""
 
     folder = Path()
 
@@ -333,7 +326,7 @@ def _read_strips(
                     failed.append(problem)
         with slips.gathering():
             _require_labels(labels, entries[first:], top.where)
-            entries[first:] = _side_by_side(entries[first:])
+            entries[first:] = _with_copies_apart(entries[first:])
         labels.update(entry.label for entry in entries[first:])
     if failed and not entries:
         raise failed[0]
@@ -347,8 +340,8 @@ COPIES_APART_MM = 20.0
 """Distance, mm, between copies of a part for which the file defines the same position."""
 
 
-def _side_by_side(entries: Sequence[StripEntry]) -> list[StripEntry]:
-    """Return the entries of a table. Copies of a part at the same position are moved apart."""
+def _with_copies_apart(entries: Sequence[StripEntry]) -> list[StripEntry]:
+    """Return the entries of a table, with copies of a part at the same position moved apart."""
     alike = len({entry.label for entry in entries}) < len(entries)
     if not alike or np.ptp([entry.frame.origin for entry in entries], axis=0).any():
         return list(entries)
@@ -361,11 +354,11 @@ def _side_by_side(entries: Sequence[StripEntry]) -> list[StripEntry]:
 
 
 def _require_labels(taken: Container[str], entries: Sequence[StripEntry], where: str) -> None:
-    """Refuse a label that two strips have, unless they are copies of a part from the same table."""
+    """Refuse a label of two strips that are not copies of a part from the same table."""
     known = dict[str, StripEntry]()
     for entry in entries:
         first = known.setdefault(entry.label, entry)
-        if entry.label in taken or (first is not entry and _likeness(first) != _likeness(entry)):
+        if entry.label in taken or (first is not entry and _comparison_key(first) != _comparison_key(entry)):
             raise InputError(
                 (
                     "{place}: two strips have the label {twice!r}. Give each strip a different label, with {{i}} "
@@ -377,10 +370,7 @@ def _require_labels(taken: Container[str], entries: Sequence[StripEntry], where:
 
 
 def _only_sections(table: Table) -> Table:
-    """Return the table of a strip that follows sections.
-
-    Refuse its keys for count and position, which sections determine.
-    """
+    """Return the table of a strip that follows sections, and refuse keys for count and position."""
     idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
     if idle:
         raise InputError(
@@ -408,7 +398,7 @@ curves differ by rounding.
 """
 
 
-def _likeness(entry: StripEntry) -> Any:
+def _comparison_key(entry: StripEntry) -> Any:
     """Return a value that is equal for strips with the same request and, apart from rounding, the same curve."""
     spec, curve, gravity = entry.spec, entry.curve, entry.spec.gravity_in_plane
     numbers = [curve.knots - curve.knots[0], curve.control_points.ravel()]
@@ -420,23 +410,20 @@ def _likeness(entry: StripEntry) -> Any:
     return digits.tobytes(), value_key(values)
 
 
-def _all_of(problems: Sequence[ElasticaError]) -> ElasticaError:
-    """Return a single error with all messages; its class is the class of the first error."""
+def _merged_error(problems: Sequence[ElasticaError]) -> ElasticaError:
+    """Return a single error with all messages and the class of the leading error."""
     first, slips = problems[0], Slips()
     if len(problems) == 1:
         return first
     for problem in problems:
         slips.add(str(problem))
-    # remove the suggestions of the first error, which do not apply to the other errors
+    # suggestions of one error do not apply to the others
     first.refusal = Refusal(first.refusal.kind, slips.text)
     return first
 
 
-def _make(entry: StripEntry, *, slotted: bool) -> Strip:
-    """Make a strip without its slots.
-
-    Errors name the strip. The widths of slotted strips are compensated later.
-    """
+def _make_named(entry: StripEntry, *, slotted: bool) -> Strip:
+    """Make a strip without slots. The widths of slotted strips are compensated later."""
     compensate = entry.spec.compensate
     spec = entry.spec.changed(slots=(), compensate=False if compensate and slotted else compensate)
     try:

@@ -60,9 +60,7 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
 
 @dataclass(frozen=True)
 class Reshape:
-    """Deformation of a curve by handles: named corners of its bounding box, or points `handles` and their
-    targets `to`.
-    """
+    """Deformation of a curve by corners of its bounding box, or by points `handles` with their targets `to`."""
 
     bottom_left: Annotated[Point | None, Option(_TO.format("lower left"), "mm")] = None
     bottom_right: Annotated[Point | None, Option(_TO.format("lower right"), "mm")] = None

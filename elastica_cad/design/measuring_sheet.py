@@ -24,7 +24,7 @@ WIDE_MM, HIGH_MM = 180.0, 60.0
 LETTER_MM, LINE_MM, TEXT_MM = 3.0, 6.0, 40.0
 """Letter height, line spacing, and position of the second column of the page, mm."""
 
-LARGEST = 1e6
+LARGEST_READING = 1e6
 """Largest length (mm) or angle (degrees) in a report or a reading."""
 
 ERRORS = ("reading_error", "angle_error")
@@ -104,7 +104,7 @@ def _measures(readings: Mapping[str, Any]) -> dict[str, float]:
 
 
 def _number(value: Any) -> float:
-    if isinstance(value, bool) or not abs(value) <= LARGEST:
+    if isinstance(value, bool) or not abs(value) <= LARGEST_READING:
         raise ValueError
     return float(value)
 
@@ -163,12 +163,10 @@ def blank_readings(measured: Mapping[str, Measuring]) -> str:
 
 
 def measuring_page(name: str, measuring: Measuring) -> Drawing:
-    """Return a page with the bent strip, the positions to measure, expected values, and explanations of
-    differences.
-    """
+    """Return a page with the bent strip, positions to measure, expected values, and causes of differences."""
     position = np.array(measuring.shape)
     x, y = position[-1] - position[0]
-    position = position @ (np.array([[x, -y], [y, x]]) / np.hypot(x, y))  # the chord is level
+    position = position @ (np.array([[x, -y], [y, x]]) / np.hypot(x, y))  # rotate the chord to level
     low, high = position.min(axis=0), position.max(axis=0)
     scale = float(np.min([WIDE_MM, HIGH_MM] / np.maximum(high - low, [WIDE_MM, HIGH_MM])))
     points = (position - [low[0], low[1]]) * scale

@@ -64,7 +64,7 @@ def report_model(
         "parts": [
             {
                 **_strip(part.strip),
-                **(_departure(part.strip, drawn[part.strip.label]) if part.strip.label in drawn else {}),
+                **(_deviations(part.strip, drawn[part.strip.label]) if part.strip.label in drawn else {}),
                 "name": part.name,
                 "count": part.count,
                 "measuring": report_measuring(part.strip) if held else None,
@@ -117,8 +117,7 @@ def report_model(
     }
 
 
-def _departure(strip: Strip, entry: StripEntry) -> dict[str, Any]:
-    """Return the distances, mm, between the strip and its drawn curve, and between the curve and its section."""
+def _deviations(strip: Strip, entry: StripEntry) -> dict[str, Any]:
     curve = strip.rod.curve
     departure: dict[str, Any] = {"deviation": round_numbers(largest_deviation(entry.curve, curve))}
     if entry.section:

@@ -113,21 +113,21 @@ HOLDERS: dict[HolderKind, Record] = {
 
 @dataclass(frozen=True)
 class MirrorPattern:
-    """A pattern."""
+    """Pattern of mirror images."""
 
     mirror: Annotated[Any, Option("Mirror image of the strips.", written=mirror)]
 
 
 @dataclass(frozen=True)
 class RotatePattern:
-    """A pattern."""
+    """Pattern of copies about an axis."""
 
     rotate: Annotated[Any, Option("Copies of the strips around an axis.", written=rotate)]
 
 
 @dataclass(frozen=True)
 class RepeatPattern:
-    """A pattern."""
+    """Pattern of copies in a row."""
 
     repeat: Annotated[Any, Option("Copies of the strips in a row.", written=repeat)]
 
@@ -218,7 +218,6 @@ def read_kit(top: Table, reader: Reader) -> KitSpec:
 
 
 def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[HolderSpec]:
-    """Yield base plates, rings, frames and fixtures; each kind is a table or a list of tables."""
     for kind in HOLDERS:
         if isinstance(top.raw(kind), list):
             tables = top.tables(kind)

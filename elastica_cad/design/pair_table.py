@@ -19,9 +19,7 @@ from elastica_cad.pairs.flexure_spec import FlexureSpec
 def read_pair(
     path: Path, read_curves: CurveReader, changes: Mapping[str, Any] = MappingProxyType({})
 ) -> FlexureSpec:
-    """Read the request for a two-state part from the table [pair] of a design file; `changes` replace values
-    of keys.
-    """
+    """Read the request for a two-state part from the table [pair]; `changes` replace values of keys."""
     path = require_file(path)
     table = parse_design(path)
     changed = merged(table, {"pair": changes}) if changes else table

@@ -115,9 +115,9 @@ BY_KIND: dict[Record, dict[str, Record]] = {
     Element: {"rail": Rail, "pin": Pin, "tie": Tie},
     BoundedLaw: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
 }
-"""For a family of records: the record for each value of the key `kind`. The first is the default."""
+"""For a family of records, the record for each value of the key `kind`, the default before others."""
 
-MADE_BY: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting}
+MAKERS: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting}
 """Functions that make certain records from their tables."""
 
 WRITTEN: dict[Record, Kind] = {
@@ -196,7 +196,7 @@ class Reader:
             kinds = BY_KIND[record]
             record = kinds[table.text("kind", next(iter(kinds)), tuple(kinds))]
         values = self.given(record, table)
-        make = MADE_BY.get(record, record)
+        make = MAKERS.get(record, record)
         parameters = signature(make).parameters if callable(make) else {}
         if "sheet" in parameters and "sheet" not in {entry.name for entry in declared(record)}:
             values["sheet"] = self.sheet
@@ -241,7 +241,7 @@ class Reader:
                 return self.record(kind.record, table.table(key))
             case "list":
                 return self._row(kind, table, key)
-        return self.value(_chosen(kind.of, table.raw(key)), table, key)
+        return self.value(_best_kind(kind.of, table.raw(key)), table, key)
 
     def _row(self, kind: Kind, table: Table, key: str) -> tuple[Any, ...]:
         (inner,), rows = kind.of, table.raw(key)
@@ -264,11 +264,11 @@ class Reader:
         return tuple(self.value(inner, numbered, name) for name in numbered.data)
 
 
-def _chosen(kinds: tuple[Kind, ...], value: object) -> Kind:
-    """Return the kind that fits a value best. If no kind fits, return a kind that refuses the value."""
+def _best_kind(kinds: tuple[Kind, ...], value: object) -> Kind:
+    """Return the kind that fits a value best, or a kind that refuses the value."""
     fitting = [kind for kind in kinds if _fits(kind, value)]
     if isinstance(value, Mapping):
-        return max(fitting, key=lambda kind: _keys_met(kind, value), default=kinds[-1])
+        return max(fitting, key=lambda kind: _key_score(kind, value), default=kinds[-1])
     return fitting[0] if fitting else next((kind for kind in kinds if kind.name != "flag"), kinds[0])
 
 
@@ -291,8 +291,8 @@ def _fits(kind: Kind, value: object) -> bool:
     return False
 
 
-def _keys_met(kind: Kind, table: Mapping[str, Any]) -> int:
-    """Return the number of keys of a table that the kind has, minus the number of its unknown keys."""
+def _key_score(kind: Kind, table: Mapping[str, Any]) -> int:
+    """Return the number of known keys minus the number of unknown keys of a table."""
     known = {
         name
         for alternative in written(kind).alternatives
@@ -303,7 +303,7 @@ def _keys_met(kind: Kind, table: Mapping[str, Any]) -> int:
 
 
 def _read_sheet(reader: Reader, table: Table, key: str) -> Sheet:
-    """Return the sheet that a key names: a sheet of the file or a known sheet.
+    """Return the sheet of the file or the known sheet that a key names.
 
     If the key is `sheet`, the key `thickness` of the same table sets the thickness.
     """
@@ -334,7 +334,7 @@ _SPECIAL: dict[Record, Callable[[Reader, Table, str], Any]] = {
     RestCurvature: _read_blank,
     Formula: _read_formula,
 }
-"""Functions that read records that are not written as a table of their fields."""
+"""Functions that read records in a form other than a table of their fields."""
 
 
 def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any]) -> None:
@@ -418,7 +418,7 @@ def _plain_kind(kind: Kind) -> dict[str, Any]:
 
 
 def _plain_default(value: Any) -> Any:
-    """Return a default value as plain JSON, or None for a record, because its fields have their own defaults."""
+    """Return a default value as plain JSON, or None for a record, whose fields have their own defaults."""
     if isinstance(value, tuple):
         plain = [_plain_default(item) for item in value]
         return None if None in plain else plain
@@ -464,7 +464,6 @@ def tables_in(kind: Kind) -> list[Record]:
 
 
 def _words(kind: Kind) -> tuple[str, ...]:
-    """Return the values of the key `kind` for a table."""
     return tuple(
         word
         for alternative in written(kind).alternatives
@@ -499,9 +498,7 @@ def require_path_of(path: str, record: Record) -> Field:
 
 
 def near_path(path: str, known: Iterable[str]) -> str:
-    """Return the known path that was probably meant: with the same last name, else with the most similar
-    spelling, else "".
-    """
+    """Return the known path that was probably meant: with the same last name, else by spelling, else ""."""
     ends = {known_path.rpartition(".")[2]: known_path for known_path in reversed(list(known))}
     last = path.rpartition(".")[2]
     near = near_names(path, known) or near_names(last, ends)

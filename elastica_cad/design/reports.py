@@ -30,15 +30,11 @@ from elastica_cad.strip.measuring import Measuring
 from elastica_cad.strip.strip import Strip
 
 STATIONS = 201
-"""Number of stations, uniform in arc length, at which a varying natural curvature is reported.
-
-A constant curvature has two.
-"""
+"""Number of stations, uniform in arc length, at which a varying natural curvature is reported."""
 
 
 def report_blank(strip: Strip) -> dict[str, Any] | None:
-    """Return the natural curvature (1/mm, positive to the left) at stations (mm) of the free part, or None if
-    it is zero.
+    """Return the natural curvature (1/mm, positive to the left) at stations (mm), or None if it is zero.
 
     Examples
     --------
@@ -209,10 +205,10 @@ def _sideways_report(verdict: SidewaysStability) -> dict[str, Any]:
 
 
 def _between(strip: Strip) -> list[dict[str, Any]]:
-    """Return rails, pins, ties and point forces with their stations (mm) and forces on the strip (N).
+    """Return rails, pins, ties and point forces with stations (mm) and forces on the strip (N).
 
-    A tie has its length (mm) and its pull (N). `moved_per_mm` is the largest displacement of the strip, mm,
-    if a rail or pin is mounted 1 mm away from its position, or if the length of a tie is wrong by 1 mm.
+    A tie has its length (mm) and its pull (N). `moved_per_mm` is the largest displacement of the strip,
+    mm, per mm of error in the position of a rail or pin, or in the length of a tie.
     """
     rows = []
     moves = displacements_per_mm(strip.rod)
@@ -256,7 +252,6 @@ def _sheet_report(sheet: Sheet) -> dict[str, Any]:
 
 
 def _reactions_report(reactions: Reactions) -> dict[str, Any]:
-    """Return the forces (N) and moments (N mm) at the ends."""
     return {
         "start_force": round_numbers(reactions.start_force),
         "start_moment": round_numbers(reactions.start_moment),
@@ -266,7 +261,7 @@ def _reactions_report(reactions: Reactions) -> dict[str, Any]:
 
 
 def _layers(strip: Strip) -> list[dict[str, Any]]:
-    """Return the layers, the base first. For a planed or turned strip, the thickness is its largest thickness."""
+    """Return the layers, the base before the backing, with the largest thickness of a planed or turned strip."""
     worked = strip.layout.worked_size
     return [
         {
@@ -371,9 +366,10 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
 
 
 def _held(strip: Strip) -> dict[str, Any] | None:
-    """Return the shape of the cut strip, held at its designed ends.
+    """Return the shape of the cut strip at its designed ends, or None.
 
-    Return None for a strip with rails, pins, ties or point forces, and if there is no shape near the design.
+    The result is None for a strip with rails, pins, ties or point forces, and if no shape near the design
+    is found.
     """
     if strip.rod.acting:
         return None

@@ -77,19 +77,19 @@ class RevolutionTable:
         if len(ways) != 1:
             raise InputError(
                 "The meridian is missing. Add one of points, curve, or {own_keys}.",
-                own_keys=", ".join(OWN_KEYS),
+                own_keys=", ".join(EQUATION_KEYS),
             )
         if self.curve is not None or self.points:
             return meridian_through(self._profile or list(self.points), ring=self.ring)
-        values: Any = [getattr(self, key) for key in OWN_KEYS]
-        missing = [key for key in OWN_KEYS if getattr(self, key) is None]
+        values: Any = [getattr(self, key) for key in EQUATION_KEYS]
+        missing = [key for key in EQUATION_KEYS if getattr(self, key) is None]
         if missing:
             raise InputError("{key} is missing. Add a number or a formula in quotes.", key=missing[0])
         return meridian(*values, ring=self.ring)
 
     @property
     def _profile(self) -> PlaneCurve | None:
-        """The profile with x as the distance from the axis and y along the axis, or None."""
+        """Profile with x as the distance from the axis and y along the axis, or None."""
         if self.axis is None and self.axis_x is None:
             return self.curve
         if self.curve is None or (self.axis is not None and self.axis_x is not None):
@@ -146,7 +146,7 @@ class RevolutionTable:
         return tuple(reports)
 
 
-OWN_KEYS = ("a", "b", "start", "angle", "length")
+EQUATION_KEYS = ("a", "b", "start", "angle", "length")
 """Keys of a meridian that is defined by its equation."""
 
 INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")

@@ -1,6 +1,4 @@
-"""The table of a design file for sections of a surface: the file of the surface, the planes, and the division
-of curves.
-"""
+"""Table of a design file for sections of a surface: file of the surface, planes, and division of curves."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -68,7 +66,7 @@ class SectionsTable:
         return SectionSpec(cuts, self.half, self.longest, splits, self.tolerance, self.wavelength)
 
 
-IN_PLACE = {"radial": "angles", "parallel": "offsets"}
+POSITION_KEYS = {"radial": "angles", "parallel": "offsets"}
 """Keys that set the positions of the planes instead of their number."""
 
 
@@ -82,7 +80,7 @@ def read_sections(
     MissingDependencyError
         trimesh (for meshes) or a CAD kernel (for bodies) is not installed.
     """
-    for name, key in IN_PLACE.items():
+    for name, key in POSITION_KEYS.items():
         cuts = table.table(name)
         if cuts.has("count") and cuts.has(key):
             raise InputError(
@@ -142,7 +140,7 @@ def compose_section_design(
 
 
 def _section_keys(spec: SectionSpec) -> dict[str, Any]:
-    """Return the keys of the table `sections`. Default values are omitted, except for tolerance and planes."""
+    """Return the keys of the table `sections` without default values, except for tolerance and planes."""
     keys: dict[str, Any] = {"tolerance": spec.tolerance}
     keys |= {"wavelength": spec.wavelength} if spec.wavelength else {}
     keys |= {} if spec.half is None else {"half": spec.half}
@@ -151,7 +149,7 @@ def _section_keys(spec: SectionSpec) -> dict[str, Any]:
     match spec.cuts:
         case RadialCuts() as cuts:
             where: dict[str, Any] = {"point": cuts.point, "axis": cuts.axis, "zero": cuts.zero}
-            turned = None if cuts.angles is None else [_degrees(angle) for angle in cuts.angles]
+            turned = None if cuts.angles is None else [_formula_in_degrees(angle) for angle in cuts.angles]
             planes: dict[str, Any] = {"count": cuts.count} if turned is None else {"angles": turned}
             return keys | {"radial": where | planes}
         case ParallelCuts() as cuts:
@@ -170,7 +168,7 @@ def _section_keys(spec: SectionSpec) -> dict[str, Any]:
 def _split_keys(split: Split) -> dict[str, Any]:
     match split:
         case CornerSplit():
-            return {"corners": _degrees(split.corners)}
+            return {"corners": _formula_in_degrees(split.corners)}
         case PointSplit():
             return {"points": np.asarray(split.points).tolist()}
         case PlaneSplit():
@@ -181,7 +179,7 @@ def _split_keys(split: Split) -> dict[str, Any]:
     )
 
 
-def _degrees(angle: float) -> str:
-    """Return an angle in rad as a formula in degrees, so that the rounding of pi does not appear in the file."""
-    # remove rounding errors of the conversion
+def _formula_in_degrees(angle: float) -> str:
+    """Return an angle in rad as a formula in degrees, so that the rounding of pi is not in the file."""
+    # rounding removes errors of the conversion
     return f"{float(np.round(np.degrees(angle), 10))!r} * degrees"

@@ -50,8 +50,8 @@ RECORDS = {
 SOLVED = ("curve", "frame", "limits", "keep", "smooth", "straight_ends", "seam_position", "ignore_limits")
 """Fields of `StripSpec` that have no effect on a finished strip."""
 
-SAME_SHARE = 1e-6
-"""Stiffnesses count as equal if their relative difference is smaller than this."""
+STIFFNESS_TOLERANCE = 1e-6
+"""Relative difference of stiffnesses below which they count as equal."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,15 +125,15 @@ class FinishedStrip:
         # a law and the layers of a heavy laminate determine weight and size
         solved = spec if spec.law is not None or rod_spec.layers is not None else designed
         rod = solve_rod(replace(solved.rod_spec, section=None if laid else solved.rod_spec.section))
-        assert isinstance(rod, Rod)  # it is not a NearestRod, because the request has no limits
-        if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=SAME_SHARE):
+        assert isinstance(rod, Rod)  # without limits, the result is not a NearestRod
+        if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=STIFFNESS_TOLERANCE):
             rod = rod.with_stiffness(self.stiffness)
         scale = self.bending_stiffness
         if spec is not designed and solved is spec:
             scale = rod.bending_stiffness or scale
         elif spec is not designed:
-            size = _size(spec, rod)
-            scale = size if designed.law is not None else scale * size / _size(designed, rod)
+            size = _unloaded_stiffness(spec, rod)
+            scale = size if designed.law is not None else scale * size / _unloaded_stiffness(designed, rod)
             weight = rod_spec.weight
             if weight is not None and rod_spec.gravity is not None:
                 weight = carried_weight(weight, rod_spec.gravity, scale)
@@ -143,15 +143,15 @@ class FinishedStrip:
             )  # fmt: skip
         if rod.bending_stiffness is not None or rod.weight is not None or laid:
             rod = replace(rod, section=rod_spec.section, bending_stiffness=scale)
-            # the stiffness determines the widths, so the largest width follows from it
+            # the stiffness determines the widths, and thus the largest width
             if isinstance(spec.style, Plain) and spec.law is None:
                 widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
-                spec = spec.changed(max_width=(1 + SAME_SHARE) * widest, min_width=None)
+                spec = spec.changed(max_width=(1 + STIFFNESS_TOLERANCE) * widest, min_width=None)
         return spec.make(rod)
 
 
-def _size(spec: StripSpec, rod: Rod) -> float:
-    """Return the least bending stiffness, N mm2, of the requested strip, ignoring its loads."""
+def _unloaded_stiffness(spec: StripSpec, rod: Rod) -> float:
+    """Return the least bending stiffness, N mm2, of the requested strip without loads."""
     unloaded = replace(rod, gravity=None, weight=None, section=None, bending_stiffness=None)
     return spec.changed(gravity=False, loads=(), compensate=False).make(unloaded).bending_stiffness
 
@@ -162,7 +162,7 @@ def read_request(path: Path) -> Any:
         return None
     try:
         data = json.loads(path.read_bytes())
-    # ignore the error here, because the reader of curves reports it later
+    # the reader of curves reports this error later
     except (OSError, ValueError, RecursionError):
         return None
     return data.get("request") if isinstance(data, dict) else None
@@ -180,30 +180,29 @@ def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
         "law": rod.section if isinstance(spec.law, LeavesLaw) else spec.law,
         "stiffness": rod.profile, "bending_stiffness": strip.bending_stiffness,
     }  # fmt: skip
-    return {name: _encoded(value) for name, value in values.items()}
+    return {name: _as_json(value) for name, value in values.items()}
 
 
 def _placed_loads(spec: StripSpec, rod: Rod) -> Loads:
-    """Return the loads in the plane of the curve, with the point forces at their stations on the rest shape."""
+    """Return the loads in the plane of the curve, with point forces at their stations on the rest shape."""
     loads, forces = spec.in_plane.loads, iter(rod.point_forces)
     if isinstance(loads, Weight):
         return loads
     return tuple(next(forces).on_curve if isinstance(load, PointForce) else load for load in loads)
 
 
-def _encoded(value: Any) -> Any:
-    """Return a value as plain JSON, with infinite numbers as strings."""
+def _as_json(value: Any) -> Any:
     if is_dataclass(value):
         kind = next(name for name, record in RECORDS.items() if isinstance(value, record))
         return {"record": kind} | {
-            field.name: _encoded(getattr(value, field.name)) for field in fields(RECORDS[kind]) if field.init
+            field.name: _as_json(getattr(value, field.name)) for field in fields(RECORDS[kind]) if field.init
         }
     if isinstance(value, NominalRatio):
         return {"record": NominalRatio.__name__, "value": float(value)}
     if isinstance(value, np.ndarray | np.generic):
         value = value.tolist()
     if isinstance(value, list | tuple):
-        return [_encoded(item) for item in value]
+        return [_as_json(item) for item in value]
     if isinstance(value, float) and not np.isfinite(value):
         return str(value)
     return value

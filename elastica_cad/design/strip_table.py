@@ -181,7 +181,7 @@ def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame |
 
 
 def _with_length(table: Table, curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with the length that the table sets, scaled about its start."""
+    """Return the curve with the length that the table sets, scaled about the start."""
     length = table.maybe("length")
     if length is None:
         return curve
@@ -207,11 +207,10 @@ PLACE_DIGITS = 6
 
 
 def scaled_places(table: Mapping[str, Any], factor: float) -> dict[str, list[dict[str, Any]]]:
-    """Return the lists `between` and `loads` of a table, with the positions (mm) of ties and loads multiplied
-    by a factor.
+    """Return the lists `between` and `loads` of a table, with scaled positions (mm) of ties and loads.
 
-    If a curve changes its length by this factor, the positions of ties and loads, as fractions of the length,
-    do not change. Positions given as points, and positions of rails and pins, are unchanged.
+    If a curve changes its length by this factor, the positions of ties and loads, as fractions of the
+    length, do not change. Positions given as points, and positions of rails and pins, are unchanged.
 
     Examples
     --------

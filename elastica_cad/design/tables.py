@@ -73,7 +73,7 @@ class Formula:
     where: str = "formula"
 
     def __post_init__(self) -> None:
-        _check(self._tree, self)
+        _require_arithmetic(self._tree, self)
 
     @property
     def names(self) -> frozenset[str]:
@@ -153,16 +153,12 @@ _Parsed: TypeAlias = tuple[ast.expr, tuple[ast.Name, ...]]
 
 @lru_cache(maxsize=256)
 def _parsed(text: str) -> _Parsed:
-    """Return the syntax tree of a formula and all names in it.
-
-    The result is cached because many strips have equal formulae.
-    """
+    """Return the syntax tree of a formula and its names, cached because many strips have equal formulae."""
     tree = ast.parse(text.strip(), mode="eval").body
     return tree, tuple(node for node in ast.walk(tree) if isinstance(node, ast.Name))
 
 
-def _check(node: ast.expr, formula: Formula, depth: int = 0) -> None:
-    """Refuse everything except arithmetic."""
+def _require_arithmetic(node: ast.expr, formula: Formula, depth: int = 0) -> None:
     if depth > MOST_NESTED:
         raise _refusal(node, formula, "this is nested too deeply; use let to name parts")
     match node:
@@ -175,16 +171,16 @@ def _check(node: ast.expr, formula: Formula, depth: int = 0) -> None:
             if node.id in FUNCTIONS:
                 raise _refusal(node, formula, f"{node.id} is a function and needs its arguments in brackets")
         case ast.UnaryOp(op=ast.USub() | ast.UAdd()):
-            _check(node.operand, formula, depth + 1)
+            _require_arithmetic(node.operand, formula, depth + 1)
         case ast.BinOp():
             if type(node.op) not in _OPERATORS:
                 hint = "write ** for powers" if isinstance(node.op, ast.BitXor) else "use + - * / % **"
                 raise _refusal(node, formula, f"this operator is not known; {hint}")
-            _check(node.left, formula, depth + 1)
-            _check(node.right, formula, depth + 1)
+            _require_arithmetic(node.left, formula, depth + 1)
+            _require_arithmetic(node.right, formula, depth + 1)
         case ast.Compare(ops=[op], comparators=[other]) if type(op) in _COMPARISONS:
-            _check(node.left, formula, depth + 1)
-            _check(other, formula, depth + 1)
+            _require_arithmetic(node.left, formula, depth + 1)
+            _require_arithmetic(other, formula, depth + 1)
         case ast.Call(func=ast.Name() as called, keywords=[]):
             if called.id not in FUNCTIONS:
                 raise InputError(formula._unknown("function", called, FUNCTIONS))
@@ -192,7 +188,7 @@ def _check(node: ast.expr, formula: Formula, depth: int = 0) -> None:
             if len(node.args) != count:
                 raise _refusal(node, formula, f"{called.id} takes {count} argument{'s' if count > 1 else ''}")
             for argument in node.args:
-                _check(argument, formula, depth + 1)
+                _require_arithmetic(argument, formula, depth + 1)
         case _:
             raise _refusal(
                 node, formula, "only numbers, names, + - * / % **, < > and known functions are allowed"
@@ -228,7 +224,7 @@ def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
             raise AssertionError("a checked formula holds nothing else")
 
 
-MOST = 10_000
+MOST_COUNTED = 10_000
 """Largest count in a file: of strips, sections or repeats."""
 
 MOST_LISTED = 5
@@ -253,7 +249,6 @@ _COUNTS = {None: "", 2: "two ", 4: "four "}
 
 
 def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> float:
-    """Return the value of a number or a formula."""
     if isinstance(value, str):
         value = Formula(value, where)(scope)
     if isinstance(value, bool) or not isinstance(value, int | float):
@@ -302,7 +297,7 @@ class Slips:
 
     @property
     def text(self) -> str:
-        """Sentences for the first errors and the number of further errors; empty without errors."""
+        """Sentences for the leading errors and the number of further errors; empty without errors."""
         listed: list[str] = []
         for sentence in list(self._texts.values())[:MOST_LISTED]:
             if listed and sum(map(len, [*listed, sentence])) > LONGEST_LIST:
@@ -406,7 +401,7 @@ class Table:
         """Return the value of a key as a number, or None if the key is missing."""
         return self.number(key) if self.has(key) else None
 
-    def count(self, key: str, default: int, most: float = MOST) -> int:
+    def count(self, key: str, default: int, most: float = MOST_COUNTED) -> int:
         """Return a whole number from 1 to `most`."""
         value = self.number(key, default)
         if value != int(value) or value < 1:

@@ -51,7 +51,7 @@ def toml_key(key: str) -> str:
 
 
 def _value(value: Any) -> str:
-    """Return a value as TOML, whose syntax is that of JSON except for tables."""
+    """Return a value as TOML, which is JSON syntax except for tables."""
     if isinstance(value, Mapping):
         return "{ " + ", ".join(f"{toml_key(key)} = {_value(item)}" for key, item in value.items()) + " }"
     if isinstance(value, list | tuple):
@@ -63,5 +63,5 @@ def seen_from(path: str | Path, folder: Path) -> str:
     """Return the path of a file relative to a folder, or its absolute path on another drive."""
     try:
         return Path(os.path.relpath(path, folder)).as_posix()
-    except ValueError:  # another drive
+    except ValueError:  # relative paths between drives do not exist
         return Path(path).resolve().as_posix()

@@ -75,7 +75,7 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
             "targets": targets,
         }
         paint = {
-            "baseColorFactor": [*_linear(mesh.color), 1.0],
+            "baseColorFactor": [*_linear_color(mesh.color), 1.0],
             "metallicFactor": 0.0,
             "roughnessFactor": 0.8,
         }
@@ -95,14 +95,14 @@ def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
     })  # fmt: skip
 
 
-def _linear(color: tuple[float, ...]) -> list[float]:
-    """Convert an sRGB colour to linear values for glTF (the sRGB transfer function, IEC 61966-2-1)."""
+def _linear_color(color: tuple[float, ...]) -> list[float]:
+    """Return the linear values of an sRGB colour for glTF (transfer function of IEC 61966-2-1)."""
     c = np.asarray(color)
     return [float(v) for v in np.where(c <= 0.04045, c / 12.92, ((c + 0.055) / 1.055) ** 2.4)]
 
 
 class _Buffers:
-    """Binary chunk of a GLB file, with the buffer views and accessors that describe its parts."""
+    """Binary chunk of a GLB file, with buffer views and accessors."""
 
     def __init__(self) -> None:
         self.binary = bytearray()

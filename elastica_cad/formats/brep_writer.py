@@ -126,29 +126,29 @@ def face_brep(outline: Path, holes: Sequence[Path], frame: Frame, surface: Frame
         The plane of the face with other axes, which become the axes of its surface.
     """
     loops = [path if (path.area > 0) == (path is outline) else path.reversed() for path in (outline, *holes)]
-    corners, edges, uses = _drawn(loops, frame)
+    corners, edges, uses = _placed_in_space(loops, frame)
     face = Face(PlaneSurface(surface or frame), tuple(uses))
-    return boundary_brep(Boundary(corners, edges, (face,)), _gap(loops))
+    return boundary_brep(Boundary(corners, edges, (face,)), _widest_gap(loops))
 
 
 def wire_brep(path: Path, frame: Frame) -> BinaryBrep:
     """Encode a path, drawn in the xy plane of `frame`, as a wire."""
-    corners, edges, (loop,) = _drawn([path], frame)
+    corners, edges, (loop,) = _placed_in_space([path], frame)
     tables = _Tables()
-    numbers = tables.edges(Boundary(corners, edges, ()), [[] for _ in edges], _gap([path]))
+    numbers = tables.edges(Boundary(corners, edges, ()), [[] for _ in edges], _widest_gap([path]))
     tables.wire(loop, numbers, closed=path.closed)
     return tables.written()
 
 
-def _gap(paths: Iterable[Path]) -> float:
+def _widest_gap(paths: Iterable[Path]) -> float:
     """Return the largest distance, mm, between the end of an edge and its vertex."""
     return max(EDGE_TOLERANCE_MM, *(path.widest_gap for path in paths))
 
 
-def _drawn(
+def _placed_in_space(
     paths: Sequence[Path], frame: Frame
 ) -> tuple[FloatArray, tuple[Edge, ...], list[tuple[EdgeUse, ...]]]:
-    """Place paths in space: return vertices (k, 3), an edge for every segment, and the edge uses of each path."""
+    """Return vertices (k, 3) in space, an edge for every segment, and the edge uses of each path."""
     corners: list[FloatArray] = []
     edges: list[Edge] = []
     loops = []
@@ -163,13 +163,12 @@ def _drawn(
             placed = PlacedSegment(segment if forward else segment.reversed(), frame)
             uses.append(EdgeUse(len(edges), forward))
             ends = (start, end) if forward else (end, start)
-            edges.append(Edge(placed, *_limits(placed.segment), *ends))
+            edges.append(Edge(placed, *_parameter_range(placed.segment), *ends))
         loops.append(tuple(uses))
     return frame.point(np.array(corners)), tuple(edges), loops
 
 
-def _limits(segment: Segment) -> tuple[float, float]:
-    """Return the first and last parameter of a placed segment."""
+def _parameter_range(segment: Segment) -> tuple[float, float]:
     if isinstance(segment, Arc):
         return segment.start_angle, segment.end_angle
     return segment.curve.domain if isinstance(segment, Spline) else (0.0, segment.length)
@@ -185,10 +184,7 @@ class _Tables:
     def shape(
         self, kind: int, geometry: bytes, parts: Sequence[tuple[int, bool]] = (), *, closed: bool = False
     ) -> int:
-        """Add a shape and return its number.
-
-        `parts` contains the number and orientation of each of its sub-shapes.
-        """
+        """Add a shape with the number and orientation of each sub-shape in `parts`, and return its number."""
         self.shapes.append((bytes([kind]) + geometry + _FLAGS[kind, closed], parts))
         return len(self.shapes)
 
@@ -208,7 +204,7 @@ class _Tables:
         return self.shape(_WIRE, b"", [(edges[use.edge], use.forward) for use in loop], closed=closed)
 
     def written(self) -> BinaryBrep:
-        """Return all tables. A shape refers to its sub-shapes by their number counted from the last shape."""
+        """Return all tables, with sub-shapes numbered backwards from the last shape."""
         count = len(self.shapes)
         shapes = [
             head + b"".join(pack("<B2i", not forward, count - number + 1, 0) for number, forward in parts)

@@ -28,24 +28,26 @@ JOIN_TOLERANCE = 0.01  # largest gap, mm, between joined ends; many files have t
 NEAR_MM, NEAR_SHARE = 3.0, 0.1
 # largest gap from rounding that is closed: in mm, and as a fraction of the smaller curve
 DIGIT_MM, DIGIT_SHARE = 0.5, 0.01
-# if the direction turns by more than 160 degrees at two ends, the curves run side by side
+# curves that turn by more than 160 degrees at two ends run side by side
 _ALONGSIDE = np.cos(np.radians(160.0))
 HOLE_ASIDE = 0.1  # largest distance of a hole's centre from its straight end, as a fraction of the diameter
 # largest distance of points that differ only by rounding, as a fraction of the largest coordinate
 SAME_POINT = 1e-13
 # least turn, degrees, at a corner: of a curve through points; of straight sides without a smooth curve
 LARGEST_TURN, LEAST_TURN = 50.0, 5.0
-_STRAIGHT_ON = np.cos(np.radians(1.0))  # cosine of the largest turn at which two ends share a tangent
-_LONG = 20.0  # a polyline side longer than this many tolerances is intended to be straight
+_SMOOTH_COSINE = np.cos(np.radians(1.0))  # cosine of the largest turn at which two ends share a tangent
+_STRAIGHT_SIDE_TOLERANCES = (
+    20.0  # a polyline side longer than this many tolerances is intended to be straight
+)
 _DIGIT = 1.1 * np.sqrt(
     2.0
 )  # largest error of an end point, in units of the coordinate rounding, with an allowance for rounded angles
-_DENSE = 50  # number of inner knots above which a spline was interpolated through points
+_DENSE_KNOTS = 50  # number of inner knots above which a spline was interpolated through points
 # least second difference of the curvature of noisy points, as a fraction of the largest curvature
-_ROUGH = 0.2
-_REFINED = 10  # rounds of the search for the nearest point; each round divides the interval by four
-_CROWD = 50  # if more ends than this meet at a point, on all layers, they are not joined
-# if the cells around an end contain more ends than this multiple of `_CROWD`, the end is not compared
+_LEAST_ROUGHNESS = 0.2
+_REFINEMENTS = 10  # rounds of the search for the nearest point; each round divides the interval by four
+_MOST_ENDS = 50  # largest number of ends, on all layers, that are joined at a point
+# largest number of ends, as a multiple of `_MOST_ENDS`, in the cells around a compared end
 _CROWDED_CELLS = 4
 
 _Joints: TypeAlias = dict[
@@ -99,9 +101,9 @@ def join_runs(
     if len(long) < 2:
         return JoinedRuns(long)
     kept, overlaps = _without_overlaps(long, tolerance)
-    chains, _ = _chained(kept, np.full(2 * len(kept), tolerance / 2), corners=corners)
+    chains, _ = _joined_runs(kept, np.full(2 * len(kept), tolerance / 2), corners=corners)
     reach = np.maximum(_digits_of_ends(chains), tolerance / 2)
-    chains, closed = _chained(chains, reach, corners=corners)
+    chains, closed = _joined_runs(chains, reach, corners=corners)
     return JoinedRuns(chains, overlaps, closed, 2 * float(reach.max(initial=0.0)))
 
 
@@ -113,16 +115,18 @@ def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
     return np.asarray(np.minimum(digit, np.minimum(DIGIT_MM, DIGIT_SHARE * sizes) / 2))
 
 
-def _chained(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> tuple[list[Run], tuple[float, ...]]:
-    """Join ends of runs closer than the sum of their `reach` (2 n,), mm. Return the chains and the closed gaps."""
+def _joined_runs(
+    runs: Sequence[Run], reach: FloatArray, *, corners: bool
+) -> tuple[list[Run], tuple[float, ...]]:
+    """Return chains of runs whose ends are closer than the sum of `reach` (2 n,), mm, and the closed gaps."""
     partner = _partners(runs, reach, corners=corners)
     ends = _ends(runs).reshape(len(runs), 2, -1)
     chains, used, gaps = [], [False] * len(runs), []
     for first in range(len(runs)):
         if used[first]:
             continue
-        forward = _walk(first, 1, partner, used)
-        backward = _walk(first, 0, partner, used)
+        forward = _follow_joints(first, 1, partner, used)
+        backward = _follow_joints(first, 0, partner, used)
         walk = [(i, 1 - side) for i, side in reversed(backward)] + [(first, 1)] + forward
         chains.append(tuple(e for i, side in walk for e in (runs[i] if side else reverse_run(runs[i]))))
         gaps += [dist(ends[i, side], ends[j, 1 - last]) for (i, side), (j, last) in pairwise(walk)]
@@ -154,7 +158,7 @@ def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
         if circle is None:
             continue
         for k in ended:
-            if any(_is_on(*circle, edge) for edge in (chains[k][0], chains[k][-1])):
+            if any(_is_on_edge(*circle, edge) for edge in (chains[k][0], chains[k][-1])):
                 circles.setdefault(k, []).append(chains[i])
                 taken.add(i)
     kept = [i for i in range(len(chains)) if i not in taken]
@@ -165,10 +169,8 @@ def _is_line(edge: Edge) -> bool:
     return len(edge.points) == 2
 
 
-def _is_on(centre: FloatArray, diameter: float, edge: Edge) -> bool:
-    """Return True if a circle has its centre on a straight edge and does not extend beyond the ends of the
-    edge.
-    """
+def _is_on_edge(centre: FloatArray, diameter: float, edge: Edge) -> bool:
+    """Return True if the centre is on a straight edge and the circle is between the ends of the edge."""
     if not _is_line(edge):
         return False
     chord, out = edge.end - edge.start, centre - edge.start
@@ -191,13 +193,11 @@ def _circle(run: Run) -> tuple[FloatArray, float] | None:
 
 
 def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int, int, FloatArray]]:
-    """Find unjoined ends that nearly meet on a layer.
+    """Return distance (mm), both chain numbers and position of unjoined ends that nearly meet on a layer.
 
-    Return the distance (mm), both chain numbers, and the position.
-
-    The distance is at most 3 mm and at most a tenth of the length of the smaller chain. The list is sorted by
-    distance. Ends of chains that run side by side are not listed. Ends within `tolerance` are listed if they
-    were not joined because a shape has a name.
+    The distance is at most 3 mm and at most a tenth of the length of the smaller chain. The list is sorted
+    by distance. Ends of chains that run side by side are not listed. Ends within `tolerance` are listed if
+    they were not joined because a shape has a name.
     """
     if len(chains) < 2:
         return []
@@ -214,16 +214,13 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
         near = i != j and apart_drawn and apart <= NEAR_SHARE * min(sizes[i], sizes[j])
         if not near or source.layer != other.layer:
             continue
-        if apart <= tolerance or _onward(chains, divmod(a, 2), divmod(b, 2)) > _ALONGSIDE:
+        if apart <= tolerance or _cosine_of_turn(chains, divmod(a, 2), divmod(b, 2)) > _ALONGSIDE:
             pairs.append((apart, i, j, ends[a]))
     return sorted(pairs, key=lambda pair: pair[0])
 
 
-def _walk(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
-    """Follow the joints from the end `side` (0 start, 1 end) of the run `first`.
-
-    Return each run with its far end.
-    """
+def _follow_joints(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
+    """Return each run with its far end, along the joints from the end `side` (0 start, 1 end) of a run."""
     used[first] = True
     path: list[tuple[int, int]] = []
     here = (first, side)
@@ -242,53 +239,53 @@ def _source_of(run: Sequence[Edge]) -> Source:
 
 
 def _ends(runs: Sequence[Run]) -> FloatArray:
-    """Return the start and end points (2 n, d) of all runs."""
     return np.array([point for run in runs for point in (run[0].start, run[-1].end)])
 
 
 def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Joints:
-    """Return a mapping from each end (run, side) that touches exactly one other end to that other end."""
+    """Return the other end for each end (run, side) that touches exactly one other end."""
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]
     groups = [(source.layer, source if source.is_named else None) for source in sources]
     number = {group: k for k, group in enumerate(groups)}
     group = np.repeat([number[group] for group in groups], 2)
-    i, j = near_pairs(ends, ends, 2 * float(reach.max()), most=_CROWDED_CELLS * _CROWD)
+    i, j = near_pairs(ends, ends, 2 * float(reach.max()), most=_CROWDED_CELLS * _MOST_ENDS)
     apart = np.linalg.norm(ends[i] - ends[j], axis=1)
     crowd = np.bincount(i[apart <= reach[i] + reach.max()], minlength=len(ends))
-    touching = (apart <= reach[i] + reach[j]) & (group[i] == group[j]) & (crowd[i] <= _CROWD)
+    touching = (apart <= reach[i] + reach[j]) & (group[i] == group[j]) & (crowd[i] <= _MOST_ENDS)
     i, j = i[touching], j[touching]
-    paired = np.bincount(i, minlength=len(ends)) == 2  # the count is 2, because each end is also near itself
+    paired = np.bincount(i, minlength=len(ends)) == 2  # each end is also near itself
     partners = {}
     for k, other in zip(i.tolist(), j.tolist(), strict=True):
         end_a, end_b = divmod(k, 2), divmod(other, 2)
-        if end_a[0] != end_b[0] and paired[k] and paired[other] and (corners or _goes_on(runs, end_a, end_b)):
+        if (
+            end_a[0] != end_b[0]
+            and paired[k]
+            and paired[other]
+            and (corners or _is_smooth_joint(runs, end_a, end_b))
+        ):
             partners[end_a] = end_b
     return partners
 
 
-def _goes_on(runs: Sequence[Run], first: tuple[int, int], other: tuple[int, int]) -> bool:
-    """Return True if the direction turns by at most 1 degree where two ends (run, side) meet."""
-    return bool(_onward(runs, first, other) > _STRAIGHT_ON)
+def _is_smooth_joint(runs: Sequence[Run], first: tuple[int, int], other: tuple[int, int]) -> bool:
+    return bool(_cosine_of_turn(runs, first, other) > _SMOOTH_COSINE)
 
 
-def _onward(runs: Sequence[Run], first: tuple[int, int], other: tuple[int, int]) -> float:
-    """Return the cosine of the change of direction where two ends (run, side) meet."""
-    out, into = (_outward(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (first, other))
+def _cosine_of_turn(runs: Sequence[Run], first: tuple[int, int], other: tuple[int, int]) -> float:
+    out, into = (_end_tangent(reverse_run(runs[i]) if side == 0 else runs[i]) for i, side in (first, other))
     return float(-out @ into)
 
 
-def _outward(run: Run) -> FloatArray:
-    """Return the unit tangent (d,) at the end of a run, in its direction."""
+def _end_tangent(run: Run) -> FloatArray:
+    """Return the unit tangent (d,) at the end of a run."""
     low, high = run[-1].spans.edges[-2:]
     before, end = run[-1].at([high - 1e-4 * (high - low), high])
     return np.asarray((end - before) / max(float(np.linalg.norm(end - before)), 1e-300), dtype=float)
 
 
 class _RunIndex:
-    """Index to find overlapping runs: their ends and bounding boxes, sorted along the longer axis of the
-    drawing.
-    """
+    """Ends and bounding boxes of runs, sorted along the longer axis of the drawing, to find overlaps."""
 
     def __init__(self, runs: Sequence[Run], tolerance: float) -> None:
         self.runs, self.tolerance = runs, tolerance
@@ -306,10 +303,9 @@ class _RunIndex:
         self.rank = np.argsort(self.by_length)
 
     def touching(self, j: int) -> Iterator[tuple[int, bool, bool]]:
-        """Yield shorter runs that touch run j.
+        """Yield the number of each shorter run that touches run j, with two flags.
 
-        With each number: True if both its ends are on run j, and True if a part of it may coincide with run
-        j.
+        The flags are True if both ends are on run j, and if a part may coincide with run j.
         """
         ends, low, high = self.ends, self.lows[j], self.highs[j]
         reach = (dist(low, high) + self.sizes[j]) / 2
@@ -329,10 +325,7 @@ class _RunIndex:
 def _without_overlaps(
     runs: Sequence[Run], tolerance: float
 ) -> tuple[list[Run], tuple[tuple[Source, Source, str], ...]]:
-    """Remove runs that coincide with a longer run, or with an earlier run of equal length.
-
-    Return the remaining runs and all overlaps.
-    """
+    """Return the runs that coincide with no longer run and no earlier run of equal length, and all overlaps."""
     index, sources = _RunIndex(runs, tolerance), [_source_of(run) for run in runs]
     called = [(source.layer, source.is_named and source.name) for source in sources]
     in_part: list[tuple[int, int]] = []
@@ -344,7 +337,7 @@ def _without_overlaps(
         for i, both, partly in index.touching(j):
             if i in dropped:
                 continue
-            if both and _on_run(_probes(runs[i]), runs[j], tolerance).all():
+            if both and _on_run(_sample_points(runs[i]), runs[j], tolerance).all():
                 same = called[i] == called[j]
                 overlaps.append((sources[i], sources[j], "left out" if same else "kept"))
                 if same:
@@ -354,7 +347,7 @@ def _without_overlaps(
     limits: dict[int, list[_Place]] = {}
     least = max(
         tolerance, 2 * float(_digits_of_ends(runs).max())
-    )  # a shorter common part is only a gap that rounding causes
+    )  # a shorter common part is a gap that rounding causes
     alone = _ends([runs[i] for i in range(len(runs)) if i not in dropped])
     for i, j in in_part:
         cuts = [] if {i, j} & dropped else _common_parts(runs[i], runs[j], tolerance, least)
@@ -363,10 +356,10 @@ def _without_overlaps(
             is_union = called[i] == called[j] and max(map(np.count_nonzero, meeting)) == 1
             overlaps.append((sources[i], sources[j], "joined" if is_union else "in part"))
             if is_union:
-                first, last = limits.setdefault(i, [*_whole(runs[i])])
+                first, last = limits.setdefault(i, [*_end_places(runs[i])])
                 limits[i] = [first, min(last, place)] if side else [max(first, place), last]
     cut = [
-        _part(run, *limits.get(i, _whole(run))) if i in limits else run
+        _part_between(run, *limits.get(i, _end_places(run))) if i in limits else run
         for i, run in enumerate(runs)
         if i not in dropped
     ]
@@ -378,37 +371,37 @@ def _common_parts(
 ) -> list[tuple[int, _Place, FloatArray]]:
     """Return the end parts of a run, longer than `least` mm, that coincide with the end of a longer run.
 
-    Each entry has three items: the end of the run (0 or 1), and two for the end of the longer run, its
-    position in the first run and its point (d,).
+    Each entry has the end of the run (0 or 1), and the position on the run and the point (d,) of the
+    longer run's end.
     """
     parts = []
-    on_run = [(place, end) for end in _ends([longer]) if (place := _place_of(end, run, tolerance))]
+    on_run = [(place, end) for end in _ends([longer]) if (place := _nearest_place(end, run, tolerance))]
     for side in (0, 1):
         for place, end in sorted(on_run, key=lambda met: met[0], reverse=bool(side)):
-            first, last = _whole(run)
-            common = _part(run, place, last) if side else _part(run, first, place)
-            if sum(e.size for e in common) > least and _on_run(_probes(common), longer, tolerance).all():
+            first, last = _end_places(run)
+            common = _part_between(run, place, last) if side else _part_between(run, first, place)
+            if (
+                sum(e.size for e in common) > least
+                and _on_run(_sample_points(common), longer, tolerance).all()
+            ):
                 parts.append((side, place, end))
                 break
     return parts
 
 
-def _whole(run: Run) -> tuple[_Place, _Place]:
-    """Return the first and the last position of a run."""
+def _end_places(run: Run) -> tuple[_Place, _Place]:
+    """Return the positions of both ends of a run."""
     return (0, float(run[0].spans.edges[0])), (len(run) - 1, float(run[-1].spans.edges[-1]))
 
 
-def _place_of(point: FloatArray, run: Run, tolerance: float) -> _Place | None:
-    """Return the position in a run that is nearest to a point (d,), or None if it is farther than `tolerance`
-    mm.
-    """
+def _nearest_place(point: FloatArray, run: Run, tolerance: float) -> _Place | None:
+    """Return the position in a run that is nearest to a point (d,), or None beyond `tolerance` mm."""
     nearest = [(*_nearest(edge, point[None]), k) for k, edge in enumerate(run)]
     away, t, k = min((float(away[0]), float(t[0]), k) for away, t, k in nearest)
     return (k, t) if away <= tolerance else None
 
 
-def _part(run: Run, first: _Place, last: _Place) -> Run:
-    """Return the part of a run between two positions; empty if the last is before the first."""
+def _part_between(run: Run, first: _Place, last: _Place) -> Run:
     parts = []
     for k in range(first[0], last[0] + 1):
         low, high = run[k].spans.edges[[0, -1]]
@@ -431,9 +424,7 @@ def _on_run(points: FloatArray, run: Run, tolerance: float) -> BoolArray:
 
 
 def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return distances (n,), mm, of points (n, d) from an edge, and the parameters (n,) of the nearest points
-    of the edge.
-    """
+    """Return distances (n,), mm, of points (n, d) from an edge, and the nearest parameters (n,)."""
     if not len(points):
         return np.zeros(0), np.zeros(0)
     stations = edge.stations()
@@ -441,7 +432,7 @@ def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
     nearest = np.array([np.linalg.norm(line - point, axis=1).argmin() for point in points])
     low, high = stations[np.maximum(nearest - 1, 0)], stations[np.minimum(nearest + 1, len(stations) - 1)]
     rows = np.arange(len(points))
-    for _ in range(_REFINED):
+    for _ in range(_REFINEMENTS):
         t = low[:, None] + (high - low)[:, None] * np.linspace(0, 1, 9)
         away = np.linalg.norm(edge.at(t.ravel()).reshape(*t.shape, -1) - points[:, None], axis=2)
         best = away.argmin(axis=1)
@@ -449,8 +440,8 @@ def _nearest(edge: Edge, points: FloatArray) -> tuple[FloatArray, FloatArray]:
     return away[rows, best], t[rows, best]
 
 
-def _probes(run: Run) -> FloatArray:
-    """Return points along the run, enough to distinguish it from other runs with the same ends."""
+def _sample_points(run: Run) -> FloatArray:
+    """Return points along the run, enough to distinguish runs with the same ends."""
     return np.concatenate([e.at(np.linspace(e.spans.edges[0], e.spans.edges[-1], 9)) for e in run])
 
 
@@ -495,7 +486,7 @@ def curve_from_run(
         vertices = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])
         return curve_from_points(vertices, tolerance=fit_tolerance, drawn=drawn, sides=True)
     dust = 1e-9 * sum(edge.size for edge in run)
-    pieces = [_exact(edge, fit_tolerance) for edge in run if edge.size > dust]
+    pieces = [_fitted_if_polyline(edge, fit_tolerance) for edge in run if edge.size > dust]
     exact = [part for edge in pieces for part in _with_handles(edge)]
     whole = exact[0] if len(exact) == 1 else _joined(exact, tolerance)
     if len(exact) == 1:
@@ -511,19 +502,22 @@ def curve_from_run(
 
 
 def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:
-    """Return the points that a dense spline interpolates, or None if its curvature does not jump from knot to
-    knot.
+    """Return the points that a dense spline interpolates, or None if the curvature is smooth.
 
-    The noise of the points is invisible in the drawing, but the noise, or zero curvature at an end, affects
-    the widths of a strip.
+    Invisible noise of the points, or zero curvature at an end, affects the widths of a strip.
     """
     knots = edge.spans.edges
     inner = edge.knots[edge.degree + 1 : -edge.degree - 1]
-    if edge.degree != 3 or edge.weights is not None or len(inner) < _DENSE or np.any(np.diff(inner) == 0):
+    if (
+        edge.degree != 3
+        or edge.weights is not None
+        or len(inner) < _DENSE_KNOTS
+        or np.any(np.diff(inner) == 0)
+    ):
         return None
     curve = PlaneCurve(edge.knots, edge.points, edge.degree)
     curvature = curve.curvature_at(knots)
-    rough = np.abs(np.diff(curvature, 2)).max() > _ROUGH * np.abs(curvature).max()
+    rough = np.abs(np.diff(curvature, 2)).max() > _LEAST_ROUGHNESS * np.abs(curvature).max()
     return MeasuredPoints.of(edge.at(knots), REPORTED_MM, rounding) if rough else None
 
 
@@ -553,7 +547,11 @@ def curve_from_points(
     drawn = drawn or Provenance()
     measured = MeasuredPoints.of(points, noise, drawn.rounding)
     noise = measured.noise if measured.is_noisy else 0.0
-    cuts = [0, *_corners(points, LARGEST_TURN, _LONG * max(tolerance, noise)), len(points) - 1]
+    cuts = [
+        0,
+        *_corners(points, LARGEST_TURN, _STRAIGHT_SIDE_TOLERANCES * max(tolerance, noise)),
+        len(points) - 1,
+    ]
     if len(cuts) == 2 and measured.is_noisy:
         try:
             curve = smooth_through(points, tolerance)
@@ -610,7 +608,7 @@ def _corners(points: FloatArray, angle: float, least: float = 0.0) -> list[int]:
 
 
 def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list[PlaneCurve]:
-    """Return a smooth curve through points, cut at corners if it is not within `allowed` of the sides."""
+    """Return a smooth curve through points, cut at corners unless it is within `allowed` of the sides."""
     if len(points) == 2 or np.isinf(allowed):
         return [smooth_through(points, tolerance)]
     curve, distance = fit_polyline(points, tolerance)
@@ -668,7 +666,7 @@ def _with_handles(edge: Edge) -> list[Edge]:
     return [first, replace(Edge.bezier([joint, after, beyond, end]), source=edge.source)]
 
 
-def _exact(edge: Edge, fit_tolerance: float) -> Edge:
+def _fitted_if_polyline(edge: Edge, fit_tolerance: float) -> Edge:
     """Return the edge, or a curve fitted to it if it is a polyline."""
     if edge.degree > 1 or len(edge.points) == 2:
         return edge
@@ -677,10 +675,7 @@ def _exact(edge: Edge, fit_tolerance: float) -> Edge:
 
 
 def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
-    """Join edges to a single B-spline.
-
-    At joints the knot multiplicity is the degree; the parameter is close to arc length.
-    """
+    """Return the joined edges as a B-spline with nearly unit speed and full knots at joints."""
     degree = max(2, *(edge.degree for edge in edges))
     knots, homogeneous = np.zeros(1), np.empty((0, 3))
     for edge in edges:
@@ -705,12 +700,10 @@ def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
 def _clamped(
     edge: Edge, degree: int, low: float = -np.inf, high: float = np.inf
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the part of an edge between two parameters as a clamped spline of a degree.
+    """Return the knots and homogeneous control points of a part of an edge, as a clamped spline of a degree.
 
-    The degree is at least the degree of the edge. The result is the knot vector and the homogeneous control points.
-
-    The spline space of the higher degree contains the edge, so interpolation at the Greville abscissae is
-    exact.
+    The degree is at least the degree of the edge. The spline space of the higher degree contains the edge,
+    so interpolation at the Greville abscissae is exact.
     """
     first, last = np.clip(edge.spans.edges[[0, -1]], low, high)
     inner = edge.knots[(edge.knots > first) & (edge.knots < last)]

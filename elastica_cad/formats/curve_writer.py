@@ -35,8 +35,7 @@ _TOLERANCE_MM = 1e-3
 _MOST_POINTS = 1001
 """Largest number of points in a CSV file; a shorter curve has a point every mm."""
 
-_WIDTH_PLACES = 401
-"""Number of positions along a strip where widths are compared."""
+_WIDTH_STATIONS = 401
 
 
 class FitWarning(UserWarning):
@@ -95,8 +94,8 @@ def write_curves(
     if suffix == ".json":
         return write_atomically(path, curves_json(curves).encode(), force)
     if suffix == ".csv":
-        content = "\n\n".join(_points_csv(_points(curve)) for curve in curves).encode()
-        held = [curve_from_points(_points(curve)) for curve in curves]
+        content = "\n\n".join(_points_csv(_evenly_spaced_points(curve)) for curve in curves).encode()
+        held = [curve_from_points(_evenly_spaced_points(curve)) for curve in curves]
     else:
         chains = [Chain((Spline(curve),), closed=curve.is_closed) for curve in curves]
         drawing = Drawing(Path(path).stem, tuple(LayeredPath(MARK, chain) for chain in chains))
@@ -115,8 +114,7 @@ def write_curves(
     return written
 
 
-def _points(curve: PlaneCurve) -> FloatArray:
-    """Return points (n, 2) at equal distances along a curve."""
+def _evenly_spaced_points(curve: PlaneCurve) -> FloatArray:
     return curve.sample(min(int(curve.length) + 101, _MOST_POINTS)).position
 
 
@@ -139,7 +137,7 @@ def _edge(segment: Line | Arc | Spline) -> Edge:
 
 
 def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> Refusal:
-    """Report the distance between a curve and its copy in a file, and the largest change of width."""
+    """Return the message on the distance between a curve and the copy in a file, and on the change of width."""
     far = Length(two_sided_distance(drawn, fitted))
     before, after = _widths(drawn), _widths(fitted)
     if before is None or after is None:
@@ -160,9 +158,9 @@ def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> 
 
 
 def _widths(curve: PlaneCurve) -> FloatArray | None:
-    """Return the strip widths (n,), mm, at equal distances along a curve, or None if no strip has this shape."""
+    """Return strip widths (n,), mm, at equal distances along a curve, or None if no strip has this shape."""
     try:
         rod = optimal_rod(smooth_curve(curve).curve)
     except ElasticaError:
         return None
-    return rod.profile(np.linspace(0.0, rod.length, _WIDTH_PLACES)) * (UNKNOWN_WIDTH / rod.ratio)
+    return rod.profile(np.linspace(0.0, rod.length, _WIDTH_STATIONS)) * (UNKNOWN_WIDTH / rod.ratio)

@@ -57,14 +57,13 @@ def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
     left, top = origin.tolist()
 
     def place(point: list[float]) -> str:
-        return f"{_format_length(point[0] - left, decimals)},{_format_length(top - point[1], decimals)}"
+        return f"{_shortest_text(point[0] - left, decimals)},{_shortest_text(top - point[1], decimals)}"
 
     strokes = [f"M{place(path.start.tolist())}", *(_stroke(segment, place) for segment in drawn)]
     return "".join([*strokes, "Z" if path.closed else ""])
 
 
-def _format_length(value: float, decimals: int = _DECIMALS) -> str:
-    """Return a length as text, as short as possible."""
+def _shortest_text(value: float, decimals: int = _DECIMALS) -> str:
     short = f"{value:.{decimals}f}".rstrip("0").rstrip(".")
     return "0" if short == "-0" else short
 
@@ -73,8 +72,8 @@ def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
     if isinstance(segment, Line):
         return f"L{place(segment.end.tolist())}"
     if isinstance(segment, Arc):
-        radius, turns = _format_length(segment.radius), "0" if segment.sweep > 0 else "1"
-        # split long arcs, because SVG defines an arc by its ends, which is inaccurate for almost full circles
+        radius, turns = _shortest_text(segment.radius), "0" if segment.sweep > 0 else "1"
+        # SVG defines an arc by its ends, which is inaccurate for almost full circles
         long = abs(segment.sweep) > np.pi * (1 + 1e-9)
         ends = segment.at(np.array([0.5, 1.0] if long else [1.0])).tolist()
         return "".join(f"A{radius} {radius} 0 0 {turns} {place(end)}" for end in ends)
@@ -126,7 +125,7 @@ def encode_svg(
     curves = check_curve_style(curves)
     styles = style_layers(layers)
     (left, low), (right, high) = drawing.bounds
-    width, height = _format_length(right - left + 2 * _MARGIN_MM), _format_length(high - low + 2 * _MARGIN_MM)
+    width, height = _shortest_text(right - left + 2 * _MARGIN_MM), _shortest_text(high - low + 2 * _MARGIN_MM)
     shaped = shape_paths([item.path for item in drawing.strokes], curves, tolerance, rational=False)
     decimals = _EXACT_DECIMALS if curves == EXACT else _DECIMALS
     corner = np.array([left - _MARGIN_MM, high + _MARGIN_MM])

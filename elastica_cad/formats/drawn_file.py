@@ -23,14 +23,14 @@ from elastica_cad.geometry.plane_points import near_pairs
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
-# smallest ratio of perimeter to width of a stroke, which is at least five times as long as wide
-_SLENDER = 12.0
+# least ratio of perimeter to width of a stroke
+_LEAST_SLENDERNESS = 12.0
 _MOST_SAMPLES = 8000
-_EACH_SIDE = 4  # samples per width
-_ACROSS = 3.0  # largest distance to the opposite side of a stroke, in stroke widths
-_EVEN = 0.05  # largest relative variation of the width along a stroke
+_SAMPLES_PER_WIDTH = 4  # samples per width of a stroke
+_SEARCH_WIDTHS = 3.0  # largest distance to the opposite side of a stroke, in stroke widths
+_WIDTH_VARIATION = 0.05  # largest relative variation of the width along a stroke
 # largest total length of the outline at the two ends of a stroke, without an opposite side, in stroke widths
-_CAPS = 6.0
+_MOST_END_WIDTHS = 6.0
 
 
 def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
@@ -50,20 +50,20 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
     area = abs(float(drawn[:-1, 0] @ drawn[1:, 1] - drawn[1:, 0] @ drawn[:-1, 1])) / 2
     # width of a rectangle with this perimeter and area
     width = (s[-1] - np.sqrt(max(s[-1] ** 2 - 16 * area, 0.0))) / 4
-    if not _EACH_SIDE * s[-1] / _MOST_SAMPLES < width < s[-1] / _SLENDER:
+    if not _SAMPLES_PER_WIDTH * s[-1] / _MOST_SAMPLES < width < s[-1] / _LEAST_SLENDERNESS:
         return None
-    count = int(np.ceil(_EACH_SIDE * s[-1] / width))
+    count = int(np.ceil(_SAMPLES_PER_WIDTH * s[-1] / width))
     at = np.arange(count) / count * s[-1]
     points = np.column_stack([np.interp(at, s, x) for x in drawn.T])
-    i, j = near_pairs(points, points, _ACROSS * width)
+    i, j = near_pairs(points, points, _SEARCH_WIDTHS * width)
     between = np.abs(i - j)
-    across = np.minimum(between, count - between) > 2 * _EACH_SIDE
+    across = np.minimum(between, count - between) > 2 * _SAMPLES_PER_WIDTH
     i, j = i[across], j[across]
     opposite = np.full(count, np.inf)
     np.minimum.at(opposite, i, np.hypot(*(points[i] - points[j]).T))
     middle = float(np.median(opposite))
-    even = np.abs(opposite - middle) <= _EVEN * middle
-    return middle if np.isfinite(middle) and even.mean() >= 1 - _CAPS * width / s[-1] else None
+    even = np.abs(opposite - middle) <= _WIDTH_VARIATION * middle
+    return middle if np.isfinite(middle) and even.mean() >= 1 - _MOST_END_WIDTHS * width / s[-1] else None
 
 
 EXACT_MM = 1e-3
@@ -150,9 +150,7 @@ class ReadReport:
 
 
 def kinds_of(chain: Run) -> Counter[str]:
-    """Return the number of shapes of each kind in a chain; edges of a kind that belong to the same shape are
-    counted once.
-    """
+    """Return the number of shapes of each kind in a chain; edges of the same shape are counted once."""
     shapes = {
         (id(edge.source) if edge.source else number, _kind(edge.degree, len(edge.points), edge.weights))
         for number, edge in enumerate(chain)
@@ -309,7 +307,7 @@ class DrawnFile:
         curves = [curve for curve in self.curves if layer is None or curve.layer == layer]
         if which is not None:
             named = [curve for curve in curves if which and curve.name == which]
-            named = named or [curve for curve in curves if which and which in _parts(curve)]
+            named = named or [curve for curve in curves if which and which in _alternative_names(curve)]
             curves = named or [curve for curve in curves if str(curve.number) == which.strip()]
         return tuple(curves)
 
@@ -329,7 +327,7 @@ class DrawnFile:
                 curves=counted(len(self.curves), "curve"),
                 asked=selection,
                 how=how,
-                known=_known(self.curves),
+                known=_list_of_curves(self.curves),
             )
         if len(curves) > 1:
             raise InputError(
@@ -337,7 +335,7 @@ class DrawnFile:
                 path=self.path,
                 count=len(curves),
                 how=how,
-                known=_known(curves),
+                known=_list_of_curves(curves),
             )
         return curves[0]
 
@@ -353,7 +351,7 @@ class DrawnFile:
         with name_source(self.path):
             return CurveList(
                 [curve.curve for curve in good or self.curves[:1]], self
-            )  # no curve is valid, so this raises the error of the first curve
+            )  # no curve is valid, so this raises the error of curve 1
 
 
 class CurveList(list[PlaneCurve]):
@@ -406,13 +404,13 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
 
 
 _MOST_POINTS = 200  # largest number of points of the drawing whose distance from the curve is computed
-_TURNED = 1e-3  # a drawing counts as turned if its plane has at least this slope
+_LEAST_SLOPE = 1e-3  # a drawing counts as turned if its plane has at least this slope
 
 
 def _is_turned(chain: Run, flat: Run) -> bool:
     """Return True if a chain, mapped to its plane, has other x and y coordinates than in the drawing."""
     drawn, read = (np.concatenate([edge.points[:, :2] for edge in run]) for run in (chain, flat))
-    return bool(np.abs(drawn - read).max() > _TURNED * np.ptp(read, axis=0).max())
+    return bool(np.abs(drawn - read).max() > _LEAST_SLOPE * np.ptp(read, axis=0).max())
 
 
 def _distance(curve: PlaneCurve, flat: Run) -> float:
@@ -541,7 +539,7 @@ _OVERLAPS = {
     "joined": "partly drawn twice, so the two shapes are joined into one curve: {pairs}",
     "in part": "partly drawn twice, and both shapes are used: {pairs}. Trim one of them in the drawing",
 }
-"""Messages about overlapping shapes."""
+"""Messages about overlapping shapes, by the result of the overlap."""
 
 
 def _shape(source: Source) -> str:
@@ -553,14 +551,13 @@ def _shape(source: Source) -> str:
 _SHOWN = 6  # largest number of curves and kinds in a message
 
 
-def _known(curves: Sequence[DrawnCurve]) -> str:
-    """Return a text that lists the first curves of a file, each by number, id and layer."""
+def _list_of_curves(curves: Sequence[DrawnCurve]) -> str:
     first = ", ".join(curve.called.removeprefix("curve ") for curve in curves[:_SHOWN])
     return f"they are {first}" + (" ..." if len(curves) > _SHOWN else "")
 
 
-def _parts(curve: DrawnCurve) -> set[str]:
-    """Return the alternative names of a curve: its id, and both parts of the name of a clone ("use1/path3")."""
+def _alternative_names(curve: DrawnCurve) -> set[str]:
+    """Return the id of a curve, and both parts of the name of a clone ("use1/path3")."""
     return {curve.id, *curve.name.split("/"), *curve.id.split("/")}
 
 

@@ -48,12 +48,13 @@ _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+
 _UNDECODED = re.compile("[\udc80-\udcff]")
 _SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
 _MOST_NUMBERS = 20_000  # largest number of coordinates whose digits are examined
-_COUNTLESS = 10**9  # upper limit of the count of inserted entities
+_MOST_COUNTED = 10**9  # upper limit of the count of inserted entities
 
 
 def _dxf_rounding(path: Path) -> float:
-    """Return half a unit of the last decimal of the coordinates (group codes 10 to 28 and 40), or 0 without
-    coordinates.
+    """Return half a unit of the last decimal of the coordinates, or 0 without coordinates.
+
+    Coordinates have the group codes 10 to 28 and 40.
     """
     data = path.read_bytes()
     if data.startswith(b"AutoCAD Binary DXF"):
@@ -82,7 +83,7 @@ def _refuse_many_inserts(document: "Drawing") -> None:
 
 
 def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) -> int:
-    """Return the number of entities of a layout with blocks expanded, at most a billion."""
+    """Return the number of entities of a layout with expanded blocks, at most `_MOST_COUNTED`."""
     if depth > DEEPEST_BLOCK:
         raise InputError(
             "blocks are nested more than {deepest_block} deep: explode them before export",
@@ -105,7 +106,7 @@ def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) 
             )
         except (*ODDITIES, DXFError):
             times = 1
-        total = min(total + times * max(1, known[name]), _COUNTLESS)
+        total = min(total + times * max(1, known[name]), _MOST_COUNTED)
     return total
 
 
@@ -149,7 +150,7 @@ def read_dxf_drawing(
     _refuse_many_inserts(document)
     scale, known = (look_up_unit(unit), ReadUnit.requested(unit)) if unit else _unit_of(document, file)
     rounding = scale * _dxf_rounding(file)
-    skipped = _on_paper(document)
+    skipped = _curves_on_paper(document)
     shown = Provenance(
         place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"
     )
@@ -163,8 +164,7 @@ def read_dxf_drawing(
     return replace(drawn, unit=known)
 
 
-def _on_paper(document: "Drawing") -> Counter[str]:
-    """Return the number of curves on each paper layout; these curves are not read."""
+def _curves_on_paper(document: "Drawing") -> Counter[str]:
     papers = (layout for layout in document.layouts if layout.is_any_paperspace)
     return Counter(
         f"on paper layout {layout.name}"
@@ -175,7 +175,7 @@ def _on_paper(document: "Drawing") -> Counter[str]:
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
-    """Yield the edges, mm, of every entity that is a curve. Count other and unreadable entities in `skipped`."""
+    """Yield the edges, mm, of every curve, and count other and unreadable entities in `skipped`."""
     from ezdxf.lldxf.const import DXFError
 
     bad: list[InputError] = []
@@ -191,7 +191,7 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
             handle = str(entity.dxf.get("handle") or "")
             linear, offset = scale * placement[:3, :3], scale * placement[:3, 3]
             digit = rounding * float(np.linalg.norm(placement[:3, :3], axis=0).max())
-            source = Source(f"{kind} {handle}".rstrip(), _readable(layer), digit, handle)
+            source = Source(f"{kind} {handle}".rstrip(), _decoded_name(layer), digit, handle)
             mapped = tuple(edge.mapped(linear, offset, source) for edge in run)
             for edge in mapped:
                 check_places(edge.points)
@@ -212,7 +212,7 @@ def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[s
         raise bad[0]
 
 
-def _readable(name: str) -> str:
+def _decoded_name(name: str) -> str:
     """Return a name with bytes that are not UTF-8 decoded as Windows-1252."""
     return (
         name.encode("utf-8", "surrogateescape").decode("cp1252", "replace")
@@ -267,7 +267,7 @@ def _opened(path: Path) -> "Drawing":
 
 
 def _unit_of(document: "Drawing", file: Path) -> tuple[float, ReadUnit]:
-    """Return the drawing unit in millimetres, and the record of its source."""
+    """Return the drawing unit in millimetres, and the source of the unit."""
     code = _unit_code(document)
     with file.open("rb") as opened:
         if code:
@@ -304,14 +304,13 @@ def _unit_code(document: "Drawing") -> int:
 
 @dataclass(frozen=True)
 class _Hidden:
-    """Lower-case names of the hidden layers (off or frozen), and of the frozen layers alone."""
+    """Lower-case names of hidden layers (off or frozen), and of frozen layers."""
 
     layers: frozenset[str]
     frozen: frozenset[str]
 
     @classmethod
     def of(cls, document: "Drawing") -> "_Hidden":
-        """Return the hidden layers of a drawing."""
         frozen = frozenset(str(layer.dxf.name).lower() for layer in document.layers if layer.is_frozen())
         off = (str(layer.dxf.name).lower() for layer in document.layers if layer.is_off())
         return cls(frozen.union(off), frozen)
@@ -319,7 +318,7 @@ class _Hidden:
     def hides(self, entity: Any, layer: str) -> bool:
         """Return True if an entity is hidden.
 
-        A frozen layer hides the blocks inserted on it; a layer that is off does not.
+        Blocks on a layer that is off stay visible, but not on a frozen layer.
         """
         layers = self.frozen if entity.dxftype() == "INSERT" else self.layers
         if layer.lower() in layers:
@@ -402,17 +401,20 @@ def _circle(entity: Any, *, full: bool) -> Edge:
     to_world, radius = entity.ocs().to_wcs, entity.dxf.radius
     start, end = (0.0, 360.0) if full else (entity.dxf.start_angle, entity.dxf.end_angle)
     x_axis, y_axis = radius * np.array(to_world((1, 0, 0))), radius * np.array(to_world((0, 1, 0)))
-    return Edge.arc(np.array(to_world(entity.dxf.center)), x_axis, y_axis, *_turn(np.radians([start, end])))
+    return Edge.arc(
+        np.array(to_world(entity.dxf.center)), x_axis, y_axis, *_arc_angles(np.radians([start, end]))
+    )
 
 
 def _ellipse(entity: Any) -> Edge:
     center, x_axis = np.array(entity.dxf.center), np.array(entity.dxf.major_axis)
     y_axis = np.array(entity.minor_axis)
-    return Edge.arc(center, x_axis, y_axis, *_turn(np.array([entity.dxf.start_param, entity.dxf.end_param])))
+    return Edge.arc(
+        center, x_axis, y_axis, *_arc_angles(np.array([entity.dxf.start_param, entity.dxf.end_param]))
+    )
 
 
-def _turn(angles: FloatArray) -> tuple[float, float]:
-    """Return the start and end angle, rad, of an anticlockwise arc of at most one turn, as DXF defines it."""
+def _arc_angles(angles: FloatArray) -> tuple[float, float]:
     start, end = float(angles[0]), float(angles[1])
     sweep = (end - start) % (2 * np.pi)
     return start, start + (sweep if sweep > 1e-12 else 2 * np.pi)
@@ -423,7 +425,11 @@ def _spline(entity: Any) -> Edge:
         if len(entity.fit_points) < 2:
             raise InputError("a SPLINE has neither control points nor fit points: draw it again")
         places = np.array([tuple(p) for p in entity.fit_points], dtype=float)
-        return _ring(places) if entity.closed and len(places) > 2 else _fitted(entity, places)
+        return (
+            _closed_spline(places)
+            if entity.closed and len(places) > 2
+            else _spline_through_fit_points(entity, places)
+        )
     points = np.array([tuple(p) for p in entity.control_points], dtype=float)
     weights = np.array(entity.weights, dtype=float) if len(entity.weights) else None
     knots = np.array(entity.knots, dtype=float)
@@ -434,10 +440,10 @@ def _spline(entity: Any) -> Edge:
     if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):
         knots = knots + backwards
     if weights is not None and len(weights) != len(points):
-        # the constructor of Edge raises the error for these weights
+        # the constructor of Edge refuses these weights
         return Edge(knots, points, degree, weights)
     poles = points if weights is None else np.column_stack([points, weights])
-    knots, poles = _without_doubled_poles(*_unwound(knots, poles, degree, entity.closed), degree)
+    knots, poles = _without_doubled_poles(*_full_period(knots, poles, degree, entity.closed), degree)
     return Edge(knots, poles[:, :3], degree, None if weights is None else poles[:, 3])
 
 
@@ -445,12 +451,13 @@ def _is_flat(helix: Any) -> bool:
     return bool(abs(helix.dxf.turns * helix.dxf.turn_height) <= FLAT_HELIX * abs(helix.dxf.radius))
 
 
-def _unwound(
+def _full_period(
     knots: FloatArray, poles: FloatArray, degree: int, closed: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return full knots and control points of a periodic spline stored with a single period, as OpenCASCADE does.
+    """Return the full knots and control points of a periodic spline that is stored with a single period.
 
-    The first control points are repeated after the last control points. Other splines are returned unchanged.
+    OpenCASCADE stores splines in this form. Leading control points are repeated at the end. Other splines
+    are returned unchanged.
     """
     count = len(poles)
     first = int(np.count_nonzero(knots == knots[0])) if knots.size else 0
@@ -471,25 +478,23 @@ def _without_doubled_poles(
     return np.delete(knots, doubled), np.delete(poles, doubled, axis=0)
 
 
-def _fitted(entity: Any, points: FloatArray) -> Edge:
-    """Return the cubic spline through points (n, 3), with the end tangents of the entity, or else zero
-    curvature at the ends.
-    """
+def _spline_through_fit_points(entity: Any, points: FloatArray) -> Edge:
+    """Return the cubic spline through points (n, 3), with the entity's end tangents or zero end curvature."""
     ends: list[list[tuple[int, Any]]] = []
     for name in ("start_tangent", "end_tangent"):
         along = np.array(tuple(entity.dxf.get(name) or (0.0, 0.0, 0.0)), dtype=float)
         length = float(np.linalg.norm(along))
         ends.append([(1, along / length)] if length > 0 else [(2, np.zeros(3))])
-    return _through(points, ends)
+    return _cubic_spline(points, ends)
 
 
-def _ring(points: FloatArray) -> Edge:
-    """Return the closed cubic spline through points (n, 3), with continuous curvature at every point."""
+def _closed_spline(points: FloatArray) -> Edge:
+    """Return the closed cubic spline through points (n, 3), with continuous curvature."""
     around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
-    return _through(around, "periodic")
+    return _cubic_spline(around, "periodic")
 
 
-def _through(points: FloatArray, ends: Any) -> Edge:
+def _cubic_spline(points: FloatArray, ends: Any) -> Edge:
     """Return the cubic spline through points, with chord lengths as parameters; `ends` is scipy's `bc_type`."""
     from scipy.interpolate import make_interp_spline
 
@@ -506,7 +511,7 @@ def _through(points: FloatArray, ends: Any) -> Edge:
 
 
 def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to_world: Any) -> Run:
-    """Return a polyline without bulges as a single edge, and any other polyline as a line or arc for each side."""
+    """Return a polyline without bulges as a single edge, else a line or arc for each side."""
     if closed and len(rows) > 1:
         rows = [*rows, rows[0]]
     if len(rows) < 2:
@@ -519,18 +524,18 @@ def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to
     for p, q, bulge in zip(vertices[:-1], vertices[1:], bulges, strict=True):
         if not np.any(p != q):
             continue
-        edge = _bulged(p, q, float(bulge)) if bulge else Edge.polyline([p, q])
+        edge = _arc_of_bulge(p, q, float(bulge)) if bulge else Edge.polyline([p, q])
         world = np.array([tuple(to_world(v)) for v in edge.points])
         edges.append(Edge(edge.knots, world, edge.degree, edge.weights))
     return tuple(edges)
 
 
-def _bulged(p: FloatArray, q: FloatArray, bulge: float) -> Edge:
-    """Return the arc from p to q; `bulge` is the tangent of a quarter of its angle, positive for a left turn."""
+def _arc_of_bulge(p: FloatArray, q: FloatArray, bulge: float) -> Edge:
+    """Return the arc from p to q; `bulge` is the tangent of a quarter of the turn, positive to the left."""
     chord = q - p
     left = np.array([-chord[1], chord[0], 0.0])
     sweep = 4 * np.arctan(bulge)
-    # use the tangents, because the centre of a flat arc is too far away to be accurate
+    # the centre of a flat arc is too far away to be accurate
     if abs(sweep) <= np.pi / 2:
         middle = (p + q) / 2 - left * np.tan(sweep / 2) / 2
         knots = np.repeat([0.0, 1.0], 3)

@@ -35,7 +35,7 @@ _OPTIONS = Lock()
 LONGEST_COMMENT = 250
 """Largest number of characters of a comment."""
 
-_INKS = {
+_COLOR_NUMBERS = {
     1: (255, 0, 0), 2: (255, 255, 0), 3: (0, 255, 0), 4: (0, 255, 255), 5: (0, 0, 255), 6: (255, 0, 255),
     7: (0, 0, 0), 8: (128, 128, 128), 9: (192, 192, 192), 30: (255, 127, 0), 140: (0, 191, 255), 200: (191, 0, 255),
 }  # fmt: skip
@@ -102,7 +102,7 @@ def encode_dxf(
 
 
 def _made_by() -> list[str]:
-    """Return the running command as lines of a comment; old readers limit lines to 255 characters."""
+    """Return the running command as comment lines, because old readers limit lines to 255 characters."""
     return wrap(MADE_BY.get(), LONGEST_COMMENT)
 
 
@@ -116,7 +116,7 @@ def _through_ezdxf(
     with _plain_ezdxf() as ezdxf:
         document = ezdxf.new(version, setup=False, units=ezdxf.units.MM)
         for layer, style in styles.items():
-            row = document.layers.add(style.name, color=_ink(style.rgb))
+            row = document.layers.add(style.name, color=_nearest_color_number(style.rgb))
             row.rgb = style.rgb
             row.dxf.plot = int(layer != SHEET)  # the border of a sheet is visible, but not cut
         space, groups = document.modelspace(), document.rootdict["ACAD_GROUP"]
@@ -146,7 +146,7 @@ def _entities(space: Any, path: Path, on: dict[str, Any]) -> Iterator[Any]:
     if circle := _circle(path):
         yield space.add_circle(circle.center, circle.radius, on)
     elif not path.has_splines:
-        yield space.add_lwpolyline(_bulges(path), "xyb", close=path.closed, dxfattribs=on)
+        yield space.add_lwpolyline(_vertices_with_bulges(path), "xyb", close=path.closed, dxfattribs=on)
     else:
         for segment in path.segments:
             if isinstance(segment, Spline):
@@ -186,9 +186,7 @@ def _plain_ezdxf() -> Iterator[Any]:
 
 
 def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
-    """Return the bytes of an R12 file with each path on its layer: pairs of lines with a group code and its
-    value.
-    """
+    """Return the bytes of an R12 file, which has pairs of lines: group code and value."""
     tags: list[tuple[int, object]] = [(999, line) for line in ("all lengths in mm", *_made_by())]
     tags += [(0, "SECTION"), (2, "HEADER")]
     tags += [(9, "$ACADVER"), (1, "AC1009")]
@@ -196,7 +194,13 @@ def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bo
         tags += [(9, name), *_at(10, corner)]
     tags += [(0, "ENDSEC"), (0, "SECTION"), (2, "TABLES"), (0, "TABLE"), (2, "LAYER"), (70, len(styles))]
     for style in styles.values():
-        tags += [(0, "LAYER"), (2, style.name), (70, 0), (62, _ink(style.rgb)), (6, "CONTINUOUS")]
+        tags += [
+            (0, "LAYER"),
+            (2, style.name),
+            (70, 0),
+            (62, _nearest_color_number(style.rgb)),
+            (6, "CONTINUOUS"),
+        ]
     tags += [(0, "ENDTAB"), (0, "ENDSEC"), (0, "SECTION"), (2, "ENTITIES")]
     for layer, path in paths:
         tags += _r12_entities(path, (8, layer))
@@ -217,7 +221,7 @@ def _r12_entities(path: Path, layer: tuple[int, object]) -> Iterator[tuple[int, 
                 yield from ((0, "LINE"), layer, *_at(10, segment.start), *_at(11, segment.end))
     else:
         yield from ((0, "POLYLINE"), layer, (66, 1), *_at(10, (0.0, 0.0)), (70, 0))
-        for x, y, bulge in _bulges(path):
+        for x, y, bulge in _vertices_with_bulges(path):
             yield from ((0, "VERTEX"), layer, *_at(10, (x, y)), (42, bulge))
         yield from ((0, "SEQEND"), layer)
 
@@ -245,27 +249,26 @@ def _circle(path: Path) -> Arc | None:
 
 
 def _angles(arc: Arc) -> tuple[float, float]:
-    """Return the start and end angle, degrees, of an arc traversed anticlockwise."""
+    """Return the start and end angle, degrees, of the arc in anticlockwise direction."""
     first, last = sorted((degrees(arc.start_angle), degrees(arc.end_angle)))
     return first, last
 
 
-def _bulges(path: Path) -> list[tuple[float, float, float]]:
-    """Return x, y and the bulge of the next segment for every vertex of a path of lines and arcs."""
+def _vertices_with_bulges(path: Path) -> list[tuple[float, float, float]]:
     segments = [piece for segment in path.segments for piece in _up_to_half_turns(segment)]
     rows = [(*part.start.tolist(), float(part.bulge) if isinstance(part, Arc) else 0.0) for part in segments]
     return rows if path.closed else [*rows, (*path.end.tolist(), 0.0)]
 
 
 def _up_to_half_turns(segment: Segment) -> list[Segment]:
-    """Divide an arc of more than 180 degrees into halves, because its bulge would be large; keep other
-    segments.
-    """
+    """Return an arc of more than 180 degrees as halves, because its bulge would be large."""
     if isinstance(segment, Arc) and abs(segment.sweep) > pi * (1 + 1e-9):
         return [trim_segment(segment, 0.0, 0.5), trim_segment(segment, 0.5, 1.0)]
     return [segment]
 
 
-def _ink(rgb: tuple[int, int, int]) -> int:
-    """Return the number of the nearest AutoCAD colour."""
-    return min(_INKS, key=lambda ink: sum((a - b) ** 2 for a, b in zip(_INKS[ink], rgb, strict=True)))
+def _nearest_color_number(rgb: tuple[int, int, int]) -> int:
+    return min(
+        _COLOR_NUMBERS,
+        key=lambda ink: sum((a - b) ** 2 for a, b in zip(_COLOR_NUMBERS[ink], rgb, strict=True)),
+    )

@@ -21,7 +21,7 @@ LIKELY_SIZES_MM = (50.0, 20000.0)
 """Range of likely sizes (diagonals of the bounding box), mm, of a model made of strips."""
 
 GUESSES = ("um", "cm", "in", "m")
-"""Units that are tried for a file without a unit."""
+"""Units that are suggested for a file of unlikely size."""
 
 
 def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Mesh:
@@ -71,7 +71,7 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
     with name_source(path):
         try:
             with quiet_log("trimesh"), np.errstate(all="ignore"):
-                source = _counted_from_the_start(path.read_bytes()) if suffix == ".obj" else path
+                source = _obj_with_positive_indices(path.read_bytes()) if suffix == ".obj" else path
                 mesh = load(source, file_type=suffix[1:], force="mesh", process=False)
             vertices, faces = np.array(mesh.vertices, dtype=float), np.array(mesh.faces, dtype=int)
         except Exception as error:  # the parsers of trimesh raise exceptions of many kinds
@@ -82,17 +82,17 @@ def read_mesh(path: str | Path, *, unit: str | None = None, scale: float = 1.0) 
             raise InputError("has no faces: export a mesh, not points or lines")
         model = Mesh(vertices * factor, faces)
         if unit is None and not LIKELY_SIZES_MM[0] <= model.size <= LIKELY_SIZES_MM[1]:
-            raise InputError(_asking(model.size))
+            raise InputError(_unlikely_size_message(model.size))
         return model
 
 
 _OBJ_LISTS = {b"v": 0, b"vt": 1, b"vn": 2}
 
 
-def _counted_from_the_start(data: bytes) -> BytesIO:
-    """Return the OBJ file with positive indices.
+def _obj_with_positive_indices(data: bytes) -> BytesIO:
+    """Return the OBJ file with positive indices, because trimesh misreads negative indices.
 
-    A negative index counts back from the line in which it is, but trimesh counts from the end of the file.
+    A negative index counts back from its line, but trimesh counts from the end of the file.
     """
     counts = [0, 0, 0]
     lines = []
@@ -101,13 +101,13 @@ def _counted_from_the_start(data: bytes) -> BytesIO:
         if kind in _OBJ_LISTS:
             counts[_OBJ_LISTS[kind]] += 1
         elif kind == b"f":
-            corners = [_positive(corner, counts) for corner in corners]
+            corners = [_with_positive_indices(corner, counts) for corner in corners]
         lines.append(b" ".join([kind, *corners]))
     return BytesIO(b"\n".join(lines))
 
 
-def _positive(corner: bytes, counts: Sequence[int]) -> bytes:
-    """Return the indices v/vt/vn of a corner of a face, with negative indices replaced by positive indices."""
+def _with_positive_indices(corner: bytes, counts: Sequence[int]) -> bytes:
+    """Return the indices v/vt/vn of a corner of a face, with positive indices only."""
     indices = corner.split(b"/")
     return b"/".join(
         b"%d" % (count + 1 + int(index)) if index.startswith(b"-") else index
@@ -115,7 +115,7 @@ def _positive(corner: bytes, counts: Sequence[int]) -> bytes:
     )
 
 
-def _asking(size: float) -> str:
+def _unlikely_size_message(size: float) -> str:
     """Return the message for a mesh with an unlikely size in mm."""
     guesses = {name: size * look_up_unit(name) for name in GUESSES}
     likely = [name for name, long in guesses.items() if LIKELY_SIZES_MM[0] <= long <= LIKELY_SIZES_MM[1]]

@@ -51,7 +51,7 @@ def drawing_plane(run: Sequence[Edge], tolerance: float = 0.0) -> Frame:
 
 
 def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
-    """Return the x and y axes (2, 3) of the plane through the points, as `drawing_plane` describes."""
+    """Return the x and y axes (2, 3) of the plane through the points; see `drawing_plane`."""
     if np.ptp(points[:, 2]) <= tolerance:
         return np.eye(2, 3)
     centred = points - points.mean(axis=0)
@@ -83,10 +83,10 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
 
 
 JOIN = 1e-4  # largest gap, mm, between ends of edges that meet
-TANGENT = 1e-3  # rad
-EVEN = 1e-6  # a curve with a smaller total turn, rad, does not determine the side of its plane
+TANGENT = 1e-3  # largest turn, rad, at a joint that counts as smooth
+LEAST_TURN = 1e-6  # a curve with a smaller total turn, rad, does not determine the side of its plane
 # largest distance of ends that are probably intended to meet, as a fraction of the extent of all edges
-MEANT = 0.05
+INTENDED_GAP_FRACTION = 0.05
 JOINED_MM = 0.5  # largest gap, mm, for which a larger tolerance for joining is suggested
 AS_DRAWN = np.eye(3)
 
@@ -123,12 +123,12 @@ def placed_curve(
         raise InputError("the edge has no length: draw a curve for the strip to follow")
     runs, holes = holes_on_chains(runs)
     if len(runs) > 1:
-        raise InputError(_why_not_one(runs))
+        raise InputError(_several_chains_message(runs))
     turn = AS_DRAWN if turned is None else np.asarray(turned, dtype=float)
     run = runs[0]
     return place_chain(
         run,
-        partial(_side_of, turned=turn) if plane is None else partial(_within, plane=plane),
+        partial(_side_of, turned=turn) if plane is None else partial(_require_in_plane, plane=plane),
         holes[0],
         join,
     )
@@ -169,7 +169,7 @@ def place_chain(
     return curve_from_run(flat, tolerance=join, holes=drilled), frame
 
 
-def _why_not_one(runs: Sequence[Run]) -> str:
+def _several_chains_message(runs: Sequence[Run]) -> str:
     """Return the message that edges form several chains, with the ends that nearly meet, if any."""
     ends = np.array([(run[0].start, run[-1].end) for run in runs])
     # axes: run, end of the run, other run, end of the other run
@@ -183,7 +183,11 @@ def _why_not_one(runs: Sequence[Run]) -> str:
             "that the strip must follow",
             place=place,
         )
-    if gap <= MEANT * np.ptp(np.concatenate([edge.points for part in runs for edge in part]), axis=0).max():
+    if (
+        gap
+        <= INTENDED_GAP_FRACTION
+        * np.ptp(np.concatenate([edge.points for part in runs for edge in part]), axis=0).max()
+    ):
         return note(
             "two edges end {gap} apart at {place}: join their ends there, in a sketch by a coincident "
             "constraint",
@@ -198,8 +202,8 @@ def _why_not_one(runs: Sequence[Run]) -> str:
     )  # fmt: skip
 
 
-def _within(run: Sequence[Edge], plane: Frame) -> Frame:
-    """Return the given plane unchanged, and refuse it if the edges are not in it."""
+def _require_in_plane(run: Sequence[Edge], plane: Frame) -> Frame:
+    """Return the given plane, and refuse edges that are not in this plane."""
     points = np.concatenate([edge.at(edge.stations()) for edge in run])
     off = (points - plane.origin) @ plane.z_axis
     if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):
@@ -223,21 +227,21 @@ def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
     if np.hypot(before[0], before[1]) < TANGENT:
         side = before[2]
     else:
-        side = _turning(points, normal)
+        side = _total_turn(points, normal)
     if side < 0:
         x_axis, normal = -x_axis, -normal
     return Frame((run[0].start @ normal) * normal, x_axis, y_axis)
 
 
-def _turning(points: FloatArray, normal: FloatArray) -> float:
-    """Return the total turn, rad, of a polyline (m, 3) about a normal, or its first turn if the total is 0."""
+def _total_turn(points: FloatArray, normal: FloatArray) -> float:
+    """Return the total turn, rad, of a polyline (m, 3) about a normal; if it is 0, the initial turn."""
     chords = np.diff(points, axis=0)
     chords = chords[np.linalg.norm(chords, axis=1) > 0]
     before, after = chords[:-1], chords[1:]
     sines = np.cross(before, after) @ normal
     turns = np.arctan2(sines, np.einsum("ij,ij->i", before, after))
     whole = float(turns.sum())
-    if abs(whole) > EVEN:
+    if abs(whole) > LEAST_TURN:
         return whole
-    bends = turns[np.abs(turns) > EVEN]
+    bends = turns[np.abs(turns) > LEAST_TURN]
     return float(bends[0]) if bends.size else 0.0

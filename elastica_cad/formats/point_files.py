@@ -40,10 +40,10 @@ NOTHING = ("", "-", "\u2013", "\u2014")
 _MINUS = "\u2212"
 """Typographic minus sign, which spreadsheets in Nordic languages write."""
 
-_VULGAR = re.compile("[\u00bc-\u00be\u2150-\u215e]")
+_FRACTIONS = re.compile("[\u00bc-\u00be\u2150-\u215e]")
 """Single characters for fractions, such as five eighths."""
 
-_SMALL = 20.0
+_LEAST_SIZE_MM = 20.0
 """Smallest likely size, mm, of a drawing of a strip."""
 
 _CONTROL = re.compile("[\x00-\x08\x0e-\x1f]")
@@ -59,7 +59,7 @@ _SURVEY = {
     **dict.fromkeys(("northing", "north", "n", "hochwert", "nordwert"), "y"),
     **dict.fromkeys(("elevation", "elev", "height", "h\u00f6he"), "z"),
 }
-"""Axis for each name of a coordinate in surveying."""
+"""Axis for each name of a surveying coordinate."""
 
 _STATED = re.compile(
     r"""\b(?:units?|einheit(?:en)?)\s*(?:[:=]|are|in)\s*["(\[]?([^\W\d_]+)|
@@ -72,7 +72,7 @@ _STATED = re.compile(
 
 _NUMBER = re.compile(r"[-+]?[\d.,]*\d[\d.,]*(?:[eE][-+]?\d+)?")
 _SPACES = re.compile("[ '\u2019]")
-_APART = re.compile(r"[-+]?[1-9]\d{0,2}(?:([ '\u2019])\d{3})(?:\1\d{3})*(?:[.,]\d*)?")
+_GROUPED = re.compile(r"[-+]?[1-9]\d{0,2}(?:([ '\u2019])\d{3})(?:\1\d{3})*(?:[.,]\d*)?")
 """Pattern for a number with blanks or apostrophes as separators of thousands."""
 
 _UNIT_BEHIND = re.compile(rf"({_NUMBER.pattern}|[-+]?\d+[ -]\d+/\d+)\s*([^\W\d_]+\.?)")
@@ -119,7 +119,7 @@ class PointTable:
     @classmethod
     def read(cls, file: Path, *, unit: str | None) -> "PointTable":
         """Read a table; `unit` overrides the unit that the table names."""
-        rows, remarks, separator = _parted(read_text(file))
+        rows, remarks, separator = _split_rows(read_text(file))
         layout = _Layout.of(rows)
         units = [] if unit else _units(layout.units, [*remarks, *layout.titles])
         columns, behind = _without_units(layout.columns)
@@ -140,13 +140,13 @@ def read_text(path: Path) -> str:
         text = "\x00" if encoding == "utf-16" else data.decode("cp1252", errors="replace")
     if _CONTROL.search(text):
         raise InputError("is not a text file: save the points as plain text (CSV, UTF-8)")
-    fractions = _VULGAR.sub(
+    fractions = _FRACTIONS.sub(
         lambda sign: " " + unicodedata.normalize("NFKC", sign[0]).replace("\u2044", "/"), text
     )
     return fractions.replace(_MINUS, "-")
 
 
-def _parted(text: str) -> tuple[list[Row], list[str], str]:
+def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
     """Return the rows with unquoted cells, the remarks, and the separator of cells (a blank by default)."""
     lines = text.splitlines()
     stated = _SEP.fullmatch(lines[0].strip(" ")) if lines else None
@@ -155,7 +155,9 @@ def _parted(text: str) -> tuple[list[Row], list[str], str]:
     if stated:
         separator = stated[1]
     else:
-        outside = [re.sub('"[^"]*"', "", line) for _, line in kept]  # outside of quotes
+        outside = [
+            re.sub('"[^"]*"', "", line) for _, line in kept
+        ]  # a separator within quotes does not count
         often = {sign: sum(sign in line for line in outside) for sign in _SEPARATORS}
         separator = max(often, key=lambda sign: often[sign]) if any(often.values()) else " "
     if separator == " ":
@@ -178,7 +180,7 @@ def _parted(text: str) -> tuple[list[Row], list[str], str]:
 
 
 class _Head(NamedTuple):
-    """A cell of a heading: its axis (or ""), its name, and its unit, if any (or "")."""
+    """Cell of a heading: axis, name, and unit, each empty if missing."""
 
     axis: str
     name: str
@@ -219,7 +221,6 @@ class _Layout:
 
     @classmethod
     def of(cls, rows: list[Row]) -> "_Layout":
-        """Find the heading, and the columns that it names."""
         first = _first_data(rows)
         for k, (_, cells) in enumerate(rows[: first + 1]):
             heads = [_Head.of(cell) for cell in cells]
@@ -268,12 +269,12 @@ class _Layout:
             last = max(curves[0])
             rows = [(n, [cells[k] for k in curves[0]] if len(cells) > last else cells) for n, cells in below]
             return cls([Column("", rows)], units, _words(above))
-        titles = [_filled(above[-1][1], curve)[:1] if above else [] for curve in curves]
+        titles = [_cells_of_curve(above[-1][1], curve)[:1] if above else [] for curve in curves]
         columns = []
         for curve, title in zip(curves, titles, strict=True):
             named = [heads[place].name for place in curve[::-1] if heads[place].name]
             name = title[0] if all(titles) else next(iter(named), "")
-            columns.append(Column(name, [(n, _filled(cells, curve)) for n, cells in below]))
+            columns.append(Column(name, [(n, _cells_of_curve(cells, curve)) for n, cells in below]))
         return cls(columns, units, _words(above))
 
     @classmethod
@@ -295,8 +296,8 @@ class _Layout:
         return cls(columns, [*units, *(heads[k].unit for k in used)], titles, is_offsets=True)
 
 
-def _filled(cells: list[str], places: Sequence[int]) -> list[str]:
-    """Return the cells of a row that belong to a curve; an empty list if the first two are blank or missing."""
+def _cells_of_curve(cells: list[str], places: Sequence[int]) -> list[str]:
+    """Return the cells of a row that belong to a curve, or an empty list if x or y is blank."""
     cells_of_curve = [cells[k] if k < len(cells) else "" for k in places]
     return cells_of_curve if any(cell not in NOTHING for cell in cells_of_curve[:2]) else []
 
@@ -306,7 +307,7 @@ def _words(rows: list[Row]) -> list[str]:
 
 
 def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
-    """Return the units if the first row contains only units, and the other rows."""
+    """Return the units if the top row contains only units, and the other rows."""
     for k, (_, cells) in enumerate(rows):
         if cells:
             bare = [cell.strip(" []()") for cell in cells]
@@ -352,12 +353,10 @@ def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
 
 
 def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple[list[Column], str]:
-    """Return columns with decimal points and no separators of thousands, and a message on how they were
-    interpreted.
-    """
+    """Return columns with decimal points and without separators of thousands, and a message on ambiguity."""
     columns = _mapped(
         columns,
-        lambda cell: _SPACES.sub("", cell) if _SPACES.search(cell) and _APART.fullmatch(cell) else cell,
+        lambda cell: _SPACES.sub("", cell) if _SPACES.search(cell) and _GROUPED.fullmatch(cell) else cell,
     )
     cells = [(n, cell) for _, rows in columns for n, row in rows for cell in row]
     group, message = _group_sign(cells, separator, scale)
@@ -367,9 +366,9 @@ def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple
 def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) -> tuple[str, str]:
     """Return the separator of thousands ("" if none), and a message if the separator is a guess.
 
-    A single separator before three digits may separate thousands or decimals; the other cells decide. If they
-    are ambiguous too, a quoted comma in comma-separated cells separates thousands. Other signs are decimal
-    points, unless the curve would then be smaller than any strip.
+    A single separator before three digits may separate thousands or decimals; the other cells decide. If
+    they are ambiguous too, a quoted comma in comma-separated cells separates thousands. Other signs are
+    decimal points, unless the curve would then be smaller than any strip.
     """
     numbers = [(n, cell.lstrip("+-")) for n, cell in cells if _NUMBER.fullmatch(cell)]
     kinds: dict[str, dict[str, list[tuple[int, str]]]] = {",": {}, ".": {}}
@@ -399,7 +398,7 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
                 cell=cell,
                 number=cell.replace(sign, ""),
             )
-        elif max(float(cell.replace(sign, ".")) for _, cell in mine["open"]) * scale >= _SMALL:
+        elif max(float(cell.replace(sign, ".")) for _, cell in mine["open"]) * scale >= _LEAST_SIZE_MM:
             continue
         else:
             unsure = mine["open"]
@@ -415,7 +414,7 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
 
 
 def _first_data(rows: list[Row]) -> int:
-    """Return the index of the first row with two numbers, or else with one number, or else of the second row."""
+    """Return the index of the top row with two numbers, else with one number, else of the second row."""
     filled = [k for k, (_, cells) in enumerate(rows) if cells]
     for least in (2, 1):
         for k in filled:
@@ -426,7 +425,7 @@ def _first_data(rows: list[Row]) -> int:
 
 def _looks_like_number(cell: str) -> bool:
     """Return True if the cell is a number in any notation, with or without a unit."""
-    return any(form.fullmatch(cell) for form in (_NUMBER, _APART, _UNIT_BEHIND)) or is_in_inches(cell)
+    return any(form.fullmatch(cell) for form in (_NUMBER, _GROUPED, _UNIT_BEHIND)) or is_in_inches(cell)
 
 
 def _in_mm(cell: str, scale: float) -> float:
@@ -441,8 +440,7 @@ def _in_mm(cell: str, scale: float) -> float:
     return scale * read_number(cell) if inches is None else MM_PER_INCH * inches
 
 
-def _is_number(cell: str) -> bool:
-    """Return True if `_in_mm` can convert the cell."""
+def _is_length(cell: str) -> bool:
     try:
         _in_mm(cell, 1.0)
     except ValueError:
@@ -460,7 +458,7 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
             needed="x, y and z" if least == 3 else "x and y" if most == 2 else "x and y (and z)",
         )
     for cell in cells:
-        if not _is_number(cell):
+        if not _is_length(cell):
             raise InputError(
                 "row {row} has {cell!r} instead of a number: write a number such as 12.5, or # before a comment",
                 row=row,
@@ -498,7 +496,8 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     cells = [cell for column in table.columns for _, row in column.rows for cell in row]
     inches = [cell for cell in cells if is_in_inches(cell)]
     scale = look_up_unit(table.unit or ("in" if inches else "mm"))
-    parts = [int(match[1]) for cell in inches if (match := re.search(r"/(\d+)", cell))]  # 1/parts inch
+    # denominators of fractions
+    parts = [int(match[1]) for cell in inches if (match := re.search(r"/(\d+)", cell))]
     parts += [8 for cell in inches if cell.count("-") > 1]
     rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:_DIGITS])
     by_rule = scale == MM_PER_INCH or table.is_offsets or rounded >= RULER_MM

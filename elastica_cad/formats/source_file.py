@@ -100,9 +100,7 @@ def mark_file(path: Path) -> FileMark:
 
 @contextmanager
 def note_reads() -> Iterator[dict[Path, FileMark]]:
-    """Collect the files that a `with` block passes to `require_file`, with fingerprints from just before each
-    call.
-    """
+    """Collect the files that a `with` block passes to `require_file`, with fingerprints at that time."""
     noted: dict[Path, FileMark] = {}
     token = _read.set(noted)
     try:
@@ -168,9 +166,9 @@ MOST_DEGREE = 25
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
 # a program that writes a fixed number of significant digits, not decimals, writes at least this many
-_PROGRAMS = 6
+_LEAST_DIGITS = 6
 # least number of large coordinates, not multiples of 10, from which the decimals are inferred
-_EVIDENCE = 2
+_LEAST_LARGE_NUMBERS = 2
 
 
 def check_places(points: FloatArray) -> FloatArray:
@@ -208,13 +206,11 @@ def check_size(points: FloatArray, *, in_file: bool = True) -> None:
 
 
 def check_count(count: int, most: int, what: str, instead: str) -> int:
-    """Return `count`, the number of items named `what`; if it exceeds `most`, refuse it with the advice
-    `instead`.
-    """
+    """Return `count`, the number of items named `what`, or refuse it with the advice `instead`."""
     if count > most:
         raise InputError(
             "has {whole} {what}, more than the limit of {most}: {instead}",
-            whole=_whole(count),
+            whole=_shortened(count),
             what=what,
             most=most,
             instead=instead,
@@ -227,7 +223,7 @@ def check_degree(degree: int) -> int:
     if not 1 <= degree <= MOST_DEGREE:
         raise InputError(
             "a spline has degree {whole}, outside 1 to {most_degree}: export it with degree 3",
-            whole=_whole(degree),
+            whole=_shortened(degree),
             most_degree=MOST_DEGREE,
         )
     return degree
@@ -252,8 +248,7 @@ def check_tolerance(value: float, name: str = "tolerance") -> float:
     return float(value)
 
 
-def _whole(number: int) -> str:
-    """Return an integer as text, shortened if it has very many digits."""
+def _shortened(number: int) -> str:
     return str(number) if abs(number) < 10**12 else "more than 1e12"
 
 
@@ -269,7 +264,7 @@ def half_last_place(numbers: Iterable[str]) -> float:
     >>> half_last_place(["12.34", "7.5", "100"]), half_last_place(["123.45678", "0.0012345678"])
     (0.005, 5e-06)
     """
-    rows = [row for row in map(_digits, numbers) if row is not None]
+    rows = [row for row in map(_value_and_digits, numbers) if row is not None]
     if not rows:
         return 0.0
     largest = max(size for size, _, _ in rows)
@@ -278,16 +273,14 @@ def half_last_place(numbers: Iterable[str]) -> float:
     significant = max(digits for _, _, digits in plain)
     before_point = int(np.floor(np.log10(largest))) + 1 if largest > 0 else 1
     top = [row for row in plain if row[0] >= 10.0 ** (before_point - 1)]
-    if significant >= _PROGRAMS or sum(size % 10 != 0 for size, _, _ in top) >= _EVIDENCE:
+    if significant >= _LEAST_DIGITS or sum(size % 10 != 0 for size, _, _ in top) >= _LEAST_LARGE_NUMBERS:
         decimals = max([places for _, places, _ in top], default=decimals)
         decimals = max(decimals, min(max(places for _, places, _ in plain), significant - before_point))
     return float(0.5 * 10.0 ** -min(max(decimals, 0), 30))
 
 
-def _digits(text: str) -> tuple[float, int, int] | None:
-    """Return the absolute value of a number, its number of decimals and of significant digits, or None for
-    other text.
-    """
+def _value_and_digits(text: str) -> tuple[float, int, int] | None:
+    """Return the absolute value of a number and its numbers of decimals and significant digits, or None."""
     match = _WRITTEN.fullmatch(text.strip())
     if match is None or not (match[1] or match[2]):
         return None

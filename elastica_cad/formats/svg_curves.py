@@ -27,12 +27,12 @@ _AFFINITY = "xmlns:serif"
 _ILLUSTRATOR = "Generator: Adobe Illustrator"
 _EXPORTED_CLASS = re.compile(r"cls-\d+")  # names of CSS classes in files that Illustrator exports for screens
 _ZERO = re.compile(r"\s*[+]?(0*\.?0+|0+\.)(e[-+]?\d+)?\s*(%|[a-z]*)\s*", re.IGNORECASE)
-_CLEAR = re.compile(
+_TRANSPARENT = re.compile(
     r"(rgb|hsl)a?\(([^,]*,){3}\s*0*\.?0*%?\s*\)|(rgb|hsl)a?\([^,]*/\s*0*\.?0*%?\s*\)|#[0-9a-f]{6}00|#[0-9a-f]{3}0"
 )
 """Pattern for colours with opacity 0."""
 
-_LEAST_UNIT = 1e-9  # mm
+_LEAST_UNIT = 1e-9  # least size of a user unit, mm
 _LARGEST = 1e15  # larger numbers are refused, so that the product of two numbers is finite
 
 
@@ -97,7 +97,8 @@ _OF_INKSCAPE = (
 def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
     """Return the unit with its source, and the size of a pixel, mm, for the program that wrote the file.
 
-    Illustrator and Affinity may omit a size in a physical unit; Inkscape before 0.92 may omit it or the viewBox.
+    Illustrator and Affinity may omit a size in a physical unit. Inkscape before 0.92 may also omit the
+    viewBox.
     """
     sizes = [(text, read_length(text)) for text in tree.size if text]
     sized = any(length and length[1] in PHYSICAL for _, length in sizes)
@@ -182,9 +183,7 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
 
 
 class _DrawnShape(NamedTuple):
-    """The subpaths of a shape in its local coordinates, and the map to user units: matrix (2, 2) and offset
-    (2,).
-    """
+    """Subpaths of a shape in local coordinates, and the map to user units: matrix (2, 2) and offset (2,)."""
 
     runs: Sequence[Run]
     source: Source
@@ -216,9 +215,9 @@ class _Shapes:
         self._paths: dict[int, PathData] = {}
 
     def painted(self, shapes: Sequence[Any]) -> Sequence[Any]:
-        """Return the shapes that have a stroke or a fill, or all shapes if none has a stroke or a fill."""
+        """Return the shapes that have a stroke or a fill, or all shapes if none is painted."""
         shown = [shape for shape in shapes if not _is_hidden(shape)]
-        seen = [shape for shape in shown if any(_paints(shape.values, what) for what in _PAINTS)]
+        seen = [shape for shape in shown if any(_is_painted(shape.values, what) for what in _PAINTS)]
         if seen:
             self.unpainted = {int(shape.values[MARK]) for shape in shown} - {
                 int(shape.values[MARK]) for shape in seen
@@ -254,7 +253,7 @@ class _Shapes:
             "/".join(name.id for name in names if name.id),
             is_named=any(name.is_chosen for name in names),
         )
-        if CLIPPED in shape.values or any(_reaches_out(runs, *clip) for clip in drawn.clips):
+        if CLIPPED in shape.values or any(_may_be_clipped(runs, *clip) for clip in drawn.clips):
             self.clipped[source.name or drawn.kind] = None
         return _DrawnShape(runs, source, matrix, offset)
 
@@ -269,10 +268,7 @@ class _Shapes:
         return [_with_polylines(run) for run in path.runs], path.rounding
 
     def report_left_out(self) -> None:
-        """Add hidden and invalid shapes to the skipped items of the tree.
-
-        If all shapes are invalid, raise the first error.
-        """
+        """Add hidden and invalid shapes to the skipped items, or raise an error if all shapes are invalid."""
         shapes, skipped = self.tree.shapes, self.tree.skipped
         hidden = {mark for mark, shape in enumerate(shapes) if shape.shown} - self.drawn - self.unpainted
         for kind, marks in (
@@ -308,15 +304,15 @@ def _is_hidden(shape: Any) -> bool:
     return shape.values.get("visibility", "").strip().lower() in ("hidden", "collapse")
 
 
-def _paints(values: Mapping[str, str], what: str) -> bool:
+def _is_painted(values: Mapping[str, str], what: str) -> bool:
     """Return True if the stroke or the fill (`what`) of a shape is visible."""
     paint = values[what].strip().lower()
-    clear = paint in ("none", "transparent") or _CLEAR.fullmatch(paint)
+    clear = paint in ("none", "transparent") or _TRANSPARENT.fullmatch(paint)
     sizes = [values.get(f"{what}-opacity"), values.get("stroke-width") if what == "stroke" else None]
     return not (clear or any(size and _ZERO.fullmatch(size) for size in sizes))
 
 
-def _reaches_out(runs: Sequence[Run], box: Box | None, way: str) -> bool:
+def _may_be_clipped(runs: Sequence[Run], box: Box | None, way: str) -> bool:
     """Return True if a part of a shape may be outside of the area that clips it."""
     from svgelements import Matrix
 
@@ -330,10 +326,7 @@ def _reaches_out(runs: Sequence[Run], box: Box | None, way: str) -> bool:
 
 
 def _in_user_units(tree: SvgTree) -> bytes:
-    """Return the document without viewBox, and with the size of the root element in user units.
-
-    The parser then leaves all coordinates in user units.
-    """
+    """Return the document without viewBox, so that the parser leaves all coordinates in user units."""
     root = tree.root
     box = root.get("viewBox", "").replace(",", " ").split()
     lengths = [read_length(text) for text in tree.size]
@@ -381,10 +374,7 @@ def _points(*points: Any) -> FloatArray:
 
 
 def _arc(segment: Any) -> Edge | None:
-    """Return the exact arc of a segment.
-
-    Its centre is computed again, because svgelements computes an inaccurate centre for half turns.
-    """
+    """Return the exact arc of a segment, because svgelements computes an inaccurate centre for half turns."""
     start, end, center, px, py = _points(segment.start, segment.end, segment.center, segment.prx, segment.pry)
     x_axis, y_axis = px - center, py - center
     rx, ry = float(np.hypot(*x_axis)), float(np.hypot(*y_axis))

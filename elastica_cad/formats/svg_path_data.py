@@ -38,7 +38,7 @@ class PathData:
 
 @dataclass
 class _Pen:
-    """Position of the pen, and the edges drawn so far."""
+    """Position of the pen, and the edges up to there."""
 
     here: FloatArray = field(default_factory=lambda: np.zeros(2))
     start: FloatArray = field(default_factory=lambda: np.zeros(2))
@@ -95,17 +95,14 @@ def _commands(text: str) -> Iterator[tuple[str, list[str]]]:
             continue
         again = True
         while again:
-            words, at = _words(text, at, command.upper())
+            words, at = _read_numbers(text, at, command.upper())
             yield command, words
             command = {"M": "L", "m": "l"}.get(command, command)
             again = at < len(text) and text[at] in "+-.0123456789"
 
 
-def _words(text: str, at: int, kind: str) -> tuple[list[str], int]:
-    """Return the numbers of a command and the position after them.
-
-    Flags of an arc may be written without a separator.
-    """
+def _read_numbers(text: str, at: int, kind: str) -> tuple[list[str], int]:
+    """Return the numbers of a command and the position after them. Flags of an arc need no separator."""
     words = []
     for position in range(_COUNTS[kind]):
         if kind == "A" and position in (3, 4):
@@ -167,21 +164,19 @@ def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
         pen.add(_line(pen.here, end))
     elif kind in "CS":
         if kind == "S":
-            points = np.vstack([_reflected(pen, "CS"), points])
+            points = np.vstack([_mirrored_handle(pen, "CS"), points])
         pen.add(bezier_edge(np.vstack([pen.here, points])))
         handle = points[1]
     else:
         if kind == "T":
-            points = np.vstack([_reflected(pen, "QT"), points])
+            points = np.vstack([_mirrored_handle(pen, "QT"), points])
         pen.add(bezier_edge(np.vstack([pen.here, points])))
         handle = points[0]
     pen.here, pen.handle = end, handle
 
 
-def _reflected(pen: _Pen, after: str) -> FloatArray:
-    """Return the previous Bezier handle mirrored at the pen, or the pen position if the previous command was
-    of another kind.
-    """
+def _mirrored_handle(pen: _Pen, after: str) -> FloatArray:
+    """Return the previous Bezier handle mirrored at the pen, or the pen position after another command."""
     if pen.handle is None or pen.before not in after:
         return pen.here
     return 2 * pen.here - pen.handle

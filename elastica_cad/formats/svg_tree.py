@@ -50,10 +50,7 @@ _SIMPLE = re.compile(
 )
 
 _Steps = list[tuple[str, list[re.Match[str]]]]
-"""Parts of a CSS selector from left to right.
-
-Each part has the preceding combinator and the simple selectors of an element.
-"""
+"""Parts of a CSS selector from left to right: combinator and simple selectors of an element."""
 
 
 class _Rule(NamedTuple):
@@ -106,18 +103,18 @@ def _apply_styles(root: Element) -> list[str]:
 
 
 def _rules(sheet: Element) -> Iterator[tuple[str, str, bool]]:
-    """Yield the selectors and declarations of each rule of a style sheet, and True if the rule always applies
-    on a screen.
-    """
+    """Yield the selectors and declarations of each rule, and True if the rule always applies on a screen."""
     # for each open block: None if its rules do not apply on a screen
-    holds: list[bool | None] = [_holds(sheet.get("media", ""))]
+    holds: list[bool | None] = [_applies_on_screen(sheet.get("media", ""))]
     selector = text = ""
     for piece in _PIECE.findall(_COMMENT.sub(" ", "".join(sheet.itertext()))):
         if piece == "{":
             text = text.strip()
             at = re.match(r"@[\w-]+", text)
             if at:
-                group = {"@media": _holds(text[6:]), "@supports": True, "@layer": True}.get(at[0].lower())
+                group = {"@media": _applies_on_screen(text[6:]), "@supports": True, "@layer": True}.get(
+                    at[0].lower()
+                )
                 holds.append(group if holds[-1] else holds[-1])
             else:
                 holds.append(holds[-1])
@@ -131,14 +128,14 @@ def _rules(sheet: Element) -> Iterator[tuple[str, str, bool]]:
             text = text + piece if selector or piece != ";" else ""
 
 
-def _holds(queries: str) -> bool | None:
-    """Return True if media queries apply on every screen, False if on some screens, None if on no screen."""
+def _applies_on_screen(queries: str) -> bool | None:
+    """Return True if media queries apply on every screen, False on some screens, None on no screen."""
     each = queries.split(",")
     return True if any(map(_SCREEN.fullmatch, each)) else None if all(map(_PRINT.fullmatch, each)) else False
 
 
 def _declarations(text: str) -> list[tuple[str, str, bool]]:
-    """Return the relevant declarations: name, value, and True if the declaration is marked !important."""
+    """Return the relevant declarations: name, value, and True for !important."""
     declarations = []
     for name, written in _DECLARATION.findall(_COMMENT.sub(" ", text)):
         value, _, important = written.partition("!")
@@ -165,18 +162,14 @@ def _steps(selector: str) -> _Steps | None:
 
 
 def _rank(part: re.Match[str]) -> int:
-    """Return the rank of a simple selector.
-
-    The rank is 0 for an id, 1 for a class, attribute or pseudo-class, 2 for an element name, and 3 for
-    "*".
-    """
+    """Return the rank of a simple selector: 0 id, 1 class, attribute or pseudo-class, 2 element, 3 "*"."""
     if part["name"] == "*":
         return 3
     return {"#": 0, "": 2}.get(part["kind"], 1) if part["name"] else 1
 
 
 def _key(part: re.Match[str]) -> str:
-    """Return the id, class or element name that a simple selector requires, or "*" if it requires none of them."""
+    """Return the id, class or element name that a simple selector requires, or "*"."""
     return part["kind"] + _unescaped(part["name"]) if part["name"] else "*"
 
 
@@ -299,9 +292,7 @@ Fit = tuple[float, float, float, float]
 
 
 def _fit_views(root: ElementTree.Element) -> None:
-    """Convert percentages to user units and nested <svg> elements to groups, and fit symbols into the boxes
-    of clones.
-    """
+    """Resolve percentages, convert nested <svg> elements to groups, and fit symbols into the boxes of clones."""
     box = _box(root)
     extent = box[2:] if box else (_size(root.get("width"), 100.0), _size(root.get("height"), 100.0))
     held: dict[str, ElementTree.Element] = {}
@@ -325,19 +316,16 @@ def _fit_views(root: ElementTree.Element) -> None:
     for clone, around in clones:
         target = held.get(_linked_id(clone))
         if target is not None and target not in fits:
-            _place(clone, _fit(clone, target, around))
+            _set_transform(clone, _fit(clone, target, around))
         elif target is not None and (clone.get("width") or clone.get("height")):
-            _place(clone, _over(_fit(clone, target, around), fits[target], target))
+            _set_transform(clone, _replaced_fit(_fit(clone, target, around), fits[target], target))
     for element, fit in fits.items():
-        _place(element, fit)
+        _set_transform(element, fit)
         element.tag = str(element.tag).removesuffix("svg") + "g"
 
 
 def _resolve(element: ElementTree.Element, around: Extent) -> None:
-    """Convert the percentages of an element to user units.
-
-    Percentages of a radius refer to the diagonal / sqrt(2).
-    """
+    """Convert the percentages of an element to user units; a radius refers to the diagonal / sqrt(2)."""
     for name in (*_ALONG, "r"):
         share = _SHARE.fullmatch(element.get(name, ""))
         if share:
@@ -359,11 +347,7 @@ def _origin(word: str, whole: float) -> float:
 
 
 def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Extent:
-    """Return the width and height of a nested drawing.
-
-    They are set on its clone, or else on the nested drawing, or else they equal the size of the enclosing
-    drawing.
-    """
+    """Return width and height from the clone, else from the nested drawing, else from the enclosing drawing."""
     width, height = (
         _size(shown.get(side) or view.get(side), whole)
         for side, whole in zip(("width", "height"), around, strict=True)
@@ -372,9 +356,7 @@ def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent
 
 
 def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Fit:
-    """Return the scale and origin that fit the drawing `view` into the box of `shown`, which is `view` or a
-    clone of it.
-    """
+    """Return the scale and origin that fit `view` into the box of `shown`, which is `view` or a clone of it."""
     box, sides = _box(view), _sides(shown, view, around)
     at = [_size(shown.get(axis), whole, default=0.0) for axis, whole in zip("xy", around, strict=True)]
     if box is None:
@@ -396,7 +378,7 @@ def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) 
     return scales[0], scales[1], moved[0], moved[1]
 
 
-def _over(requested: Fit, own: Fit, target: ElementTree.Element) -> Fit:
+def _replaced_fit(requested: Fit, own: Fit, target: ElementTree.Element) -> Fit:
     """Return the transform that replaces the fit `own` of a drawing by the fit `requested` of its clone."""
     if not (own[0] and own[1]):
         return 0.0, 0.0, 0.0, 0.0
@@ -406,7 +388,7 @@ def _over(requested: Fit, own: Fit, target: ElementTree.Element) -> Fit:
     return scales[0], scales[1], x, y
 
 
-def _place(element: ElementTree.Element, fit: Fit) -> None:
+def _set_transform(element: ElementTree.Element, fit: Fit) -> None:
     """Replace the box of an element by a transform with the given scale and origin."""
     numbers = " ".join(map(repr, (fit[0], 0.0, 0.0, *fit[1:])))
     element.set("transform", f"{element.get('transform', '')} matrix({numbers})".strip())
@@ -423,10 +405,7 @@ def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | No
 
 
 def _size(text: str | None, whole: float, default: float | None = None) -> float:
-    """Return a length in user units.
-
-    If `text` is not a length, return `default`, or else the full side `whole`.
-    """
+    """Return a length in user units, by default `default`, or else the full side `whole`."""
     length = read_length(text)
     if length is None:
         return whole if default is None else default
@@ -451,7 +430,7 @@ _NO_CURVES = ("text", "image", "foreignObject", "flowRoot", "switch")
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}"
 
 _LABELS = (f"{_INKSCAPE}label", "data-name", "{http://www.serif.com/}id")
-"""Attributes in which Inkscape, Illustrator and Affinity store the name that a person gave to a shape."""
+"""Attributes in which Inkscape, Illustrator and Affinity store a name chosen by a person."""
 
 _KIND = re.compile(
     r"""((path|rect(angle)?|circle|ellipse|oval|line|polyline|polygon|vector|shape|spline|bspline|bezcurve|d?wire|sketch
@@ -475,7 +454,7 @@ _TOKEN = re.compile(
 libraries.
 """
 
-_PACKED = b"\x1f\x8b"  # first bytes of gzip
+_GZIP_MARK = b"\x1f\x8b"  # first bytes of gzip
 _HEAD = 4096  # block size, bytes, in which the file is read up to its first element
 # largest length of an XML entity, characters; expat limits the total of all references
 _LONGEST_ENTITY = 1000
@@ -490,10 +469,7 @@ CLIPPED = "data-clipped"
 """Attribute of a clone that is clipped or masked."""
 
 CLONE = "data-clone-"
-"""Prefix of the attributes that number clones.
-
-A shape in nested clones has an attribute for each of them, the outermost first.
-"""
+"""Prefix of the attributes that number clones, in the order from outermost to innermost clone."""
 
 
 @dataclass(frozen=True)
@@ -593,7 +569,7 @@ def svg_tree(path: Path) -> SvgTree:
         )
     unread = _apply_styles(root)
     tree = SvgTree(root, (root.get("width", ""), root.get("height", "")), head, unread=unread)
-    _refuse_bombs(tree)
+    _check_expanded_count(tree)
     _fit_views(root)
     _mark(tree)
     return tree
@@ -602,7 +578,7 @@ def svg_tree(path: Path) -> SvgTree:
 def _open_svg(path: Path) -> BinaryIO:
     """Open the file, and decompress it if it is compressed (.svgz)."""
     file = path.open("rb")
-    if file.read(2) != _PACKED:
+    if file.read(2) != _GZIP_MARK:
         file.seek(0)
         return file
     with file:
@@ -653,8 +629,8 @@ def _read_head(file: BinaryIO) -> str:
     return "\n".join(texts)
 
 
-def _refuse_bombs(tree: SvgTree) -> None:
-    """Count the shapes after expansion of all clones (<use>), and remove clones that refer to themselves."""
+def _check_expanded_count(tree: SvgTree) -> None:
+    """Count the shapes with expanded clones (<use>), and remove clones that refer to themselves."""
     order: list[tuple[ElementTree.Element, int]] = [(tree.root, 0)]
     for element, depth in order:  # `order` grows during the loop, parents before children
         if depth > _DEEPEST:
@@ -663,7 +639,7 @@ def _refuse_bombs(tree: SvgTree) -> None:
             )
         order += [(child, depth + 1) for child in element]
     clones = [e for e, _ in order if tag(e) == "use"]
-    named = _cloned(tree.root, {_linked_id(e) for e in clones} - {""})
+    named = _elements_of_clones(tree.root, {_linked_id(e) for e in clones} - {""})
     links = {e: named.get(_linked_id(e)) for e in clones}
     state: dict[ElementTree.Element, tuple[int, int, int]] = {}
     open_now: set[ElementTree.Element] = set()
@@ -677,7 +653,7 @@ def _refuse_bombs(tree: SvgTree) -> None:
             size = len(element.get("d", "")) + len(element.get("points", ""))
             for node in below:
                 if node is links.get(element) and node in state and not state[node][0]:
-                    # links are removed, because the expansion of this clone contains no shapes
+                    # the expansion of this clone contains no shapes
                     unlink(element)
                 elif node in state:
                     shapes, elements, size = (
@@ -701,8 +677,7 @@ def _refuse_bombs(tree: SvgTree) -> None:
                     stack.append((node, False))
 
 
-def _cloned(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTree.Element]:
-    """Return the first element of each id that clones refer to; delete the id of later duplicates."""
+def _elements_of_clones(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTree.Element]:
     named: dict[str, ElementTree.Element] = {}
     for element in root.iter():
         name = element.get("id")
@@ -712,9 +687,7 @@ def _cloned(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTre
 
 
 def _mark(tree: SvgTree) -> None:
-    """Write the number of every shape as an attribute, remove path data, and convert lengths such as 10mm to
-    user units.
-    """
+    """Number the shapes in an attribute, remove path data, and convert lengths such as 10mm to user units."""
     areas = {
         e.get("id"): _rectangle(e) for e in reversed([*tree.root.iter()]) if tag(e) in ("clipPath", "mask")
     }
@@ -727,8 +700,8 @@ def _mark(tree: SvgTree) -> None:
         clips = tuple((box, f"{transform} {element.get('transform', '')}") for box, transform in clips)
         for name in _AREAS:
             area = element.get(name, "").strip()
-            if _referred(area) in areas or not re.match(r"(url\(|none$|$)", area):
-                clips = (*clips, (areas.get(_referred(area)), ""))
+            if _id_in_url(area) in areas or not re.match(r"(url\(|none$|$)", area):
+                clips = (*clips, (areas.get(_id_in_url(area)), ""))
         opacity = re.match(rf"\s*{NUMBER}", element.get("opacity", ""))
         if opacity and float(opacity[0]) <= 0:
             element.set("display", "none")
@@ -766,7 +739,7 @@ def _mark(tree: SvgTree) -> None:
 _AREAS = ("clip-path", "mask")
 
 
-def _referred(text: str) -> str:
+def _id_in_url(text: str) -> str:
     """Return the id in `url(#id)`, or ""."""
     match = re.match(r"""url\(\s*["']?#([^"')]*)""", text)
     return match[1].strip() if match else ""
