@@ -98,9 +98,11 @@ OF_A_CURVE = {
     "--end-angle", type=float, metavar="DEG", help="New direction of the end, measured along the strip."
 )
 @click.option("--hold-start", type=click.Choice(END_NAMES),
-              help="Support of the start  [default: clamped, or as in the report].")  # fmt: skip
+              help="Support of the start  [default: clamped; as in the report; free for --straight and "
+                   "--tie].")  # fmt: skip
 @click.option("--hold-end", type=click.Choice(END_NAMES),
-              help="Support of the end  [default: clamped, or as in the report].")  # fmt: skip
+              help="Support of the end  [default: clamped; as in the report; free for --straight and "
+                   "--tie].")  # fmt: skip
 @click.option("--steps", type=click.IntRange(1, 200), default=1, show_default=True,
               help="Number of shapes between the first and the last position, evenly spaced.")  # fmt: skip
 @element_options()
@@ -108,7 +110,11 @@ OF_A_CURVE = {
     "--shorten", type=Length(positive=True), metavar="MM", help="Shorten every cord by this length."
 )
 @click.option("--release", is_flag=True, help="Remove the rails, pins and ties of the strip.")
-@click.option("--side", type=click.Choice(["left", "right"]), help="Side to which a straight strip bulges.")
+@click.option(
+    "--side",
+    type=click.Choice(["left", "right"]),
+    help="Side to which a straight strip bulges, seen from start to end.",
+)
 @output_options
 def bend_command(curve: Path | None, **chosen: Any) -> None:
     """Bend the strip for CURVE, or a straight strip, to other ends, and compute its shape and forces.
@@ -117,6 +123,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
       elastica bend arch.dxf --to 350 0                        the arch with its ends 50 mm closer
       elastica bend out/arch.json --to 350 0                   the same from the report of `elastica strip`
       elastica bend --straight 300 --to 200 0 --hold-end pinned --hold-start pinned
+      elastica bend --straight 1200 --tie 240 960 --shorten 100 --side left          a batten under a cord
 
     \b
       elastica bend out/slat.json --point-mass 200 8000        a finished slat under 8 kg: sag, strain, stability
@@ -165,6 +172,8 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
     )
     rod = _initial_rod(curve, chosen) if strip is None else strip.rod
     present = Supports() if finished is None else rod.supports
+    if curve is None and chosen["tie"] and chosen["start"] is None and chosen["end"] is None:
+        present = Supports("free", "free")  # held ends could not follow the cord
     supports = Supports(chosen["hold_start"] or present.start, chosen["hold_end"] or present.end)
     if curve is not None and supports != rod.supports:
         designed = "with both ends clamped" if rod.supports.clamped else "with its ends held otherwise"

@@ -35,6 +35,12 @@ class Place(Length):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """Return the length along the curve, mm, or the point (x, y), mm."""
+        if isinstance(value, str) and value.strip().endswith("%"):
+            self.fail(
+                f"{value!r} is a percentage. Give the distance from the start of the curve, in mm.",
+                param,
+                ctx,
+            )
         if not isinstance(value, str) or value.count(",") != 1:
             return super().convert(value, param, ctx)
         return tuple(super(Place, self).convert(part, param, ctx) for part in value.split(","))

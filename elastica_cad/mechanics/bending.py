@@ -45,6 +45,7 @@ from elastica_cad.mechanics.newton_continuation import (
     LARGEST_TURN_RAD,
     SMALL_TURN_RAD,
     STOP_SHARE,
+    STRAIGHT_RAD,
     Reached,
     Stop,
     follow,
@@ -56,7 +57,7 @@ from elastica_cad.mechanics.newton_continuation import (
 )
 from elastica_cad.mechanics.rod import Rod, resample
 from elastica_cad.mechanics.rod_system import RodState, RodSystem
-from elastica_cad.refusals import Length, Point, Refusal, note
+from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
 Keep = Literal["keep"]
 
@@ -121,7 +122,8 @@ def bend(
     guess : Rod or array_like, optional
         Initial shape: a rod, or angles at the n nodes or n-1 edges.
     side : {+1, -1}, optional
-        Side of the first bulge of a straight rod that buckles: left (+1) or right (-1), seen from start to end.
+        Side of the first bulge of a straight rod that buckles, or whose cord becomes shorter: left (+1) or right
+        (-1), seen from start to end.
         By default, a straight rod bends to the left if its ends are pushed together. Under a force it stays
         straight if it can.
     mode : int
@@ -188,7 +190,8 @@ def bend(
     require_flag(settle, "settle")
     if elements:
         _refuse_pins_out_of_reach(elements, system)
-        return _bent_on_elements(requested, rod, system, guess, settle=settle)
+        arched = _arched(elements, rod, side) if guess is None else guess
+        return _bent_on_elements(requested, rod, system, arched, settle=settle)
     state = state_of(rod, system) if guess is None else _guess_state(guess, system)
     rest, at = _rest_or_snapped_state(reach(state, side, mode), settle=settle)
     return replace(rest.rod(requested), warnings=_warnings(rest, at))
@@ -301,18 +304,28 @@ def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSyste
             )  # fmt: skip
 
 
-def _refuse_straight(elements: Sequence[ElementForce], state: RodState) -> None:
-    """Refuse a straight strip whose cord becomes shorter, because the strip may bend to either side."""
-    shape = shape_of(state)
-    shorter = any(
-        isinstance(action.element, Tie) and violation(action, shape) > MEETS_SHARE * shape.length
-        for action in elements
-    )
-    if shorter and is_straight(state):
+def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> FloatArray | None:
+    """Return edge angles of an arc under a cord that becomes shorter, or None if the rod is not straight.
+
+    The rod may bend to either side, so `side` must be given.
+    """
+    shape, angles = ShapeOfRod.of(rod), rod.discrete.angles
+    shorter = [
+        action for action in elements
+        if isinstance(action.element, Tie) and violation(action, shape) > MEETS_SHARE * shape.length
+    ]  # fmt: skip
+    if not shorter or np.ptp(angles) > STRAIGHT_RAD:
+        return None
+    if side is None:
         raise InputError(
-            "The strip is straight, so a shorter cord could bend it to either side. First bend the strip by moving "
-            "its ends closer, then shorten the cord of the bent strip."
+            "The strip is straight, so a shorter cord could bend it to either side. Set {field} to the side to "
+            "which it bulges.",
+            field=FieldName("side"),
         )
+    start, end = np.sort(shorter[0].s)
+    half = float(np.sqrt(6 * (1 - shorter[0].mounting.length / (end - start))))  # sin(x) / x = 1 - x^2 / 6
+    s = (np.arange(angles.size) + 0.5) * shape.edge_length
+    return np.asarray(angles + side * half * (1 - 2 * np.clip((s - start) / (end - start), 0.0, 1.0)))
 
 
 ROUNDS = 12
@@ -347,7 +360,6 @@ def _bent_on_elements(
             state = _guess_state(guess, system)
         else:
             state = state_of(present, system)
-            _refuse_straight(elements, state)
         # after a change of the set, the branch may end at a fold nearby, which a long step would miss
         turn = LARGEST_TURN_RAD if last is None else SMALL_TURN_RAD
         reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, load=load)

@@ -116,7 +116,7 @@ def test_the_rows_on_a_mass_in_kilograms_without_elements(desk):
 
 def test_the_examples_in_the_help_keep_their_lines():
     lines = run("bend --help").stdout.splitlines()
-    assert sum(line.startswith("    elastica bend ") for line in lines) == 6
+    assert sum(line.startswith("    elastica bend ") for line in lines) == 7
 
 
 def test_a_strip_without_its_elements_snaps(desk):
@@ -146,3 +146,18 @@ def test_loads_need_the_size_of_a_strip(desk):
     ec.write_curves([ec.PlaneCurve.spline([(0, 0), (50, 60), (100, 0)], degree=2)], desk / "arch.dxf")
     made = run("bend arch.dxf --point-force 50 0 -1", cwd=desk, code=2)
     assert "Add --sheet and --max-width" in made.stderr
+
+
+def test_a_cord_on_a_straight_batten(tmp_path):
+    line = "bend --straight 1200 --sheet gfrp-2 --max-width 30 --tie 240 960 --shorten 100 --json -o ."
+    refused = run(line, cwd=tmp_path, code=2)
+    assert "Set --side to the side to which it bulges." in refused.stderr
+    made = json.loads(run(f"{line} --side left", cwd=tmp_path).stdout)
+    (shape,) = made["shapes"]
+    assert shape["stable"]
+    assert np.hypot(*shape["between"][0]["force"][0]) == pytest.approx(7.37, abs=0.01)
+
+
+def test_a_place_in_percent_is_refused(desk):
+    refused = run(f"strip wave.dxf --sheet {SHEET} --tie 20% 80%", cwd=desk, code=2)
+    assert "'20%' is a percentage. Give the distance from the start of the curve, in mm." in refused.stderr

@@ -188,7 +188,20 @@ def test_a_pin_out_of_reach_is_refused():
         ec.bend(rod, between=ec.Pin(tuple(205 * point / np.hypot(*point))))
 
 
-def test_a_straight_strip_under_a_shorter_cord_is_refused():
+def test_a_straight_strip_under_a_shorter_cord_needs_a_side():
     slides = ec.Supports("pinned", ec.End(x=False, angle=False))
-    with pytest.raises(InputError, match="could bend it to either side"):
+    with pytest.raises(InputError, match=r"could bend it to either side. Set side to the side"):
         ec.bend(ec.Rod.straight(300.0, samples=101, supports=slides), between=ec.Tie(0, 300, length=280))
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize("share", [0.99, 0.8, 0.4])
+def test_a_batten_tied_inside_becomes_the_inflectional_elastica(side, share):
+    """In elliptic integrals: chord over length 2 E / K - 1, pull 4 K^2 E I / L^2, end angle 2 asin(k)."""
+    m = brentq(lambda m: 2 * ellipe(m) / ellipk(m) - 1 - share, 1e-9, 0.99)
+    free, flat = ec.Supports("free", "free"), ec.Rod.straight(1200.0, samples=601)
+    rod = ec.bend(flat, between=ec.Tie(240, 960, length=720 * share), supports=free, side=side)
+    assert rod.between[0].size * 720**2 == pytest.approx(4 * ellipk(m) ** 2, rel=1e-4)
+    assert rod.angle[0] == pytest.approx(side * 2 * np.arcsin(np.sqrt(m)), rel=1e-3)
+    assert np.abs(rod.moment[rod.s < 237]).max() < 1e-9
+    assert ec.stability(rod).stable
