@@ -72,7 +72,7 @@ def main():
     both.paste(frames[0])
     both.paste(frames[-1], (0, film[0].height))
     colours = both.quantize(
-        256, Image.Quantize.MAXCOVERAGE
+        256, Image.Quantize.MAXCOVERAGE, kmeans=4
     )  # of the strip that can be made and of the refused one
     film = [picture.quantize(palette=colours, dither=Image.Dither.NONE) for picture in film]
     film[0].save(

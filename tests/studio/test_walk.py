@@ -229,7 +229,7 @@ def test_a_file_is_dropped_on_the_drawing(server, tmp_path, kind):
     with chromium(tmp_path) as studio:
         studio.open(server.address)
         studio.drop(tmp_path / f"arch.{kind}")
-        studio.until(lambda: studio.verdict().startswith("It can be made"))
+        studio.until(lambda: studio.all(".yes, .care"))
         (left, bottom), (right, top) = curve.bounds
         read = studio.text(".numbers dd:nth-of-type(1)")
         assert read.startswith(f"{right - left:.1f} x {top - bottom:.1f} mm (mm, ")
