@@ -79,7 +79,8 @@ class StripOptions(TypedDict, total=False):
     ]
     ignore_limits: Annotated["bool", "Make a strip even if it cannot be cut or handled, with a warning."]
     tolerance: Annotated[
-        "MakingTolerance", "Errors of sheet, cut and clamps, for the expected accuracy of the strip."
+        "MakingTolerance",
+        "Assumed errors of sheet, cut and clamps. The expected accuracy of the strip is computed from them.",
     ]
 
 

@@ -44,7 +44,7 @@ At smaller angles, slots would be over four plate thicknesses wide.
 """
 
 LEAST_OPENING_FRACTION = 0.4
-"""Least radius of the opening of a round plate, as a fraction of the plate's radius."""
+"""Least radius of the opening of a round plate, as a fraction of the radius of the plate."""
 
 LABEL_MM = 4.0
 """Height of engraved names, mm, if the plate is large enough."""

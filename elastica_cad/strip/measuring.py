@@ -22,7 +22,6 @@ Lengths are in mm and angles in degrees. Heights are measured from the line betw
 to it."""
 
 UNITS = dict.fromkeys(LENGTHS, "mm") | dict.fromkeys(ANGLES, "degrees")
-"""Unit of each measured quantity."""
 
 SKETCHED = 60
 """Approximate number of points of the curve in `Measuring.shape`."""
@@ -237,7 +236,10 @@ class Measuring:
         ]
 
     def _mirrors(self, amount: float, change: Mapping[str, float]) -> bool:
-        """Return True if a height changes by more than the largest height. Ends that move cannot mirror a strip."""
+        """Return True if a height changes by more than the largest height.
+
+        Ends that move cannot mirror a strip.
+        """
         heights = [name for name in self.expected if name.startswith("height")]
         largest = max((abs(self.expected[name]) for name in heights), default=0.0)
         return any(amount * abs(change[name]) > largest for name in heights)
@@ -257,8 +259,8 @@ def row_label(name: str) -> str:
 def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
     """Return the values to be measured on a shape with evenly spaced nodes (n, 2), mm.
 
-    Heights are positive on the side of the chord on which the largest height of the design is, so that the shape
-    of an S keeps its signs if it changes a little.
+    Heights are positive on the side of the chord with the largest height of the design, so that they keep
+    their sign in small changes of an S.
     """
     chord = position[-1] - position[0]
     length = float(np.hypot(*chord))

@@ -521,7 +521,10 @@ class StripSpec(EqualByValue):
     ] = False
     tolerance: Annotated[
         MakingTolerance,
-        Option("Errors of sheet, cut and clamps, for the expected accuracy of the strip.", group="sheet"),
+        Option(
+            "Assumed errors of sheet, cut and clamps. The expected accuracy of the strip is computed from them.",
+            group="sheet",
+        ),
     ] = USUAL_TOLERANCE
 
     def __post_init__(self) -> None:
