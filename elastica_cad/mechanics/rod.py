@@ -259,7 +259,9 @@ def has_even_edges(s: FloatArray, position: FloatArray) -> bool:
     return bool(np.all(np.abs(np.hypot(*np.diff(position, axis=0).T) - h) <= EVEN_EDGES * h))
 
 
-def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> PlaneCurve:
+def integrate_edges(
+    s: FloatArray, position: FloatArray, angle: FloatArray, bent: tuple[float, float] | None = None
+) -> PlaneCurve:
     """Return the spline, with arc length as its parameter, that follows the edges of a discrete rod.
 
     The edges of a discrete rod (paper, section 7.1) are tangents of a smooth curve at their midpoints. A curve of
@@ -276,6 +278,9 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
         Nodes, mm; each edge between two nodes is as long as the difference of their arc lengths.
     angle : (n,) array
         Angles at the nodes, rad; the result has exactly the first and the last angle.
+    bent : (float, float), optional
+        Arc lengths, mm, between which the rod is bent, by default its ends. Beyond them the result is straight, and
+        the held positions and angles of these free ends are not matched.
 
     Returns
     -------
@@ -297,29 +302,49 @@ def integrate_edges(s: FloatArray, position: FloatArray, angle: FloatArray) -> P
     if edge.size == 1:
         knots = np.repeat(s, DEGREE + 1)
         return PlaneCurve(knots, np.linspace(position[0], position[1], DEGREE + 1), DEGREE)
-    degree = min(DEGREE, edge.size - 1)
-    through = spline_through((s[:-1] + s[1:]) / 2, edge, degree)
-    length, ends = float(s[-1]), s[[0, -1]]
+    length, ends, middles = float(s[-1]), s[[0, -1]], (s[:-1] + s[1:]) / 2
+    low, high = (0.0, length) if bent is None else bent
+    held = np.array([low <= 0.0, high >= length])
+    if not held.all():
+        # the forces at the joints are spread over the nearest edges
+        inside = (middles > low + s[1] * (not held[0])) & (middles < high - s[1] * (not held[1]))
+        middles, edge = middles[inside], edge[inside]
+        # the curvature is 0 at a joint, so the angle is continued symmetrically
+        first, last = (slice(_MIRRORED * (not is_held)) for is_held in held)
+        middles = np.concatenate([2 * low - middles[first][::-1], middles, 2 * high - middles[::-1][last]])
+        edge = np.concatenate([edge[first][::-1], edge, edge[::-1][last]])
+    through = spline_through(middles, edge, min(DEGREE, edge.size - 1))
     x, weight = gauss_rule(6)
     places = (s[:-1, None] + s[1] * (1 + x) / 2).ravel()
     weight, turns, end_turns = (
         np.tile(s[1] / 2 * weight, s.size - 1),
-        _angle_corrections(places / length),
-        _angle_corrections(ends / length),
+        _angle_corrections(places.clip(low, high) / length),
+        _angle_corrections(ends / length)[held],
     )
-    c = np.zeros(turns.shape[1])
+    places = places.clip(low, high)
+    c, gap = np.zeros(turns.shape[1]), np.zeros(2)
     for _ in range(NEWTON_STEPS):
         T = tangents(through(places) + turns @ c)
         gap = position[-1] - position[0] - weight @ T
-        rows = np.concatenate([end_turns, (weight[:, None] * left_of(T)).T @ turns / length])
-        missed = np.concatenate([angle[[0, -1]] - through(ends) - end_turns @ c, gap / length])
-        c += np.linalg.lstsq(rows, missed, rcond=1e-13)[0]
+        rows, missed = [end_turns], [angle[[0, -1]][held] - through(ends[held]) - end_turns @ c]
+        if held.all():
+            rows.append((weight[:, None] * left_of(T)).T @ turns / length)
+            missed.append(gap / length)
+        c += np.linalg.lstsq(np.concatenate(rows), np.concatenate(missed), rcond=1e-13)[0]
     return integrate_tangents(
-        lambda at: tangents(through(at) + _angle_corrections(at / length) @ c),
+        lambda at: tangents(
+            through(at.clip(low, high)) + _angle_corrections(at.clip(low, high) / length) @ c
+        ),
         length,
-        position[0],
+        position[0] + gap * (held[1] and not held[0]),
         tolerance=TANGENT_RAD,
+        breaks=[(joint, 1) for joint in (low, high) if 0.0 < joint < length],
     )
+
+
+_MIRRORED = 8  # number of edges that are mirrored at a joint
+
+_SHORTEST_BENT = 24  # number of edges of the shortest bent part between straight free ends
 
 
 def _angle_corrections(x: FloatArray) -> FloatArray:
@@ -747,14 +772,25 @@ class Rod:
         if self.compression is not None:
             return self._stretched_curve()
         if has_even_edges(self.s, self.position):
-            return integrate_edges(self.s, self.position, self.angle)
+            return integrate_edges(self.s, self.position, self.angle, self._bent_part)
         return PlaneCurve(*fit_spline(self.position, 5, 1e-6 * self.length), 5)
+
+    @property
+    def _bent_part(self) -> tuple[float, float] | None:
+        """Arc lengths, mm, between which forces bend the rod; beyond them its free ends are straight."""
+        places = [float(s) for action in self.acting for s in action.s]
+        free = [not (end.x or end.y or end.angle) for end in self.supports.ends]
+        if self.gravity is not None or np.any(self.natural_curvature) or not places or not any(free):
+            return None
+        low, high = min(places) * free[0], max(places) if free[1] else self.length
+        edge = self.length / (self.s.size - 1)
+        return (low, high) if high - low > _SHORTEST_BENT * edge else None
 
     def _stretched_curve(self) -> PlaneCurve:
         """Return the spline of an axially elastic rod, of which each part has the mean strain."""
         start = self.position[0]
         stretch = np.hypot(*np.diff(self.position, axis=0).T).sum() / self.length
-        even = integrate_edges(self.s, start + (self.position - start) / stretch, self.angle)
+        even = integrate_edges(self.s, start + (self.position - start) / stretch, self.angle, self._bent_part)
         return replace(even, control_points=start + (even.control_points - start) * stretch)
 
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":

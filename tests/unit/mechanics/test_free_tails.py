@@ -137,3 +137,26 @@ def test_a_bend_that_jumps_at_the_tie_is_refused():
     tail = float(np.hypot(120, 180))
     with pytest.raises(ec.NotRealizable, match=r"The strip carries no moment at 216.* it jumps to -0.00"):
         ec.optimal_rod(curve, supports=FREE, between=ec.Tie(tail, curve.length))
+
+
+@pytest.mark.parametrize("samples", [201, 601])
+def test_a_bent_batten_that_is_written_and_read_needs_one_width(samples, tmp_path):
+    flat = ec.Rod.straight(1200.0, samples=samples)
+    bent = ec.bend(flat, between=ec.Tie(243, 955, length=600), supports=FREE, side=1)
+    ec.write_curves([bent.curve], tmp_path / "bent.json")
+    (curve,) = ec.read_curves(tmp_path / "bent.json")
+    assert np.hypot(*(curve.at(bent.s).position - bent.position).T).max() < 1e-5 * curve.length
+    rod = ec.optimal_rod(curve, supports=FREE, between=ec.Tie(243, 955))
+    assert rod.ratio < 1.001
+    assert rod.between[0].size == pytest.approx(bent.between[0].size, rel=1e-3)
+
+
+@pytest.mark.parametrize("ends", [("clamped", "free"), ("free", "clamped")])
+def test_the_spline_of_a_bent_batten_matches_its_clamped_end(ends):
+    flat = ec.Rod.straight(1200.0, samples=401, supports=ec.Supports(*ends))
+    rod = ec.bend(flat, between=ec.Tie(300, 955, length=600), side=1)
+    held = ends.index("clamped")
+    samples = rod.curve.at(rod.s)
+    assert samples.position[-held] == pytest.approx(rod.position[-held], abs=1e-9)
+    assert samples.angle[-held] == pytest.approx(rod.angle[-held], abs=1e-12)
+    assert np.hypot(*(samples.position - rod.position).T).max() < 2e-6 * rod.length
