@@ -48,6 +48,7 @@ from elastica_cad.mechanics.newton_continuation import (
     STRAIGHT_RAD,
     Reached,
     Stop,
+    between_loads,
     follow,
     is_balanced,
     is_straight,
@@ -193,7 +194,8 @@ def bend(
         arched = _arched(elements, rod, side) if guess is None else guess
         return _bent_on_elements(requested, rod, system, arched, settle=settle)
     state = state_of(rod, system) if guess is None else _guess_state(guess, system)
-    rest, at = _rest_or_snapped_state(reach(state, side, mode), settle=settle)
+    before = None if guess is not None else _under_present_loads(rod, system)
+    rest, at = _rest_or_snapped_state(reach(state, side, mode, before=before), settle=settle)
     return replace(rest.rod(requested), warnings=_warnings(rest, at))
 
 
@@ -346,7 +348,7 @@ def _bent_on_elements(
     state, snaps_at, last, remaining = None, None, None, 1.0
     # distances that slack elements still have to move to their final positions and lengths
     ahead = np.zeros(len(elements))
-    load = system.load if guess is not None else _present_load(present)
+    before = system if guess is not None else _under_present_loads(present, system)
 
     def changed_set(state: RodState, fraction: float) -> list[bool] | None:
         return _changed_taut_set(elements, taut, state, (1 - fraction) * ahead)
@@ -362,7 +364,7 @@ def _bent_on_elements(
             state = state_of(present, system)
         # after a change of the set, the branch may end at a fold nearby, which a long step would miss
         turn = LARGEST_TURN_RAD if last is None else SMALL_TURN_RAD
-        reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, load=load)
+        reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, before=before)
         state = reached.state
         changed = None if reached.arrived else changed_set(state, reached.fraction)
         # if the strip lifts off and returns at once, it is unstable without the element, so it snaps away
@@ -379,10 +381,10 @@ def _bent_on_elements(
             )
         remaining *= 1 - reached.fraction
         ahead *= 1 - reached.fraction
-        load = load + reached.fraction * (system.load - load)
+        before = between_loads(before, system, reached.fraction)
         shape = shape_of(state)
-        for i, (before, after) in enumerate(zip(taut, changed, strict=True)):
-            if before and not after:
+        for i, (was_taut, is_taut) in enumerate(zip(taut, changed, strict=True)):
+            if was_taut and not is_taut:
                 ahead[i] = violation(elements[i], shape)
         elements, taut, last = list(_with_present_forces(elements, taut, state)), changed, taut
     raise NotConvergedError(
@@ -629,12 +631,23 @@ def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, f
 
 def state_of(rod: Rod, system: RodSystem) -> RodState:
     """Return the present shape of a rod as a state of `system`, from which a continuation starts."""
+    # start from the reactions to the present loads, because the loads then change along the path
+    present = _under_present_loads(rod, system)
     if system.elements is not None:
-        # start from the reactions to the present loads, because the loads then change along the path
-        present = replace(system, load=_present_load(rod))
         return _with_reactions(present.state(rod.discrete.angles)).under(system)
-    extra = (rod.discrete.force - system.given_force).mean(axis=0)
+    extra = (rod.discrete.force - present.given_force).mean(axis=0)
     return system.state(rod.discrete.angles, extra[list(system.held)])
+
+
+def _under_present_loads(rod: Rod, system: RodSystem) -> RodSystem:
+    """Return the system under the present loads of a rod. The reactions of released supports are loads of it."""
+    released = replace(rod, supports=system.supports)
+    return replace(
+        system,
+        load=_present_load(rod),
+        force=_end_force(None, system.supports, released),
+        moments=_end_moments(None, system.supports, released),
+    )
 
 
 def _present_load(rod: Rod) -> FloatArray:
@@ -648,7 +661,7 @@ def reach(
     stop: Stop | None = None,
     *,
     turn: float = LARGEST_TURN_RAD,
-    load: FloatArray | None = None,
+    before: RodSystem | None = None,
 ) -> Reached:
     """Continue from `state` to an equilibrium; leave a straight state if it must bend or `side` is given.
 
@@ -672,7 +685,7 @@ def reach(
         reached = follow(bent.under(system))
         # ends that are only a little closer than the length compress the rod, but do not bend it
         return reached if reached.arrived else follow(state)
-    return leave_straight(state, side, mode) if straight else follow(state, stop, turn=turn, load=load)
+    return leave_straight(state, side, mode) if straight else follow(state, stop, turn=turn, before=before)
 
 
 def _guess_state(guess: "Rod | ArrayLike", system: RodSystem) -> RodState:

@@ -121,12 +121,27 @@ def correct(
     return None
 
 
+LOADS = ("load", "force", "moments")
+"""Fields of a RodSystem with the loads of its nodes and ends."""
+
+
+def between_loads(first: RodSystem, last: RodSystem, part: float) -> RodSystem:
+    """Return the system `last` under the loads of `first` plus a part of their change."""
+    return replace(
+        last,
+        **{
+            name: getattr(last, name) - (1 - part) * (getattr(last, name) - getattr(first, name))
+            for name in LOADS
+        },
+    )
+
+
 def follow(
     state: RodState,
     stop: Stop | None = None,
     *,
     turn: float = LARGEST_TURN_RAD,
-    load: FloatArray | None = None,
+    before: RodSystem | None = None,
 ) -> Reached:
     """Continue from a state to an equilibrium: its imbalance, an artificial load, is reduced to zero in steps.
 
@@ -138,18 +153,20 @@ def follow(
     ----------
     turn : float
         Largest rotation of an edge in a step, rad.
-    load : (n+1, 2) array, optional
-        Load of the nodes at the start, 1/mm2. It changes linearly, so that the states on the way are rest shapes
+    before : RodSystem, optional
+        System with the loads at the start. The loads change linearly, so that the states on the way are rest shapes
         under a fraction of the change.
     """
     if is_balanced(state):
         return Reached(_polish(state), 1.0, 0)
     final = state.system
-    change = None if load is None or np.array_equal(load, final.load) else final.load - load
+    changes = before is not None and any(
+        not np.array_equal(getattr(before, name), getattr(final, name)) for name in LOADS
+    )
 
     def loaded(t: float) -> RodSystem:
         # with the same system, states keep what they have computed
-        return final if change is None else replace(final, load=final.load - (1 - t) * change)
+        return between_loads(before, final, t) if before is not None and changes else final
 
     start = state.under(loaded(0.0)).residual
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from elastica_cad import (
+    End,
     Gravity,
     InputError,
     NotConvergedError,
@@ -16,6 +17,7 @@ from elastica_cad import (
     stability,
 )
 from elastica_cad.mechanics import PolynomialLaw, bend_path
+from elastica_cad.mechanics.bending import snap_percent
 
 pytestmark = pytest.mark.core
 
@@ -259,3 +261,12 @@ def test_no_rest_shape_says_so():
     """A slack of 1e-9 of the length drowns in rounding: no shape is made up."""
     with pytest.raises(NotConvergedError, match="no rest shape was found"):
         bend(Rod.straight(1.0, samples=201), end=(1 - 1e-9, 0.0))
+
+
+def test_the_force_at_a_snap_does_not_depend_on_the_end_of_the_path():
+    """An arch whose end slides across snaps at 15.659 E I / L^2, as in steps of 0.01."""
+    arch = bend(Rod.straight(100.0, samples=201), end=(95, 0), side=1)
+    slides = Supports(end=End(x=True, y=False, angle=True))
+    pushed = [bend(arch, supports=slides, force=(0, -size / 1e4)) for size in (16, 20, 40)]
+    forces = [size * snap_percent(rod) / 100 for size, rod in zip((16, 20, 40), pushed, strict=True)]
+    assert forces == pytest.approx([15.659] * 3, rel=1e-3)
