@@ -193,8 +193,8 @@ def bend(
         _refuse_pins_out_of_reach(elements, system)
         arched = _arched(elements, rod, side) if guess is None else guess
         return _bent_on_elements(requested, rod, system, arched, settle=settle)
-    state = state_of(rod, system) if guess is None else _guess_state(guess, system)
     before = None if guess is not None else _under_present_loads(rod, system)
+    state = state_of(rod, system, before) if guess is None else _guess_state(guess, system)
     rest, at = _rest_or_snapped_state(reach(state, side, mode, before=before), settle=settle)
     return replace(rest.rod(requested), warnings=_warnings(rest, at))
 
@@ -361,7 +361,7 @@ def _bent_on_elements(
         elif guess is not None:
             state = _guess_state(guess, system)
         else:
-            state = state_of(present, system)
+            state = state_of(present, system, before)
         # after a change of the set, the branch may end at a fold nearby, which a long step would miss
         turn = LARGEST_TURN_RAD if last is None else SMALL_TURN_RAD
         reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, before=before)
@@ -629,10 +629,10 @@ def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, f
     return times * loads.force, (first, last)
 
 
-def state_of(rod: Rod, system: RodSystem) -> RodState:
+def state_of(rod: Rod, system: RodSystem, before: RodSystem | None = None) -> RodState:
     """Return the present shape of a rod as a state of `system`, from which a continuation starts."""
     # start from the reactions to the present loads, because the loads then change along the path
-    present = _under_present_loads(rod, system)
+    present = between_loads(before or _under_present_loads(rod, system), system, 0.0)
     if system.elements is not None:
         return _with_reactions(present.state(rod.discrete.angles)).under(system)
     extra = (rod.discrete.force - present.given_force).mean(axis=0)

@@ -2,12 +2,14 @@
 
 from collections.abc import Iterator
 from contextlib import suppress
+from dataclasses import replace
 
 import numpy as np
 
-from elastica_cad.errors import NotConvergedError
+from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
+from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.elements import ElementForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, violation
 from elastica_cad.mechanics.mounting_errors import displacements_per_mm
@@ -59,7 +61,7 @@ def strip_rows(
         rows += [
             Row(note("Stability"), LATER),
             hold_row(strip),
-            *between_rows(strip.rod, strip.bending_stiffness),
+            *between_rows(strip.rod, strip.bending_stiffness, _compressed(strip)),
         ]
         rows += [Row(note("Accuracy"), LATER)]
     else:
@@ -67,7 +69,7 @@ def strip_rows(
         rows += [
             stability_row(strip, verdict),
             hold_row(strip),
-            *between_rows(strip.rod, strip.bending_stiffness),
+            *between_rows(strip.rod, strip.bending_stiffness, _compressed(strip)),
             *_mounting_rows(strip),
         ]
         with suppress(NotConvergedError):
@@ -193,8 +195,29 @@ def hold_row(strip: Strip) -> Row:
     return Row(note("Hold"), load, (details,))
 
 
-def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
-    """Yield a row on the forces of rails, pins and ties, if there are any. `bending_stiffness` is in N mm2."""
+def _compressed(strip: Strip) -> Rod | None:
+    """Return the rest shape of the cut strip with the compression along its length, which the design neglects.
+
+    Return None for a strip without elements, and if there is no such shape.
+    """
+    rod = strip.rod_to_bend
+    if not rod.between or rod.compression is None:
+        return None
+    cut = replace(rod.compression, pull=np.zeros_like(rod.compression.pull))
+    with suppress(InputError, NotConvergedError):
+        return bend(replace(rod, compression=cut))
+    return None
+
+
+CHANGE_SHARE = 0.05
+"""Change of the force of an element by the compression along the strip that is reported, as a fraction."""
+
+
+def between_rows(rod: Rod, bending_stiffness: float, compressed: Rod | None = None) -> Iterator[Row]:
+    """Yield a row on the forces of rails, pins and ties, if there are any. `bending_stiffness` is in N mm2.
+
+    `compressed` is the shape with the compression along the strip, if `rod` is a design, which neglects it.
+    """
     if not rod.between:
         return
     largest = float(np.hypot(*rod.force.T).max())
@@ -204,6 +227,13 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
         )
         for action in rod.between
     ]
+    if compressed is not None:
+        for k, (action, other) in enumerate(zip(rod.between, compressed.between, strict=True)):
+            if abs(other.size - action.size) > CHANGE_SHARE * action.size:
+                texts[k] = note(
+                    "{text} ({force:.2g} N with the compression along the strip, which the design neglects)",
+                    text=texts[k], force=bending_stiffness * other.size,
+                )  # fmt: skip
     details = note(
         "Left and right are seen along the strip from its start; a bar that pushes to the left is on the right. "
         "Angles are from the x axis of the drawing."

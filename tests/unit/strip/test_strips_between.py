@@ -142,3 +142,13 @@ def test_the_report_has_the_displacement_by_errors_in_mounting():
         f"200 mm, {tie / 2:.2g} mm because of the tie from 40 mm to 310 mm"
     )
     assert "Mounting" not in {row.label for row in strip_rows(strip, quick=True)}
+
+
+def test_the_row_has_the_force_with_compression_if_the_design_differs():
+    """A shallow arch of 3 mm pushes more on its rail than designed; one of 0.2 mm does not."""
+    arch = ec.PlaneCurve.spline([(0, 0), (100, 24), (200, 30), (300, 24), (400, 0)])
+    for thickness, differs in ((3.0, True), (0.2, False)):
+        sheet = ec.Sheet("own", thickness, 9000.0, 700.0, max_strain=0.02)
+        strip = ec.make_strip(arch, sheet, max_width=40, between=ec.Rail(200))
+        (row,) = (row for row in strip_rows(strip) if row.label == "Between")
+        assert ("with the compression along the strip, which the design neglects" in row.text) == differs
