@@ -97,7 +97,7 @@ def test_the_file_outweighs_the_address_of_a_tab_unless_the_user_says_so(path, t
             studio.browser.switch_to.new_window("tab")
             studio.open(f"{server.address}#{fragment}")
             assert shown(studio) == 21
-            assert "another design than the file" in studio.text(".said")
+            assert "differs from the file" in studio.text(".said")
             save(studio, lambda: "Saved" in studio.text(".said"))
             assert "by hand" in path.read_text()
 
@@ -111,7 +111,7 @@ def test_the_file_outweighs_the_address_of_a_tab_unless_the_user_says_so(path, t
             change(studio, 36)
             time.sleep(1)  # the address follows once the page rests
             studio.browser.refresh()
-            studio.until(lambda: "another design than the file" in studio.text(".said"))
+            studio.until(lambda: "differs from the file" in studio.text(".said"))
             assert shown(studio) == 21
             studio.click("Use it", ".said button")
             studio.until(lambda: shown(studio) == 36)
