@@ -82,6 +82,17 @@ class Listed(_Worded, tuple[Any, ...]):
     LAST = "{some} and {last}"
 
 
+def both_names(first: str, second: str) -> Listed | str:
+    """Return two names for a message. Parts of equal strips have equal names.
+
+    Examples
+    --------
+    >>> f"{both_names('A:1', 'B:1')}; {both_names('A:1', 'A:1')}"
+    'A:1 and B:1; two copies of A:1'
+    """
+    return Listed((first, second)) if first != second else note("two copies of {name}", name=first)
+
+
 class Either(Listed):
     """Alternative sentences or numbers, joined by "or".
 

@@ -242,7 +242,8 @@ def _names_by_number(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]
     names = {}
     for curve in curves:
         alone = counts[_file_word(curve.name).casefold()] == 1
-        has_name = re.match(r"_|[^\W\d]", curve.name) is not None
+        handle = curve.id and curve.name.endswith(f" {curve.id}")  # such as SPLINE 2F of a DXF file
+        has_name = not handle and re.match(r"_|[^\W\d]", curve.name) is not None
         text = (curve.name if alone else f"{curve.name}-{curve.number}") if has_name else ""
         names[curve.number] = text, has_name and alone
     return names

@@ -37,7 +37,7 @@ from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.theorem1 import outlier_message
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import is_reported
+from elastica_cad.refusals import Length, Listed, is_reported
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.makeable_strip import compensate_within
@@ -104,6 +104,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
     if chosen["save_design"] is not None:
         check_folder(chosen["save_design"].parent, [chosen["save_design"].name], force=chosen["force"])
     reports, solved, wrong, refused = [], list[RequestedCurve](), 0, 0
+    alike = dict[str, list[tuple[str, Row]]]()
     strict = table.get("files", {}).get("strict", False)
     for requested in curves:
         try:
@@ -122,7 +123,10 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
                 )
             process = ctx.find_object(DrawingProcess)
             written = kit.write(chosen["output"], force=chosen["force"], process=process)
-            _report(result, written, several=len(curves) > 1)
+            if len(curves) > 1 and not voice().verbose:
+                _report_briefly(result, written, alike)
+            else:
+                _report(result, written, several=len(curves) > 1)
             reports.append(kit.report)
             solved.append(requested)
             wrong += strict and not result.strip.strain_verdict.allowed
@@ -136,6 +140,11 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             called, message = requested.drawn.called, str(problem)
             warn(message if called in message else f"{called}: {message}", printed=refused <= MOST_REFUSALS)
     answer({"strips": reports})
+    for (label, row), *others in alike.values():
+        more = (
+            f" The same holds for {Listed(name for name, _ in others)}, with other numbers." if others else ""
+        )
+        say_row(replace(row, text=f"{label}: {row.text}{more}"))
     if len(curves) > 1 and not voice().verbose:
         say_row(Row("Files", f"{len(voice().files)} in {chosen['output']}"))
     if chosen["save_design"] is not None and solved:
@@ -217,18 +226,24 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
                 )
 
 
+def _report_briefly(
+    result: StripResult, written: Sequence[Path], alike: dict[str, list[tuple[str, Row]]]
+) -> None:
+    """Print the size of a strip and its distance from the drawn curve, and add its warnings to `alike`."""
+    strip, near = result.strip, result.near
+    voice().notes.extend(text for text in strip.warnings if not is_reported(text))
+    for row in strip_rows(strip, near, result.stability):
+        if row.stops:
+            alike.setdefault(getattr(row.text, "text", row.text), []).append((strip.label, row))
+    moved = "" if near is None else f"; at most {Length(near.deviation)} from the drawn curve"
+    say_row(Row(strip.label, f"{size_row(strip).text}{moved}"))
+    voice().files += map(str, written)
+
+
 def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> None:
-    """For several strips, print only the size and the warnings."""
     strip = result.strip
     rows = strip_rows(strip, result.near, result.stability)
     voice().notes.extend(text for text in strip.warnings if not is_reported(text))
-    if several and not voice().verbose:
-        for row in rows:
-            if row.stops:
-                say_row(replace(row, text=f"{strip.label}: {row.text}"))
-        say_row(Row(strip.label, size_row(strip).text))
-        voice().files += map(str, written)
-        return
     tabs = result.spec.tabs_message
     more = [pre_bend_message(strip), tabs]
     joined = [

@@ -17,7 +17,7 @@ import numpy as np
 from elastica_cad._toml import parse_toml
 from elastica_cad._values import several, value_key
 from elastica_cad.design.kit_spec import KitSpec
-from elastica_cad.design.model_tables import PATTERNS, DesignKeys, read_kit
+from elastica_cad.design.model_tables import HOLDERS, PATTERNS, DesignKeys, read_kit
 from elastica_cad.design.records import CurveReader, Reader, names_of
 from elastica_cad.design.strip_table import StripEntry, StripKeys, read_strip
 from elastica_cad.design.tables import Slips, Table, merged
@@ -36,6 +36,7 @@ from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.model.interlocking import interlock
 from elastica_cad.model.model import Model
 from elastica_cad.refusals import note
+from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.strip import Placed, Strip
 
 if TYPE_CHECKING:
@@ -256,14 +257,20 @@ def parse_design(path: Path) -> dict[str, Any]:
 
 
 def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
-    """Return the surface of revolution of a design, or None. Missing keys are taken from the design."""
+    """Return the surface of revolution of a design, or None. Missing keys are taken from the design.
+
+    Strips without holders have no tabs by default.
+    """
     if not top.has("revolution"):
         return None
     from elastica_cad.design.revolution_table import INHERITED, read_revolution
 
     table = top.table("revolution")
     table.defaults = Table({key: top.raw(key) for key in INHERITED if top.has(key)}, top.where, top.scope)
-    return read_revolution(table, reader)
+    revolution = read_revolution(table, reader)
+    if revolution.ends is None and revolution.rings is None and not any(map(top.has, HOLDERS)):
+        return replace(revolution, ends=(Tab(0.0), Tab(0.0)))
+    return revolution
 
 
 class _Sheets(dict[str, Sheet]):

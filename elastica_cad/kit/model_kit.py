@@ -24,6 +24,7 @@ from elastica_cad.model.cut_rows import CutList, Stock
 from elastica_cad.model.fixtures import EndFixture
 from elastica_cad.model.model import Model
 from elastica_cad.model.nesting import NestedSheet, Nesting, nest_pieces
+from elastica_cad.refusals import one_of_each
 from elastica_cad.strip.drawing import CUT_OUTER, SHEET, Drawing, LayeredPath
 from elastica_cad.strip.holding_template import holding_template
 from elastica_cad.strip.pieces import Piece, distinct, file_word
@@ -340,7 +341,7 @@ def _start_page(contents: KitContents, report: Mapping[str, Any]) -> str:
         else "Nothing is written on the parts: write the name of its file on each when they arrive.",
     ]
     files = {file: what for file, what in report["files"].items() if file != START_PAGE}
-    return compose_start_page(contents.model.name, lines, report["reports"], files)
+    return compose_start_page(contents.model.name, lines, [*one_of_each(report["reports"])], files)
 
 
 def _sawn(item: Stock) -> str:

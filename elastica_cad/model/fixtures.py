@@ -17,7 +17,7 @@ from elastica_cad.geometry.frame import Frame, frame_or_plain
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Arc, Segment
 from elastica_cad.mechanics.sheets import Color
-from elastica_cad.refusals import Length, Listed, Refusal, note
+from elastica_cad.refusals import Length, Refusal, both_names, note
 from elastica_cad.strip.lettering import centred_text, text_strokes
 from elastica_cad.strip.outline import ENDS, Hole, StripEnd, TSlot
 from elastica_cad.strip.solids import FlatSolid, PrismSolid, convex_corners
@@ -531,7 +531,7 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     parts = [[_Prism.of(solid) for solid in block.solid.added] for block in blocks]
     edges = [np.concatenate([part.edges for part in its]) for its in parts]
     pairs = [
-        Listed([blocks[i].tab.name, blocks[j].tab.name])
+        both_names(blocks[i].tab.name, blocks[j].tab.name)
         for i, j in combinations(range(len(blocks)), 2)
         if _is_inside_any(edges[i], parts[j]) or _is_inside_any(edges[j], parts[i])
     ]

@@ -128,10 +128,24 @@ def _openings_beside_bar(center: FloatArray, outer: float, hub: float, half: flo
     )
 
 
+def is_window(path: Path) -> bool:
+    """Return True if a loop is an opening beside a bridge, and not a round hole."""
+    return len(path.segments) > 1
+
+
+def no_bridge(name: str) -> str:
+    """Return the message that the bridge of a plate has no effect."""
+    return note(
+        "{name}: the bridge has no effect, because the plate has no opening or its holes fill the opening. "
+        "Leave out {field}, or make the holes smaller.",
+        name=name, field=FieldName("holes.bridge"),
+    )  # fmt: skip
+
+
 def hole_name(path: Path) -> str:
     """Return the name of a hole in messages."""
-    (arc, *others) = path.segments
-    if isinstance(arc, Arc) and not others:
+    arc = path.segments[0]
+    if isinstance(arc, Arc) and not is_window(path):
         return note("the hole of {diameter}", diameter=Length(2 * arc.radius))
     return note("the opening beside the bridge")
 

@@ -19,9 +19,9 @@ from elastica_cad.geometry.path_intersections import encloses, polylines_cross
 from elastica_cad.geometry.plane_points import box_about, boxes_about, boxes_meet
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import PlacedTab, require_ends, tabs_to_hold
-from elastica_cad.model.plate_holes import PlateHoles, hole_name, refuse_other_ends
+from elastica_cad.model.plate_holes import PlateHoles, hole_name, is_window, no_bridge, refuse_other_ends
 from elastica_cad.refusals import Length as Mm
-from elastica_cad.refusals import note
+from elastica_cad.refusals import both_names, note
 from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text, engravable, text_width
 from elastica_cad.strip.outline import ENDS, StripEnd
@@ -212,7 +212,13 @@ class BasePlate:
                 self.name, self.sheet, self.outline, self._inner_loops, options.shop, called, drilled
             ),
         )
-        return replace(self, warnings=accept_faults(faults, options.ignore_limits), options=options)
+        warnings = (*self._bridge_note(options.holes), *accept_faults(faults, options.ignore_limits))
+        return replace(self, warnings=warnings, options=options)
+
+    def _bridge_note(self, holes: PlateHoles | None) -> tuple[str, ...]:
+        if holes is None or not (holes.bridge and holes.is_in(self.name)):
+            return ()
+        return () if self.opening is not None or any(map(is_window, self.holes)) else (no_bridge(self.name),)
 
     @property
     def solid(self) -> FlatSolid:
@@ -257,9 +263,24 @@ class BasePlate:
         if others.size:
             labels = np.concatenate([boxes, boxes[:, ::-1] + height * off], axis=1)
             room = _least_distances(labels[:, None], others).min(axis=1).tolist()
+        cuts = [loop.points(FLAT_MM) for loop in self._inner[len(self.slots) :]]
+        room = [
+            min(free, *(_distance_to(cut, box, height * off) for cut in cuts)) if cuts else free
+            for free, box in zip(room, boxes, strict=True)
+        ]
         start = boxes[0 if room[0] > 0.2 * height or room[0] >= room[1] else 1][0]
         angle = float(np.arctan2(along[1], along[0]))
         return Text((float(start[0]), float(start[1])), name, height, angle, ENGRAVE)
+
+
+def _distance_to(loop: FloatArray, base: FloatArray, up: FloatArray) -> float:
+    """Return the distance, mm, between a hole (n, 2) and a text on the line `base` (2, 2), or a negative number
+    if they overlap.
+    """
+    low = base[0] + np.linspace(0.0, 1.0, 9)[:, None] * (base[1] - base[0])
+    points = np.concatenate([low, low + up])
+    far = float(np.linalg.norm(points[:, None] - loop, axis=2).min())
+    return -far if any(encloses(loop, point) for point in points) else far
 
 
 def base_plate(
@@ -419,11 +440,10 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
     for i, j in met[:1].tolist():
         x, y = (corners[i].mean(axis=0) + corners[j].mean(axis=0)) / 2
         raise InputError(
-            "{name}: the slots of {name_2} and {name_3} overlap near ({x:.1f}, {y:.1f}): give the strips "
+            "{name}: the slots of {tabs} overlap near ({x:.1f}, {y:.1f}): give the strips "
             "narrower tabs, or move the strips apart",
             name=name,
-            name_2=slots[j].name,
-            name_3=slots[i].name,
+            tabs=both_names(slots[j].name, slots[i].name),
             x=x,
             y=y,
         )

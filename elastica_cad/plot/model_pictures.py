@@ -130,8 +130,9 @@ def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[Flo
 
 
 def _loops_without_slots(holder: Plate) -> tuple[Path, ...]:
-    opening = None if isinstance(holder, Rib) else holder.opening
-    return (holder.outline, *(() if opening is None else (opening,)))
+    if isinstance(holder, Rib):
+        return (holder.outline,)
+    return (holder.outline, *(() if holder.opening is None else (holder.opening,)), *holder.holes)
 
 
 def _patches(
@@ -207,8 +208,8 @@ def model(
     """Draw the bent strips of a model in the colours of their sheets, viewed from two angles (degrees).
 
     Tabs, slots and holes of strips are drawn, but of a laminate only the base. `holders` are drawn in addition
-    to the plates of the model; slots of plates and holders are not drawn. `flat` is the number of different
-    flat parts that are drawn below at a common scale: the first, the last, and some between them.
+    to the plates of the model; slots of plates and holders are not drawn, holes are. `flat` is the number of
+    different flat parts that are drawn below at a common scale: the first, the last, and some between them.
     """
     require_model(model)
     if not (is_whole(flat) and flat >= 0):

@@ -15,7 +15,7 @@ from elastica_cad.geometry.path_intersections import anticlockwise
 from elastica_cad.geometry.plane_points import near_pairs, numbers_in_groups
 from elastica_cad.geometry.segments import Arc
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.refusals import FieldName, Length, Listed, Point, note, sentences
+from elastica_cad.refusals import FieldName, Length, Point, both_names, note, sentences
 from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.lamination import Laminated
 from elastica_cad.strip.layers import Layer
@@ -592,8 +592,7 @@ def _suggestions_for_necks(
     else:
         cure = note(
             (
-                "Make it wider ({field} = {width:g} or more), or use the nearest curve with a smaller stiffness "
-                "ratio"
+                "Make it {width:g} wide or wider ({field}), or use the nearest curve with a smaller stiffness ratio"
             ),
             field=field,
             width=Length(wider[0].value),
@@ -646,11 +645,12 @@ def _faults_at(
         more = note(" (and {rest} more places)", rest=rest) if k == MOST_LISTED - 1 and rest > 0 else ""
         at = (
             note("at {s} from the start of the curve", s=Length(place.x))
-            if abs(place.y) < 1e-9
+            if abs(place.y) < 1e-9 and place.x >= 0
             else note("at {place} of the flat part", place=Point((place.x, place.y)))
         )
         wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
-        between = Listed(dict.fromkeys(loops[k] for k in sorted(place.loops))) if loops else ()
+        one, other = sorted(place.loops)
+        between = () if not loops else loops[one] if one == other else both_names(loops[one], loops[other])
         what = note(
             "only {wide:g} between {loops} {at}{more} ({sheet} needs {needed:g})" if loops else
             "only {wide:g} wide {at}{more} ({sheet} needs {needed:g})",

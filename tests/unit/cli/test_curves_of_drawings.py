@@ -1,8 +1,10 @@
 """Drawings at the command line: which curve, through a pipe, made fair, and refused with the place as drawn."""
 
 import json
+import re
 import tomllib
 
+import ezdxf
 import numpy as np
 import pytest
 
@@ -227,3 +229,41 @@ def test_of_many_refusals_the_first_are_told_and_the_others_counted(tmp_path):
     assert len(told) <= 10
     assert told[-1].startswith("30 of 30 curves are not open and smooth; the first 7 are listed")
     assert len(run("check", path, "-v", code=2).stderr.splitlines()) > 30
+
+
+def test_strips_of_a_dxf_are_named_by_its_order_and_say_their_distances(tmp_path):
+    """CAD programs name shapes by their handles. A warning that holds for all strips is printed once."""
+    document = ezdxf.new(units=4)
+    for k in range(3):
+        fillet = [(0, 300 * k, 0), (150, 300 * k, np.tan((0.8 + 0.1 * k) / 4)), (260, 300 * k + 60, 0)]
+        document.modelspace().add_lwpolyline(fillet[1:], format="xyb")
+        document.modelspace().add_line(fillet[0][:2], fillet[1][:2])
+    points = [(0, 1000), (70, 1090), (150, 1100), (230, 1010), (320, 1000)]
+    for k in range(3):
+        document.modelspace().add_spline([(x, y + 300 * k, 0) for x, y in points])
+    document.saveas(tmp_path / "wall.dxf")
+    wishes = (
+        "--sheet",
+        "birch-plywood-0.8",
+        "--max-width",
+        30,
+        "--nearest",
+        "--ratio",
+        2,
+        "--no-pictures",
+        "--no-step",
+    )
+    design = tmp_path / "wall.toml"
+    done = run(
+        "strip", tmp_path / "wall.dxf", "--all", *wishes, "--save-design", design, "-o", tmp_path / "out"
+    )
+    saved = tomllib.loads(design.read_text())["strips"]
+    print(done.stdout, done.stderr)
+    assert [(one["label"], one["curve"]["number"]) for one in saved] == [
+        (f"wall-{k}", k) for k in range(1, 7)
+    ]
+    sizes = [line for line in done.stdout.splitlines() if line.startswith("wall-")]
+    assert len(sizes) == 6
+    assert all(re.search(r"; at most [\d.]+ mm from the drawn curve$", line) for line in sizes)
+    assert done.stderr.count("The curvature jumped") <= 1
+    lengths_of(design, tmp_path / "made")

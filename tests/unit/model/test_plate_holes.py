@@ -11,6 +11,7 @@ from elastica_cad.design import read_design
 from elastica_cad.geometry.segments import Arc
 from elastica_cad.model import PlateHoles, base_plate
 from elastica_cad.model.plate_pairs import end_plates
+from elastica_cad.plot.model_pictures import holder_patches
 from elastica_cad.strip import text_strokes
 
 POINTS = [(60, 0), (85, 40), (100, 90), (85, 140), (60, 180)]
@@ -143,3 +144,50 @@ def test_a_design_file_declares_the_holes(tmp_path):
     path.write_text(f"{DESIGN}[revolution.holes]\nbulbs = 40\n")
     with pytest.raises(InputError, match="bulbs"):
         read_design(path, ec.read_curves)
+
+
+def test_a_bridge_without_effect_is_reported(ribs):
+    wide = {"bulb": 70, "bridge": 30}
+    filled, plain = rings(ribs, side="top", **wide), rings(ribs, bulb=20, bridge=10)
+    text = "the bridge has no effect"
+    assert [[text in note for note in ring.warnings] for ring in filled] == [[], [True]]
+    assert [ring.warnings for ring in plain] == [(), ()]
+    arch = ec.make_strip(
+        ec.PlaneCurve.arc((0, -18), 60, 0.3, 2.8), "birch-plywood-0.8", max_width=20, ends=Tab(12)
+    )
+    base = base_plate(
+        [ec.Placed(arch, (0, 0, 0), (1, 0, 0), (0, 0, 1))], "mdf-3", holes=PlateHoles(bulb=10, bridge=5)
+    )
+    assert text in base.warnings[0]
+
+
+def test_the_names_of_tabs_are_beside_the_holes(ribs):
+    """A screw hole close inside the first slot: the name of its tab is outside the slot."""
+    slot = rings(ribs, bulb=40)[0].slots[0]
+    radius = float(np.hypot(*slot.corners.mean(axis=0)))
+    for screws in range(1, 9):
+        ring, _ = rings(ribs, screws=screws, circle=2 * radius - 14, screw=4.0, bulb=10)
+        for text in ring.drawing.texts:
+            letters = np.concatenate([stroke.points(0.2) for stroke in text_strokes(text)])
+            for hole in ring.holes:
+                arc = hole.segments[0]
+                assert np.linalg.norm(letters - arc.center, axis=1).min() > arc.radius
+
+
+def test_the_picture_of_a_model_has_the_holes_of_its_rings(ribs):
+    top, bottom = rings(ribs, bulb=40), rings(ribs, bulb=12)
+    areas = []
+    for plates in (top, bottom):
+        ((patches, _),) = holder_patches(plates[:1], 5.0)
+        level = patches[np.ptp(patches[:, :, 2], axis=1) < 1e-9]
+        diagonals = np.cross(level[:, 2] - level[:, 0], level[:, 3] - level[:, 1])
+        areas.append(float(np.abs(diagonals[:, 2]).sum()) / 4)  # of both faces
+    assert areas[1] - areas[0] == pytest.approx(np.pi * (20**2 - 6**2), rel=0.03)
+
+
+def test_gores_without_holders_have_no_tabs(tmp_path):
+    path = tmp_path / "globe.toml"
+    for rest, length in (("", 0.0), ("[fixtures]\n", 10.0)):
+        path.write_text(DESIGN.replace('rings = "mdf-3"\n', rest))
+        (strip,) = {id(strip): strip for strip in read_design(path, ec.read_curves).model().strips}.values()
+        assert {end.length > 0 for end in strip.ends} == {length > 0}
