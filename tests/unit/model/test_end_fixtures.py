@@ -256,7 +256,7 @@ def test_least_slot_width_and_height_of_the_plate(arch):
 
 def test_slots_that_meet_are_named(arch):
     close = standing(arch, 0.0, 0.03)
-    with pytest.raises(InputError, match=r"base: the slots of A:1 and A:1 overlap near \("):
+    with pytest.raises(InputError, match=r"base: the slots of two copies of A:1 overlap near \("):
         close.base_plate(MDF)
 
 
