@@ -263,7 +263,7 @@ class BasePlate:
         if others.size:
             labels = np.concatenate([boxes, boxes[:, ::-1] + height * off], axis=1)
             room = _least_distances(labels[:, None], others).min(axis=1).tolist()
-        cuts = [loop.points(FLAT_MM) for loop in self._inner[len(self.slots) :]]
+        cuts = [loop.points(FLAT_MM) for loop in self._inner_loops[len(self.slots) :]]
         room = [
             min(free, *(_distance_to(cut, box, height * off) for cut in cuts)) if cuts else free
             for free, box in zip(room, boxes, strict=True)
