@@ -521,7 +521,7 @@ def test_the_cut_list_has_the_printed_blocks(document, standing, tmp_path):
         assert [row["part"] for row in rows] == [f"fixture {end}" for end in ("A:1", "A:2", "B:1", "B:2")]
         assert {row["file"] for row in rows} == {"Model.step" if "step" in kinds else ""}
     for row, shape in zip(rows, blocks.Shape.Solids, strict=True):
-        assert float(row["thickness_mm"]) == pytest.approx(shape.BoundBox.ZLength, abs=0.006)
+        assert float(row["height_mm"]) == pytest.approx(shape.BoundBox.ZLength, abs=0.006)
         assert float(row["width_mm"]) == pytest.approx(shape.BoundBox.YLength, abs=0.006)
 
 
