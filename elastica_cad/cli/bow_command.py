@@ -22,6 +22,7 @@ from elastica_cad.cli.suggestions import suggest_later
 from elastica_cad.cli.voice import answer, say_row, say_table, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
+from elastica_cad.formats.json_curves import CURVES_SCHEMA, curve_record
 from elastica_cad.formats.write_files import File, write_files, write_json, write_text
 from elastica_cad.forming.limits import FAR_SHARE, Limits
 from elastica_cad.kit.kit import can_draw
@@ -234,9 +235,10 @@ def _write(
     chosen: dict[str, Any],
 ) -> tuple[Path, ...]:
     stem, strip = f"{name}-bow", result.strip
+    curves = {"schema": CURVES_SCHEMA, "units": "mm", "curves": [curve_record(strip.rod.curve)]}
     files = [
         File(f"{stem}.csv", lambda path: write_text(path, csv_text(table))),
-        File(f"{stem}.json", lambda path: write_json(path, report)),
+        File(f"{stem}.json", lambda path: write_json(path, curves | report)),
     ]
     rod = chosen["rod"]
     if rod is None or rod[0] < rod[1]:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from scipy.special import ellipk
 
-from elastica_cad import PlaneCurve, write_curves
+from elastica_cad import PlaneCurve, read_curves, write_curves
 from tests.command_line import run
 
 ARCH = [(0, 0), (60, 300), (400, 420), (740, 300), (800, 0)]
@@ -109,3 +109,13 @@ def test_a_bow_far_from_the_drawn_curve_is_a_warning(tmp_path):
 )
 def test_refusals_name_the_option(arch, words, message):
     assert message in run("bow", "arch.json", *words, cwd=arch, code=2).stderr
+
+
+def test_the_report_of_a_bow_is_read_as_its_curve(arch):
+    run("bow", "arch.json", *STRIP, "--min-width", "30", "-o", "out", cwd=arch)
+    (curve,) = read_curves(arch / "out" / "arch-bow.json")
+    assert curve.length == pytest.approx(
+        json.loads((arch / "out" / "arch-bow.json").read_text())["length_mm"]
+    )
+    done = run("bend", "out/arch-bow.json", *STRIP, "--to", 700, 0, "-o", "bent", cwd=arch)
+    assert "1 spline" in done.output
