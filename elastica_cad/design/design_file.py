@@ -360,12 +360,14 @@ def _with_copies_apart(entries: Sequence[StripEntry]) -> list[StripEntry]:
     ]
 
 
-def _require_labels(taken: Container[str], entries: Sequence[StripEntry], where: str) -> None:
+def _require_labels(used_labels: Container[str], entries: Sequence[StripEntry], where: str) -> None:
     """Refuse a label of two strips that are not copies of a part from the same table."""
     known = dict[str, StripEntry]()
     for entry in entries:
         first = known.setdefault(entry.label, entry)
-        if entry.label in taken or (first is not entry and _comparison_key(first) != _comparison_key(entry)):
+        if entry.label in used_labels or (
+            first is not entry and _comparison_key(first) != _comparison_key(entry)
+        ):
             raise InputError(
                 (
                     "{place}: two strips have the label {twice!r}. Give each strip a different label, with {{i}} "

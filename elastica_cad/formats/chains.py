@@ -100,8 +100,8 @@ def join_runs(
     long = [tuple(run) for run in runs if sum(e.size for e in run) > tolerance]
     if len(long) < 2:
         return JoinedRuns(long)
-    kept, overlaps = _without_overlaps(long, tolerance)
-    chains, _ = _joined_runs(kept, np.full(2 * len(kept), tolerance / 2), corners=corners)
+    distinct, overlaps = _without_overlaps(long, tolerance)
+    chains, _ = _joined_runs(distinct, np.full(2 * len(distinct), tolerance / 2), corners=corners)
     reach = np.maximum(_digits_of_ends(chains), tolerance / 2)
     chains, closed = _joined_runs(chains, reach, corners=corners)
     return JoinedRuns(chains, overlaps, closed, 2 * float(reach.max(initial=0.0)))
@@ -153,16 +153,16 @@ def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
     if not ended:
         return [*chains], [[] for _ in chains]
     circles: dict[int, list[Run]] = {}
-    taken = set()
+    hole_numbers = set()
     for i, circle in ((i, _circle(chain)) for i, chain in enumerate(chains)):
         if circle is None:
             continue
         for k in ended:
             if any(_is_on_edge(*circle, edge) for edge in (chains[k][0], chains[k][-1])):
                 circles.setdefault(k, []).append(chains[i])
-                taken.add(i)
-    kept = [i for i in range(len(chains)) if i not in taken]
-    return [chains[i] for i in kept], [circles.get(i, []) for i in kept]
+                hole_numbers.add(i)
+    curve_numbers = [i for i in range(len(chains)) if i not in hole_numbers]
+    return [chains[i] for i in curve_numbers], [circles.get(i, []) for i in curve_numbers]
 
 
 def _is_line(edge: Edge) -> bool:

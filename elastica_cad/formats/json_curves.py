@@ -55,8 +55,8 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
             curves_schema=CURVES_SCHEMA,
         )
     _require_schema(data)
-    given = data.get("units", "mm")
-    stated = str(given.get("length", "mm") if isinstance(given, dict) else given)
+    unit_name = data.get("units", "mm")
+    stated = str(unit_name.get("length", "mm") if isinstance(unit_name, dict) else unit_name)
     scale = look_up_unit(unit or stated)
     known = ReadUnit.requested(unit) if unit else ReadUnit(stated, "stated", "units")
     if "curve" in data:

@@ -150,19 +150,19 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
     """Return the rows with unquoted cells, the remarks, and the separator of cells (a blank by default)."""
     lines = text.splitlines()
     stated = _SEP.fullmatch(lines[0].strip(" ")) if lines else None
-    kept = [(n, line.strip(" ")) for n, line in enumerate(lines, 1) if not line.lstrip().startswith("#")]
-    kept = kept[1:] if stated else kept
+    numbered = [(n, line.strip(" ")) for n, line in enumerate(lines, 1) if not line.lstrip().startswith("#")]
+    numbered = numbered[1:] if stated else numbered
     if stated:
         separator = stated[1]
     else:
         outside = [
-            re.sub('"[^"]*"', "", line) for _, line in kept
+            re.sub('"[^"]*"', "", line) for _, line in numbered
         ]  # a separator within quotes does not count
         often = {sign: sum(sign in line for line in outside) for sign in _SEPARATORS}
         separator = max(often, key=lambda sign: often[sign]) if any(often.values()) else " "
     if separator == " ":
-        kept = [(n, re.sub(r"\s+(?=[\[(])", "", line.strip())) for n, line in kept]
-    reader = csv.reader((f"{line}\n" for _, line in kept), delimiter=separator, skipinitialspace=True)
+        numbered = [(n, re.sub(r"\s+(?=[\[(])", "", line.strip())) for n, line in numbered]
+    reader = csv.reader((f"{line}\n" for _, line in numbered), delimiter=separator, skipinitialspace=True)
     rows: list[Row] = []
     begun = 0
     try:
@@ -170,11 +170,11 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
             trimmed = [" ".join(cell.split()) for cell in cells]
             while trimmed and not trimmed[-1]:
                 trimmed.pop()
-            rows.append((kept[begun][0], trimmed))
+            rows.append((numbered[begun][0], trimmed))
             begun = reader.line_num
     except csv.Error as error:
         raise InputError(
-            "row {row} has a quotation mark without its closing mark: add it", row=kept[begun][0]
+            "row {row} has a quotation mark without its closing mark: add it", row=numbered[begun][0]
         ) from error
     return rows, [line.strip() for line in lines if line.lstrip().startswith("#")], separator
 

@@ -217,12 +217,12 @@ class _Shapes:
     def painted(self, shapes: Sequence[Any]) -> Sequence[Any]:
         """Return the shapes that have a stroke or a fill, or all shapes if none is painted."""
         shown = [shape for shape in shapes if not _is_hidden(shape)]
-        seen = [shape for shape in shown if any(_is_painted(shape.values, what) for what in _PAINTS)]
-        if seen:
+        visible = [shape for shape in shown if any(_is_painted(shape.values, what) for what in _PAINTS)]
+        if visible:
             self.unpainted = {int(shape.values[MARK]) for shape in shown} - {
-                int(shape.values[MARK]) for shape in seen
+                int(shape.values[MARK]) for shape in visible
             }
-        return seen or shapes
+        return visible or shapes
 
     def read(self, shape: Any) -> _DrawnShape | None:
         """Return a shape with the edges of its path, or None if the shape is hidden or invalid."""
@@ -312,17 +312,17 @@ def _is_painted(values: Mapping[str, str], what: str) -> bool:
     return not (clear or any(size and _ZERO.fullmatch(size) for size in sizes))
 
 
-def _may_be_clipped(runs: Sequence[Run], box: Box | None, way: str) -> bool:
+def _may_be_clipped(runs: Sequence[Run], box: Box | None, transform: str) -> bool:
     """Return True if a part of a shape may be outside of the area that clips it."""
     from svgelements import Matrix
 
     if box is None:
         return True
-    m = Matrix(way)
+    m = Matrix(transform)
     points = np.concatenate([edge.at(edge.stations()) for run in runs for edge in run] or [np.empty((0, 2))])
-    seen = points @ np.array([[m.a, m.b], [m.c, m.d]], dtype=float) + np.array([m.e, m.f], dtype=float)
+    mapped = points @ np.array([[m.a, m.b], [m.c, m.d]], dtype=float) + np.array([m.e, m.f], dtype=float)
     near = 1e-6 * max(box[2] - box[0], box[3] - box[1])
-    return bool(np.any(seen < np.array(box[:2]) - near) or np.any(seen > np.array(box[2:]) + near))
+    return bool(np.any(mapped < np.array(box[:2]) - near) or np.any(mapped > np.array(box[2:]) + near))
 
 
 def _in_user_units(tree: SvgTree) -> bytes:

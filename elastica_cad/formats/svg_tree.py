@@ -204,14 +204,16 @@ class _Tree:
         return bool(elements)
 
     @staticmethod
-    def _reached(elements: set[Element], way: dict[Element, Element], *, once: bool) -> Iterator[Element]:
-        seen = set[Element]()
+    def _reached(
+        elements: set[Element], relation: dict[Element, Element], *, once: bool
+    ) -> Iterator[Element]:
+        visited = set[Element]()
         for element in elements:
-            here = way.get(element)
-            while here is not None and here not in seen:
-                seen.add(here)
+            here = relation.get(element)
+            while here is not None and here not in visited:
+                visited.add(here)
                 yield here
-                here = None if once else way.get(here)
+                here = None if once else relation.get(here)
 
     def _has(self, element: Element, part: re.Match[str]) -> bool:
         if part["place"]:
@@ -677,11 +679,11 @@ def _check_expanded_count(tree: SvgTree) -> None:
                     stack.append((node, False))
 
 
-def _elements_of_clones(root: ElementTree.Element, wanted: set[str]) -> dict[str, ElementTree.Element]:
+def _elements_of_clones(root: ElementTree.Element, ids: set[str]) -> dict[str, ElementTree.Element]:
     named: dict[str, ElementTree.Element] = {}
     for element in root.iter():
         name = element.get("id")
-        if name in wanted and named.setdefault(str(name), element) is not element:
+        if name in ids and named.setdefault(str(name), element) is not element:
             del element.attrib["id"]
     return named
 

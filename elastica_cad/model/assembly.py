@@ -134,13 +134,13 @@ def _holder_part(holder: SingleHolder) -> AssemblyPart:
 
 def _with_unique_names(parts: Sequence[AssemblyPart]) -> Iterator[AssemblyPart]:
     count = Counter(part.name for part in parts)
-    used, taken = Counter[str](), set(count)
+    used, names_in_use = Counter[str](), set(count)
     for part in parts:
         name = part.name
-        while count[part.name] > 1 and name in taken:
+        while count[part.name] > 1 and name in names_in_use:
             used[part.name] += 1
             name = f"{part.name}_{used[part.name]}"
-        taken.add(name)
+        names_in_use.add(name)
         yield replace(part, name=name)
 
 

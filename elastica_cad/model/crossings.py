@@ -114,14 +114,14 @@ def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = Non
     centers = origins + (boxes.mean(axis=1)[:, None] @ axes)[:, 0]
     sizes = (boxes[:, 1] - boxes[:, 0]) / 2
     rooms = rooms + _ROUNDING * (np.abs(centers).max(initial=0.0) + sizes.max(initial=0.0))
-    seen = np.empty((len(strips), len(strips)), dtype=bool)
-    for box_axes, box, room, sees, origin in zip(axes, boxes, rooms, seen, origins, strict=True):
+    overlaps = np.empty((len(strips), len(strips)), dtype=bool)
+    for box_axes, box, room, sees, origin in zip(axes, boxes, rooms, overlaps, origins, strict=True):
         center = (centers - origin) @ box_axes.T
         half = (np.abs(box_axes @ np.swapaxes(axes, 1, 2)) @ sizes[..., None])[..., 0] + (rooms + room)[
             :, None
         ]
         sees[:] = np.all((box[0] <= center + half) & (box[1] >= center - half), axis=1)
-    return np.asarray(seen & seen.T)
+    return np.asarray(overlaps & overlaps.T)
 
 
 @lru_cache(maxsize=_CACHED_SPLINES)
@@ -430,17 +430,17 @@ def _joined(
         for key in pair:
             if key is not None and 0 < key[1] < counts[key[0]]:
                 homes.setdefault(key, []).append(i)
-    left = set(range(len(pieces)))
+    unused = set(range(len(pieces)))
 
     def pieces_beyond(i: int, key: tuple[str, int, int] | None) -> list[tuple[FloatArray, FloatArray]]:
         """Return the pieces of the chain beyond the extreme `key` of piece i, in order along the chain."""
         chain: list[tuple[FloatArray, FloatArray]] = []
         while key is not None:
-            after = [j for j in homes.get(key, []) if j != i and j in left]
+            after = [j for j in homes.get(key, []) if j != i and j in unused]
             if not after:
                 break
             i = after[0]
-            left.discard(i)
+            unused.discard(i)
             s_a, s_b = pieces[i]
             step = 1 if ends[i][1] == key else -1
             chain.insert(0, (s_a[::step], s_b[::step]))
@@ -448,9 +448,9 @@ def _joined(
         return chain
 
     chains = []
-    while left:
-        i = min(left)
-        left.discard(i)
+    while unused:
+        i = min(unused)
+        unused.discard(i)
         before = pieces_beyond(i, ends[i][0])
         after = [(s_a[::-1], s_b[::-1]) for s_a, s_b in reversed(pieces_beyond(i, ends[i][1]))]
         rows = [*before, pieces[i], *after]

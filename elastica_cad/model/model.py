@@ -409,7 +409,7 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
         Options of `Model.interlock`, whose errors are passed on.
     """
     first = locked = model.interlock(**options)
-    wider, largest, left = [1.0] * len(model.strips), [LARGEST_LOG_CHANGE] * len(model.strips), ROUNDS
+    wider, largest, rounds = [1.0] * len(model.strips), [LARGEST_LOG_CHANGE] * len(model.strips), ROUNDS
     for _ in range(MOST_ROUNDS):
         # cut the slots again, because slots of the previous round may not reach the new edges
         known: dict[Any, Strip] = {}
@@ -423,8 +423,8 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
             strips[k] = _widened(replace(drawn, correction=known[alike].correction), wider[k])
         locked = model.with_strips(strips).interlock(**options)
         lost = _lost_joints(first, locked)
-        left = ROUNDS if lost else left - 1
-        if not left:
+        rounds = ROUNDS if lost else rounds - 1
+        if not rounds:
             break
         for k, narrower in _width_ratios(lost, model, locked).items():
             if narrower > LARGEST_WIDENING:

@@ -70,15 +70,15 @@ def rod_as_built(
     if layout.size is not None:  # a planed or turned strip has no cut-outs
         return replace(rod, bending_stiffness=layout.bending_stiffness)
     n, s = rod.s.size, _cell_stations(rod)
-    left = [layer.material(s) for layer in layers]
-    material = left[0]
+    net_widths = [layer.material(s) for layer in layers]
+    material = net_widths[0]
     # the backing may be drawn wider than the base by the tolerance of the drawing
-    backing = np.minimum(left[1], material) if len(left) > 1 else None
+    backing = np.minimum(net_widths[1], material) if len(net_widths) > 1 else None
     law = None if layout.section is None else layout.section.bent(rod.bend_at(s), rod.rest_at(s))
     has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
-    wanted = rod.profile(s)
-    softer = layout.bending_stiffness * wanted / has
-    EI = layout.bending_stiffness * _node_stiffness(rod, wanted) / _cell_means(softer, n)
+    relative_stiffness = rod.profile(s)
+    softer = layout.bending_stiffness * relative_stiffness / has
+    EI = layout.bending_stiffness * _node_stiffness(rod, relative_stiffness) / _cell_means(softer, n)
     if added_lengths:
         EI = EI * _cut_factors(added_lengths, rod)
     least = float(EI.min())
@@ -311,8 +311,8 @@ def _lengths_added_by_slots(
         points, widths = slot.center_line(width)
         at, depth = float(points[:, 0].mean()), abs(float(points[-1, 1] - points[0, 1]))
         wide = float(width(min(max(at, 0.0), width.length)))
-        left = max(wide - depth, LEAST_SHARE * wide)
-        places.append((at, corner * depth**2 / wide + float(widths.mean()) * (wide - left) / left))
+        remaining = max(wide - depth, LEAST_SHARE * wide)
+        places.append((at, corner * depth**2 / wide + float(widths.mean()) * (wide - remaining) / remaining))
     return places
 
 

@@ -74,11 +74,11 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
         list(range(end - len(path.segments), end)) for path, end in zip(paths, ends.tolist(), strict=True)
     ]
     rounded: list[Path | None] = [None] * len(paths)
-    left = {i: _Ring(ring, [()] * len(ring)) for i, ring in enumerate(rings)}
-    while left:
-        before = np.array([k for ring in left.values() for k in ring.sides])
-        after = np.array([k for ring in left.values() for k in (*ring.sides[1:], ring.sides[0])])
-        gaps = [gap for ring in left.values() for gap in ring.gaps]
+    remaining = {i: _Ring(ring, [()] * len(ring)) for i, ring in enumerate(rings)}
+    while remaining:
+        before = np.array([k for ring in remaining.values() for k in ring.sides])
+        after = np.array([k for ring in remaining.values() for k in (*ring.sides[1:], ring.sides[0])])
+        gaps = [gap for ring in remaining.values() for gap in ring.gaps]
         corners = _corners(table, before, after, np.array([bool(gap) for gap in gaps]), radius)
         first, last = np.zeros(len(segments)), np.ones(len(segments))
         last[corners.before], first[corners.after] = corners.leaving, corners.entering
@@ -91,7 +91,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
         ]
         arcs = dict(zip(corners.before.tolist(), corners.arcs, strict=True))
         following: dict[int, _Ring] = {}
-        for i, ring in left.items():
+        for i, ring in remaining.items():
             if not short.isdisjoint(ring.sides):
                 if (smaller := ring.without(short)) is not None:
                     following[i] = smaller
@@ -101,7 +101,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
                 chain = [side for k, arc in zip(ring.sides, turns, strict=True) for side in (parts[k], arc)]
                 # the arcs begin and end on the sides
                 rounded[i] = Path([side for side in chain if side is not None], closed=True)
-        left = following
+        remaining = following
     return rounded
 
 
@@ -195,12 +195,12 @@ def _corners(
         determinant = cross(w, v)
         determinant[determinant == 0] = PARALLEL
         step = np.column_stack([cross(gap, w), cross(gap, v)])
-        wanted = x[open_] + step / determinant[:, None]
-        outside = (wanted < 0) | (wanted > 1)
+        target = x[open_] + step / determinant[:, None]
+        outside = (target < 0) | (target > 1)
         turned_back[open_] += outside.any(axis=1)
-        halfway = (x[open_] + np.clip(wanted, 0.0, 1.0)) / 2
+        halfway = (x[open_] + np.clip(target, 0.0, 1.0)) / 2
         given_up = turned_back[open_] > MOST_SHORTENED_STEPS
-        x[open_] = np.where(outside & ~given_up[:, None], halfway, wanted)
+        x[open_] = np.where(outside & ~given_up[:, None], halfway, target)
         open_ = open_[~given_up]
         if not open_.size:
             break

@@ -187,11 +187,11 @@ def deviation_from(design: Rod, place: FloatArray) -> float:
     A closed strip has no fixed position, so the shape is first moved and turned to fit the design.
     """
     if closes(design):
-        middle, wanted = place.mean(axis=0), design.position.mean(axis=0)
-        (x, y), (u, v) = (place - middle).T, (design.position - wanted).T
+        middle, target = place.mean(axis=0), design.position.mean(axis=0)
+        (x, y), (u, v) = (place - middle).T, (design.position - target).T
         turn = np.arctan2(np.sum(x * v - y * u), np.sum(x * u + y * v))
         cos, sin = np.cos(turn), np.sin(turn)
-        place = wanted + (place - middle) @ np.array([[cos, sin], [-sin, cos]])
+        place = target + (place - middle) @ np.array([[cos, sin], [-sin, cos]])
     return float(np.hypot(*(place - design.position).T).max())
 
 

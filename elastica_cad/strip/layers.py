@@ -122,9 +122,9 @@ class Layer:
         # the result does not depend on the direction of the loops
         sign = np.sign(np.bincount(loop[line], crossing, minlength=len(self.holes) + 1))
         sign[1:] *= -1
-        left = np.empty(at.size)
-        left[order] = np.bincount(station, sign[loop[line]] * crossing, minlength=at.size)
-        return left
+        net_width = np.empty(at.size)
+        net_width[order] = np.bincount(station, sign[loop[line]] * crossing, minlength=at.size)
+        return net_width
 
     @cached_property
     def _chords(self) -> tuple[IntArray, FloatArray, FloatArray]:
@@ -379,16 +379,16 @@ class LapPlates:
         base, *more = layers
         at = np.clip(s, END_MM, layout.width.length - END_MM)
         wide, cut = layout.width(at), base.material(at)
-        left = np.minimum(replace(base, holes=self.clear_holes(base.holes)).material(at), wide)
+        net_width = np.minimum(replace(base, holes=self.clear_holes(base.holes)).material(at), wide)
         glued = [(layer.sheet, np.minimum(layer.material(at), cut)) for layer in more]
         designed = stack_stiffness([(base.sheet, cut), *glued])
         compliance = np.zeros(s.size)
         on_base = self._covered(s, self.joints, base.sheet.thickness)
         on_backing = self._covered(s, self.backing_joints, layers[-1].sheet.thickness)
         for share, stack in (
-            (1 - on_base - on_backing, [(base.sheet, left), *glued]),
-            (on_base, [(base.sheet, wide), (base.sheet, left), *glued]),
-            (on_backing, [(base.sheet, left), *glued, *glued]),
+            (1 - on_base - on_backing, [(base.sheet, net_width), *glued]),
+            (on_base, [(base.sheet, wide), (base.sheet, net_width), *glued]),
+            (on_backing, [(base.sheet, net_width), *glued, *glued]),
         ):
             compliance += share * designed / stack_stiffness(stack)
         return np.asarray(1 / compliance)

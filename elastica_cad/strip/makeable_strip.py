@@ -72,21 +72,24 @@ def _correct_widths(
         Largest magnitude of a coefficient.
     """
     moved = shape_responses(rod, rod.moment[:, None] * basis, rod.nodal_load[:, None, :] * basis[:, :, None])
-    A, left = np.moveaxis(moved[1:], 1, 2).reshape(-1, basis.shape[1]), drift[1:].ravel()
+    A, residual = np.moveaxis(moved[1:], 1, 2).reshape(-1, basis.shape[1]), drift[1:].ravel()
     if closes(rod):
-        A, left = _without_rigid_motion(rod.position[1:], A), _without_rigid_motion(rod.position[1:], left)
+        A, residual = (
+            _without_rigid_motion(rod.position[1:], A),
+            _without_rigid_motion(rod.position[1:], residual),
+        )
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     identity = np.eye(basis.shape[1])
     # the whole correction must be small and smooth, not only the last step
     whole = scale * np.concatenate(
         [SMOOTHING_PENALTY * np.diff(identity, n=2, axis=0), SIZE_PENALTY * identity]
     )
-    system, wanted = np.concatenate([A, whole]), np.concatenate([-left, -whole @ correction])
+    system, right_side = np.concatenate([A, whole]), np.concatenate([-residual, -whole @ correction])
     from scipy.optimize import lsq_linear
 
     return np.asarray(
         correction
-        + lsq_linear(system, wanted, (-largest - correction, largest - correction), method="bvls").x
+        + lsq_linear(system, right_side, (-largest - correction, largest - correction), method="bvls").x
     )
 
 
@@ -155,8 +158,8 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
         if best.deviation <= SMALL_DEVIATION_FRACTION * design.length:
             break
         drift = best.rod.position - design.position
-        wanted = _correct_widths(best.rod, drift, basis, best.coefficients, largest=largest)
-        coefficients = best.coefficients + step * (wanted - best.coefficients)
+        target = _correct_widths(best.rod, drift, basis, best.coefficients, largest=largest)
+        coefficients = best.coefficients + step * (target - best.coefficients)
         trial = _correct(strip, basis, coefficients)
         if trial is None or trial.deviation >= best.deviation:
             step /= 2

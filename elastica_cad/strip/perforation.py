@@ -152,10 +152,10 @@ class DiamondPattern:
         return 0.0 if held and tab.length > 0 else self.clearance
 
     def _divide_at_slots(self, row: "_Row", j: int, cuts: Sequence[Path]) -> list["_Row"]:
-        left = [row]
+        rows = [row]
         for cut in cuts:
-            left = [part for piece in left for part in self._divide_at_slot(piece, j, cut)]
-        return left
+            rows = [part for piece in rows for part in self._divide_at_slot(piece, j, cut)]
+        return rows
 
     def _divide_at_slot(self, row: "_Row", j: int, cut: Path) -> list["_Row"]:
         """Return the parts of the row on both sides of a slot, or the row if hole j is clear of the slot."""
@@ -247,11 +247,11 @@ class _Row:
     def within(self, low: float, high: float) -> "_Row | None":
         if low <= self.stretches[0].knots[0] and self.stretches[-1].knots[-1] <= high:
             return self
-        kept = tuple(part for stretch in self.stretches if (part := stretch.within(low, high)) is not None)
-        if not kept:
+        parts = tuple(part for stretch in self.stretches if (part := stretch.within(low, high)) is not None)
+        if not parts:
             return None
-        lost = self.length - float(kept[-1].knots[-1] - kept[0].knots[0])
-        return replace(self, stretches=kept, lost=self.lost + lost)
+        lost = self.length - float(parts[-1].knots[-1] - parts[0].knots[0])
+        return replace(self, stretches=parts, lost=self.lost + lost)
 
     @cached_property
     def sides(self) -> list[list[tuple[Spline, Spline]]]:

@@ -223,12 +223,12 @@ def _samples(path: Path) -> FloatArray:
 
 def _along(path: Path, points: FloatArray) -> bool:
     """Return True if the distances of all points from a path are at most `SAME_MM`."""
-    left = points
+    remaining = points
     for segment in path.segments:
         low, high = segment.bounds
-        inside = np.flatnonzero(np.all((left > low - SAME_MM) & (left < high + SAME_MM), axis=1))
-        left = np.delete(left, inside[distances(segment, left[inside]) <= SAME_MM], axis=0)
-    return not left.size
+        inside = np.flatnonzero(np.all((remaining > low - SAME_MM) & (remaining < high + SAME_MM), axis=1))
+        remaining = np.delete(remaining, inside[distances(segment, remaining[inside]) <= SAME_MM], axis=0)
+    return not remaining.size
 
 
 @dataclass(frozen=True, eq=False)

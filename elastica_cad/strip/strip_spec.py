@@ -570,8 +570,8 @@ class StripSpec(EqualByValue):
             "compensation of the widths": ("compensate", bool(self.compensate)),
             "a closed curve": ("curve", curve.is_closed),
         }
-        for what, (name, given) in conflicts.items():
-            if given:
+        for what, (name, is_set) in conflicts.items():
+            if is_set:
                 raise InputError(
                     "Rails, pins, ties and point forces cannot be combined with {what}. Leave out {field}, or "
                     "these elements.",
