@@ -25,7 +25,7 @@ from elastica_cad.model.cut_rows import CutList
 from elastica_cad.model.fixtures import EndFixture, place_tabs
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
-from elastica_cad.model.plates import BasePlate
+from elastica_cad.model.plates import BasePlate, RingOptions
 from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_pages
 from elastica_cad.plot.model_pictures import holder_patches, lit, look_from, rule_strip, screen_of
 from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements, held_ends
@@ -191,6 +191,12 @@ def _tables(
     head = ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance")
     title = "Positions in the blocks (mm; degrees from the line between the ends)"
     yield Table(title, head, [*_block_rows(model, holders)])
+    placed_plates = [*_plate_rows(holders)]
+    yield Table(
+        "Positions of the plates (mm)",
+        ("plate", "middle at (x, y, z)", "from the middle above"),
+        placed_plates if len(placed_plates) > 1 else [],
+    )
     head = ("strip", "element", "place (x, y, z), mm", "angle, degrees", "force, N", "length, mm")
     yield Table("Rails, pins, ties and loads", head, [*_element_rows(model)])
     if cut_list is not None:
@@ -261,6 +267,21 @@ def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, 
             cells += [_point(tab.frame.origin), f"{end.tilt:z.1f}"]
         distance = float(np.linalg.norm(tabs[1].frame.origin - tabs[0].frame.origin))
         yield model.single_name_of(i), *cells, f"{distance:.1f}"
+
+
+def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
+    """Yield a row for each plate and rib: the middle of its body, and the distance of the previous middle."""
+    middles = list[FloatArray]()
+    for holder in single_holders(holders):
+        # sentences state the positions of rings
+        if isinstance(holder, EndFixture) or (
+            isinstance(holder, BasePlate) and (holder.glued or isinstance(holder.options, RingOptions))
+        ):
+            continue
+        solid = holder.solid
+        middles.append(solid.frame.point([*solid.outline.bounds.mean(axis=0), solid.thickness / 2]))
+        apart = f"{np.linalg.norm(middles[-1] - middles[-2]):.1f}" if middles[1:] else ""
+        yield holder.name, _point(middles[-1]), apart
 
 
 def _point(position: FloatArray) -> str:
@@ -366,6 +387,8 @@ class View:
         Rails, pins, ties and loads with their points; loads also with the tip of their arrow.
     labels : sequence of Label
         Names, the most important first.
+    dimensions : sequence of (line (2, 3), text)
+        Overall width (along x) and height of the assembled model, on edges of the box around the picture.
     size : (3,) array
         Size of the assembled model, mm.
     """
@@ -376,6 +399,7 @@ class View:
     leads: Sequence[FloatArray]
     elements: Sequence[tuple[HeldElement, FloatArray, FloatArray | None]]
     labels: Sequence[Label]
+    dimensions: Sequence[tuple[FloatArray, str]]
     size: FloatArray
 
     @classmethod
@@ -431,8 +455,15 @@ class View:
                     Label(f"{times}{part.name}:{k + 1}", line[0] + LABEL_AT[:, None] * (line[1] - line[0]))
                 )
         patches, colors = (np.concatenate(arrays) for arrays in zip(*painted, strict=True))
-        size = np.ptp(np.concatenate(boxes), axis=0)
-        return cls(patches, colors, outlines, [*leads.values()], elements, labels, size)
+        assembled = box_about(np.concatenate(boxes))
+        shown_box = box_about(np.concatenate([patches.reshape(-1, 3), *(loop for loop, _, _ in outlines)]))
+        size, corner = np.ptp(assembled, axis=0), shown_box[0]
+        dimensions = []
+        for axis, word in ((0, "width"), (2, "height")):
+            line = np.array([corner, corner])
+            line[:, axis] = assembled[:, axis]
+            dimensions.append((line, f"{word} {size[axis]:.0f} mm"))
+        return cls(patches, colors, outlines, [*leads.values()], elements, labels, dimensions, size)
 
     @cached_property
     def _box(self) -> FloatArray:
@@ -442,6 +473,7 @@ class View:
             self.patches.reshape(-1, 3),
             *(loop for loop, _, _ in self.outlines),
             np.reshape(tips, (-1, 3)),
+            *(line for line, _ in self.dimensions),
         ]
         return box_about(np.concatenate(loops) @ SCREEN)
 
@@ -478,7 +510,7 @@ class View:
             if tip is not None:
                 arrow = {"arrowstyle": "->", "color": LEAD, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
                 axes.annotate("", tip @ to_points, points[0] @ to_points, arrowprops=arrow)
-        occupied = np.zeros((0, 2, 2))
+        occupied = np.array([_draw_dimension(axes, line @ to_points, text) for line, text in self.dimensions])
         inside = np.array([middle - size / 2, middle + size / 2])
         for label in self.labels:
             half = np.array([len(label.text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2
@@ -492,6 +524,22 @@ class View:
                     axes.text(*center, label.text, fontsize=TEXT_POINTS, color=INK, ha="center", va="center",
                               bbox=frame)  # fmt: skip
                     break
+
+
+def _draw_dimension(axes: Any, line: FloatArray, text: str) -> FloatArray:
+    """Draw a dimension line with its text, and return the box (2, 2) around the text."""
+    center, way = line.mean(axis=0), line[1] - line[0]
+    arrow: dict[str, Any] = {"arrowstyle": "<|-|>", "color": INK, "lw": 0.6, "shrinkA": 0, "shrinkB": 0}
+    axes.annotate("", line[0], line[1], arrowprops=arrow)
+    turned = abs(way[1]) > abs(way[0])
+    if np.hypot(*way) < 2 * LABEL_HIGH + len(text) * LETTER_POINTS:
+        center = center - LABEL_HIGH * np.array([turned, not turned])  # beside a short line
+    axes.text(*center, text, fontsize=TEXT_POINTS, color=INK, ha="center", va="center",
+              rotation=np.degrees(np.arctan2(way[1], way[0])),
+              bbox={"boxstyle": "square,pad=0.1", "fc": "white", "ec": "none"})  # fmt: skip
+    half = np.array([len(text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2
+    half = half[::-1] if turned else half
+    return np.array([center - half, center + half])
 
 
 def _plate_label(name: str, loop: FloatArray) -> Label:

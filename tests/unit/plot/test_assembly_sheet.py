@@ -1,11 +1,13 @@
 """Texts of the assembly sheet, read from the figures of its pages."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import elastica_cad as ec
+from elastica_cad.model import slotted_frame
 from elastica_cad.model.plate_pairs import end_plates
 from elastica_cad.plot import save_assembly_sheet
 
@@ -52,6 +54,8 @@ def test_the_sheet_of_two_stacks_of_rings_states_spacers_and_distance(sheet):
     assert "2   Stack ring-top-outer, spacers 7 mm high, and ring-top." in page
     assert "ring-bottom and ring-bottom-outer" in page
     assert "The inner faces of ring-bottom and ring-top are 170.0 mm apart." in page
+    assert "Positions of the plates (mm)" not in page
+    assert_dimensions(page)
     assert {"ring-bottom", "ring-bottom-outer", "ring-top", "ring-top-outer"} <= {*page}
 
 
@@ -78,3 +82,24 @@ def test_parts_of_equal_shape_share_a_row(sheet):
     row = page.index("A and C")
     assert page[row + 1] == "2"
     assert page[page.index("B, D and E") + 1] == "3"
+
+
+def assert_dimensions(page):
+    """The dimension lines have the size in the first line."""
+    (size,) = [text for text in page if "assembled" in text]
+    wide, _, high = re.search(r"assembled (\d+) x (\d+) x (\d+) mm", size).groups()
+    assert {f"width {wide} mm", f"height {high} mm"} <= {*page}
+
+
+def test_the_sheet_of_a_frame_states_the_distances_of_its_plates(sheet):
+    model = ec.Model([ec.Placed(BOW, (0, 70 * k, 0), (1, 0, 0), (0, 0, 1)) for k in range(4)])
+    frame = slotted_frame(model.placed, "mdf-3")
+    (page,) = sheet(model, frame)
+    assert_dimensions(page)
+    middles = []
+    for plate in (*frame.rails, *frame.ribs):
+        row = next(k for k, text in enumerate(page) if text == plate.name and page[k + 1].startswith("("))
+        middles.append(np.array([float(x) for x in page[row + 1].strip("()").split(",")]))
+        if middles[1:]:
+            assert float(page[row + 2]) == pytest.approx(np.linalg.norm(middles[-1] - middles[-2]), abs=0.15)
+    assert abs(middles[0] - middles[1]) == pytest.approx([2 * 60, 0, 0], abs=6)
