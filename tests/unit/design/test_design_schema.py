@@ -263,6 +263,7 @@ first = { spline = [[0, 0], [27, 0], [53, 24], [105, 24], [123, 0], [150, 0]], d
 second = { spline = [[0, 0], [27, 0], [53, -20], [105, -20], [123, 0], [150, 0]], degree = 4 }
 sheet = "pom-3"
 match = "ends"
+scale = 1.1
 smooth = 0.1
 free = "first"
 objective = "ratio"
