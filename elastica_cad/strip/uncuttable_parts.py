@@ -650,7 +650,13 @@ def _faults_at(
         )
         wide, needed = map(Length, distinct_digits(place.width, least, ".3g"))
         one, other = sorted(place.loops)
-        between = () if not loops else loops[one] if one == other else both_names(loops[one], loops[other])
+        between = (
+            ()
+            if not loops
+            else loops[one]
+            if one == other or loops[one] == "a hole"
+            else both_names(loops[one], loops[other])
+        )
         what = note(
             "only {wide:g} between {loops} {at}{more} ({sheet} needs {needed:g})" if loops else
             "only {wide:g} wide {at}{more} ({sheet} needs {needed:g})",
