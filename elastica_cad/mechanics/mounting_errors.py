@@ -8,7 +8,6 @@ import numpy as np
 from elastica_cad._types import FloatArray
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.bending import shape_of, state_of, system_of
-from elastica_cad.mechanics.bracing import slack_elements
 from elastica_cad.mechanics.elements import ElementForce, Pin, Rail
 from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.newton_continuation import newton_step
@@ -17,6 +16,9 @@ from elastica_cad.mechanics.rod_system import Residual, RodState
 
 SMALL_STEP = 1e-6
 """Displacement of an element, as a fraction of the length, small enough for a linear response of the strip."""
+
+ROUNDING_FRACTION = 1e-6
+"""Force of an element, as a fraction of the largest force in the rod, below which it is a rounding error."""
 
 
 def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
@@ -42,8 +44,8 @@ def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
     """
     rod = rod.following()
     actions = mounted(rod, None)
-    slack = [action.element for action in slack_elements(actions, rod.discrete.force)]
-    taut = [action.element not in slack for action in actions]
+    least = ROUNDING_FRACTION * np.hypot(*rod.discrete.force.T).max()
+    taut = [action.size > least for action in actions]
     acting = tuple(action for action, is_taut in zip(actions, taut, strict=True) if is_taut)
     if not acting:
         return (0.0,) * len(actions)

@@ -756,6 +756,16 @@ class Strip:
         compliance = self.bending_stiffness / self.layout.axial_stiffness(middles)
         return replace(rod, compression=Compression(compliance, rod.discrete.pull))
 
+    @property
+    def compressed_length(self) -> float:
+        """Length, mm, by which the force along the strip shortens it in the designed shape; negative if longer.
+
+        The design rests where it is drawn if the ends are closer together by this length.
+        """
+        rod = self.rod_to_bend
+        assert rod.compression is not None
+        return float(rod.discrete.edge_lengths @ (rod.compression.compliance * rod.compression.pull))
+
     @cached_property
     def as_made(self) -> "StripAsMade":
         """Model of the strip with all effects on its stiffness, for `held`."""

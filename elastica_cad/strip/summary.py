@@ -2,17 +2,15 @@
 
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import replace
 
 import numpy as np
 
-from elastica_cad.errors import InputError, NotConvergedError
+from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
-from elastica_cad.mechanics.bending import bend
 from elastica_cad.mechanics.elements import ElementForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.mounted_elements import ShapeOfRod, violation
-from elastica_cad.mechanics.mounting_errors import displacements_per_mm
+from elastica_cad.mechanics.mounting_errors import ROUNDING_FRACTION, displacements_per_mm
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sideways import SAFE_LOAD
 from elastica_cad.mechanics.stability import Stability, stability
@@ -61,7 +59,7 @@ def strip_rows(
         rows += [
             Row(note("Stability"), LATER),
             hold_row(strip),
-            *between_rows(strip.rod, strip.bending_stiffness, _compressed(strip)),
+            *between_rows(strip.rod, strip.bending_stiffness),
         ]
         rows += [Row(note("Accuracy"), LATER)]
     else:
@@ -69,7 +67,7 @@ def strip_rows(
         rows += [
             stability_row(strip, verdict),
             hold_row(strip),
-            *between_rows(strip.rod, strip.bending_stiffness, _compressed(strip)),
+            *between_rows(strip.rod, strip.bending_stiffness),
             *_mounting_rows(strip),
         ]
         with suppress(NotConvergedError):
@@ -163,6 +161,10 @@ def stability_row(strip: Strip, verdict: Stability) -> Row:
     return Row(note("Stability"), text, details, "warning")
 
 
+COMPRESSED_SHARE = 0.05
+"""Compression along the strip that is reported, as a fraction of the excess of its length over the chord."""
+
+
 def hold_row(strip: Strip) -> Row:
     """Return the row on the positions of the ends and the loads on them, or on the joint of a closed strip."""
     if strip.joint:
@@ -187,6 +189,14 @@ def hold_row(strip: Strip) -> Row:
         else "{apart}; {start_load} at the start, {end_load} at the end"
     )
     load = note(loads, apart=apart, load=start, start_load=start, end_load=end)
+    shorter = strip.compressed_length
+    if abs(shorter) > COMPRESSED_SHARE * (strip.rod.length - distance_between(ends)):
+        load = note(
+            "{load}; set the ends {change:.2f} closer, because the force compresses this shallow strip"
+            if shorter > 0
+            else "{load}; set the ends {change:.2f} farther apart, because the force stretches this shallow strip",
+            load=load, change=Length(abs(shorter)),
+        )  # fmt: skip
     details = note(
         "This distance is measured between the places where the bend begins; the tips of the tabs are "
         "{tips:.1f} apart. Angles are measured from the line between the ends.",
@@ -195,54 +205,23 @@ def hold_row(strip: Strip) -> Row:
     return Row(note("Hold"), load, (details,))
 
 
-def _compressed(strip: Strip) -> Rod | None:
-    """Return the rest shape of the cut strip with the compression along its length, which the design neglects.
-
-    Return None for a strip without elements, and if there is no such shape.
-    """
-    rod = strip.rod_to_bend
-    if not rod.between or rod.compression is None:
-        return None
-    cut = replace(rod.compression, pull=np.zeros_like(rod.compression.pull))
-    with suppress(InputError, NotConvergedError):
-        return bend(replace(rod, compression=cut))
-    return None
-
-
-CHANGE_SHARE = 0.05
-"""Change of the force of an element by the compression along the strip that is reported, as a fraction."""
-
-
-def between_rows(rod: Rod, bending_stiffness: float, compressed: Rod | None = None) -> Iterator[Row]:
-    """Yield a row on the forces of rails, pins and ties, if there are any. `bending_stiffness` is in N mm2.
-
-    `compressed` is the shape with the compression along the strip, if `rod` is a design, which neglects it.
-    """
+def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
+    """Yield a row on the forces of rails, pins and ties, if there are any. `bending_stiffness` is in N mm2."""
     if not rod.between:
         return
     largest = float(np.hypot(*rod.force.T).max())
     texts = [
         _element_text(
-            action, rod, bending_stiffness * action.size if action.size > NO_FORCE_FRACTION * largest else 0.0
+            action, rod, bending_stiffness * action.size if action.size > ROUNDING_FRACTION * largest else 0.0
         )
         for action in rod.between
     ]
-    if compressed is not None:
-        for k, (action, other) in enumerate(zip(rod.between, compressed.between, strict=True)):
-            if abs(other.size - action.size) > CHANGE_SHARE * action.size:
-                texts[k] = note(
-                    "{text} ({force:.2g} N with the compression along the strip, which the design neglects)",
-                    text=texts[k], force=bending_stiffness * other.size,
-                )  # fmt: skip
     details = note(
         "Left and right are seen along the strip from its start; a bar that pushes to the left is on the right. "
         "Angles are from the x axis of the drawing."
     )
     yield Row(note("Between"), sentences(texts, "; "), (details,))
 
-
-NO_FORCE_FRACTION = 1e-6
-"""Force of an element, as a fraction of the largest force in the rod, below which it is a rounding error."""
 
 SMALLEST_GAP_MM = 0.01
 """Least distance of a slack rail from the strip that is reported, mm."""

@@ -1,6 +1,7 @@
 """Strips that rails, pins, ties and point forces hold: their report and what refuses these elements."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -144,11 +145,24 @@ def test_the_report_has_the_displacement_by_errors_in_mounting():
     assert "Mounting" not in {row.label for row in strip_rows(strip, quick=True)}
 
 
-def test_the_row_has_the_force_with_compression_if_the_design_differs():
-    """A shallow arch of 3 mm pushes more on its rail than designed; one of 0.2 mm does not."""
-    arch = ec.PlaneCurve.spline([(0, 0), (100, 24), (200, 30), (300, 24), (400, 0)])
-    for thickness, differs in ((3.0, True), (0.2, False)):
-        sheet = ec.Sheet("own", thickness, 9000.0, 700.0, max_strain=0.02)
-        strip = ec.make_strip(arch, sheet, max_width=40, between=ec.Rail(200))
-        (row,) = (row for row in strip_rows(strip) if row.label == "Between")
-        assert ("with the compression along the strip, which the design neglects" in row.text) == differs
+def test_a_shallow_strip_rests_as_designed_if_its_ends_are_closer_by_its_compression():
+    """A strip is cut as long as drawn, so it is shorter under the designed force."""
+    (slat,) = ec.read_curves("examples/slat/slat.svg")
+    strip = ec.make_strip(slat, "birch-plywood-6", max_width=60, between=ec.Rail(350))
+    (row,) = (row for row in strip_rows(strip) if row.label == "Hold")
+    change = strip.compressed_length
+    assert f"set the ends {change:.2f} mm closer" in row.text
+    rod = strip.rod_to_bend
+    uncompressed = replace(rod.compression, pull=np.zeros_like(rod.compression.pull))
+    cut = replace(rod, compression=uncompressed)
+    x, y = rod.position[-1]
+    thrusts = [float(np.hypot(*ec.bend(cut, end=(x - by, y)).support_forces[0])) for by in (0.0, change)]
+    designed = float(np.hypot(*rod.support_forces[0]))
+    assert abs(thrusts[1] / designed - 1) < 0.02 < abs(thrusts[0] / designed - 1)
+
+
+def test_a_high_strip_has_no_advice_on_its_compression():
+    arch = ec.PlaneCurve.spline([(0, 0), (100, 75), (200, 100), (300, 75), (400, 0)])
+    strip = ec.make_strip(arch, "birch-plywood-0.8", max_width=40)
+    (row,) = (row for row in strip_rows(strip) if row.label == "Hold")
+    assert "closer" not in row.text
