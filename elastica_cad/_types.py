@@ -38,5 +38,5 @@ EMPTY: Any = ()
 
 
 def required() -> Any:
-    """Return the default of a required field with the type `Takes`, because mypy requires a value."""
+    """Return a placeholder for a required field with the type `Takes`, because mypy requires a value."""
     return field()

@@ -90,7 +90,7 @@ def read_number(text: str) -> float:
 
 
 def read_offset(text: str) -> float | None:
-    """Return a length in inches, or None for any other text.
+    """Return a length in inches, or None if the text is not in feet and inches.
 
     The text has feet, inches and eighths ("3-4-5", as in tables of offsets), or feet and inches with their units
     (3' 4 5/8", 2 ft 11 in). A plus sign after the eighths adds a sixteenth, and a minus sign subtracts a sixteenth.

@@ -292,7 +292,7 @@ def kind_of(hint: Any) -> Kind:
 
 
 def name_of(record: Record) -> str:
-    """Return the title of a record's table in the manual: the class in words, without a final "keys" or
+    """Return the title of a record's table in the manual: its class name in words, without a final "keys" or
     "table".
 
     Examples

@@ -212,7 +212,7 @@ def read_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
 
 
 def step_trouble() -> str:
-    """Return why STEP files cannot be written, with the command that installs the library, or ""."""
+    """Return why STEP files cannot be written, with the command that installs the library, or "" if they can."""
     if find_spec("OCP") is None:
         return how_to_install("build123d")
     from elastica_cad.kernel.ocp_import import kernel_trouble

@@ -1,6 +1,4 @@
-"""Objects of build123d for strips (flat, bent, placed), for joints that move their ends, and for blocks that
-hold them.
-"""
+"""Objects of build123d: strips (flat, bent, placed), joints that move their ends, and blocks that hold strips."""
 
 from collections.abc import Iterable, Sequence
 from copy import copy

@@ -87,7 +87,7 @@ class _Moved(_Pickled):
     _joints: Mapping[str, cq.Location] = MappingProxyType({})
 
     def moved(self, *args: Any, **options: Any) -> Any:
-        """A single copy has the data of this shape."""
+        """Return moved copies, as `Shape.moved` does; a single copy has the data of this shape."""
         return self._with_record(super().moved(*args, **options))
 
     def located(self, loc: cq.Location) -> Self:

@@ -52,7 +52,7 @@ PER_MM = ("natural_curvature",)
 """Options to which `--units` does not apply: keys as in a design file (lengths in mm), and curvatures (1/mm)."""
 
 ALIKE = {"name": "label"}
-"""Name of an option in other commands, by the name in one command."""
+"""Name of an option in some commands, by the name of the same option in other commands."""
 
 FILES = {
     "curve": "name the file with the curve (DXF, SVG, CSV, JSON, STEP), or - for standard input",
@@ -108,7 +108,7 @@ def _quiet_pipes() -> Iterator[None]:
 
 
 class _Sentences(click.Group):
-    """Prints errors of elastica_cad as sentences with suggestions, and sets the exit code."""
+    """Command group that prints errors as sentences with suggestions, and sets the exit code."""
 
     def make_context(self, *args: Any, **options: Any) -> click.Context:
         with _quiet_pipes():
@@ -201,7 +201,7 @@ def _instead_of(problem: click.NoSuchOption) -> str:
 
 
 def _instruction_for_missing(param: click.Parameter | None) -> str:
-    """Return an instruction for a missing parameter, or "", because click lists choices itself."""
+    """Return an instruction for a missing parameter, or "" if click lists the choices."""
     if isinstance(param, click.Option) and param.metavar and param.help:
         return f"give {param.opts[0]} {param.metavar}. {param.help.rstrip('.')}"
     return FILES.get(param.name or "", "") if isinstance(param, click.Argument) else ""

@@ -25,7 +25,7 @@ RECORDS: dict[str, tuple[type, str]] = {
 ELEMENTS, LOADS = ("rail", "pin", "tie"), ("point_force", "point_mass")
 
 CUTS = ("hole", "notch")
-"""Fields of pins and ties for cuts in the strip; a value of such an option applies to all pins and ties."""
+"""Fields of pins and ties for cuts in the strip. The option for a field applies to all pins and ties."""
 
 
 class Place(Length):

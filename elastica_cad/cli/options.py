@@ -37,7 +37,7 @@ class Length(click.ParamType):  # type: ignore[type-arg]  # no generic class bef
         self.positive, self.words = positive, words
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float | str:
-        """Return the length in mm, or a permitted word. A number is in mm."""
+        """Return the length in mm, or a permitted word. Defaults that are numbers are in mm."""
         if not isinstance(value, str):
             return float(value)
         if value in self.words:
@@ -96,7 +96,7 @@ def option_of(
 
 
 def _typed_as(field: Field) -> tuple[Any, str | None]:
-    from elastica_cad.design.records import written
+    from elastica_cad.design.records import written  # imports all records
 
     kinds = written(field.kind).alternatives
     words = tuple(word for alternative in kinds for word in alternative.choices)
@@ -132,7 +132,7 @@ smooth_option = click.option(
 
 
 class _Folder(click.Path):
-    """It refuses a name that looks like an option, because the name was probably forgotten."""
+    """Output folder. A name that looks like an option is refused, because the folder was probably forgotten."""
 
     def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
         if str(value).startswith("-"):

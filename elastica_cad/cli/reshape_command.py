@@ -1,4 +1,4 @@
-"""`elastica reshape`: deform a curve by moving four handles, so that a flat strip can still take it."""
+"""`elastica reshape`: deform a curve by a map that does not change whether a flat strip can take the curve."""
 
 import warnings
 from collections.abc import Sequence

@@ -154,4 +154,4 @@ def _possible_words(kind: Kind) -> list[str]:
 
 
 DEEPEST = 1
-"""Largest number of dots in the paths that `elastica help` lists; the table of a longer path explains it."""
+"""Largest number of dots in the paths that `elastica help` lists."""

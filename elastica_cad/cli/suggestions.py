@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def name_program() -> str:
-    """Return the name of this program: `elastica`, a path if this name starts another program, or the module."""
+    """Return the command that starts this program: `elastica`, its path, or `python -m elastica_cad`."""
     called = Path(sys.argv[0])
     if called.parts[-2:] == ("elastica_cad", "__main__.py"):
         return f"{quote_words([sys.executable])} -m elastica_cad"
@@ -36,7 +36,7 @@ MOST_REFUSALS = 7
 
 
 def typed_line(*added: str, instead: str | None = None) -> str:
-    """Return the running command as typed, with added options, which replace earlier options of the same
+    """Return the running command as typed, with added options, which override earlier options of the same
     name.
 
     `instead` is another command with the same options, except output options.

@@ -224,7 +224,7 @@ def _print_json(record: Any) -> None:
 
 
 def _simplify(value: Any) -> Any:
-    """Return the value for JSON, with numbers of ten digits, and null for infinity and nan.
+    """Return the value for JSON, with numbers rounded to ten digits, and null for infinity and nan.
 
     Examples
     --------

@@ -317,7 +317,10 @@ def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
 
 
 def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
-    """Wrap the longest cells of a table, without empty columns, to lines of at most `most` letters."""
+    """Return heading and rows of a table as lines of at most `most` letters, without empty columns.
+
+    The longest cells are wrapped.
+    """
     used = [k for k in range(len(table.rows[0])) if any(row[k] for row in table.rows)]
     rows = [[row[k] for k in used] for row in ([table.head] if table.head else []) + [*table.rows]]
     widths = [max(map(len, column)) + GAP_LETTERS for column in zip(*rows, strict=True)]
@@ -336,7 +339,7 @@ def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
 
 
 def _paginated(blocks: Sequence[tuple[list[Line], list[Line]]], most: int) -> Iterator[list[Line]]:
-    """Yield the lines of each page; a table repeats its heading on each page."""
+    """Yield the lines of each page, at most `most`; a table that continues on a page repeats its heading there."""
     page: list[Line] = []
     for head, body in blocks:
         start = 0

@@ -25,7 +25,7 @@ POINTS = 601
 
 GOOD, OUTLIER = "#2e7d4f", "#c62828"
 ON_THE_LINE = 1e-6
-"""Largest distance of an inflection that is drawn on the inflection line, as a fraction of the length."""
+"""Largest distance from the inflection line of an inflection that counts as on it, as a fraction of the length."""
 
 LETTERS = 96
 """Largest number of characters in a line of the text above the picture."""

@@ -176,16 +176,13 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
 
 
 RIM, MODEL_RIM = 0.035, 0.0015
-"""Width of the dark line along edges: fraction of the strip width, and limit as a fraction of the model's extent.
-"""
+"""Width of the dark line along edges: as a fraction of the strip width, and at most of the model's extent."""
 
 ROUNDED_MM = 6
 """Decimals of heights above a face, mm; a patch with height 0.0 is on the face."""
 
 HOLDER_PATCH = 0.02
-"""Size of patches of holders, as a fraction of the extent of the model, so small that they are sorted by
-depth.
-"""
+"""Size of patches of holders, as a fraction of the model's extent, so small that sorting by depth is sufficient."""
 
 NAME_SPACE = 0.045
 """Space for the name of a flat part, as a fraction of the length of the longest part."""

@@ -206,7 +206,7 @@ class CurveChanges:
 # penalty of a violated bound, in the unit of half the mean square distance (relative to the length); it is
 # far above all multipliers
 _PENALTY = 0.1
-_ROW_PENALTY = 10.0  # penalty of a step condition that cannot be satisfied; it exceeds that of every bound
+_ROW_PENALTY = 10.0  # penalty of a step condition that cannot be satisfied, above the penalty of every bound
 # accuracy of a step relative to the penalty; half a mean square distance of 1e-8 then still has an effect
 _ACCURACY = 1e-12
 _MARGIN_UNIT = 50.0  # typical error of the margin, used as its unit
@@ -221,7 +221,7 @@ _RESOLUTION = (
 )
 _INSIDE = 1e-5  # relative distance from the bounds, so that they hold between the samples too
 _ENFORCED = 1e-11
-"""Error of a satisfied constraint at most, as a fraction of the length of the curve or in rad."""
+"""Largest error of a satisfied constraint, as a fraction of the length of the curve or in rad."""
 
 _ROUNDS = 12  # samples are added where a step would violate the bounds, at most this number of times
 
@@ -254,7 +254,7 @@ class Bounds:
         return Bounds(ratio, min(self.margin, state.margin + _MARGIN_PART))
 
     def inside(self) -> "Bounds":
-        """Return slightly stricter bounds, so that the curve is within these bounds between samples, too."""
+        """Return slightly stricter bounds, so that the curve is within the given bounds between samples, too."""
         ratio = 1 + (self.ratio - 1) * (1 - _INSIDE)
         return Bounds(ratio, None if self.margin is None else self.margin + _INSIDE * _MARGIN_UNIT)
 
@@ -357,7 +357,7 @@ def _half_square(changes: CurveChanges, target: PlaneCurve) -> float:
 
 @dataclass(frozen=True, eq=False)
 class _Step:
-    """Move of the control points (m, 2), mm, its size relative to the length, and the predicted gain."""
+    """Move of the control points (m, 2), mm, its size relative to the length, and the predicted objective."""
 
     points: FloatArray
     size: float

@@ -321,7 +321,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
 
 
 def _thrust_line(rod: Rod) -> list[Any]:
-    """Clip the thrust line to the box of the curve, enlarged by the size of the box."""
+    """Return the sides of the thrust line as points, clipped to the enlarged box of the curve."""
     low, high = rod.position.min(axis=0), rod.position.max(axis=0)
     size = max(high - low)
     return [_rounded(side, 3) for side in thrust_sides(rod, low - size, high + size)]
