@@ -46,7 +46,7 @@ from elastica_cad.strip.solids import FlatSolid, frame_beside
 
 def later_feature_messages(obj: Any) -> list[str]:
     """Return a warning if a later feature of a body changes a strip, a model or a plate: the files do not
-    include it.
+    include the later feature.
     """
     words = translate(
         "Elastica",

@@ -39,7 +39,7 @@ CLOSED = ("left out", "left and right", "above and below")
 
 # number of points along a wire of a section; each edge has at least a quarter of this number
 SECTION_POINTS = 240
-# number of points along a path, so that planes are perpendicular within a fraction of a degree
+# number of points along a path, so that planes are perpendicular to the path within a fraction of a degree
 PATH_POINTS = 400
 # largest gap, mm, that is closed; sections by OpenCASCADE have gaps of up to 1e-5 mm
 JOIN_MM = 1e-4

@@ -241,7 +241,7 @@ def move_poles(sketch: Any, curve: PlaneCurve) -> None:
 
 
 def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
-    """Replace a curve of a sketch by a spline, or add the spline if `number` is None, and return the number.
+    """Replace a curve of a sketch by a spline, or add it if `number` is None. Return the number of the spline.
 
     A spline with hidden poles keeps its constraints. Visible poles are deleted with the earlier spline.
     """

@@ -92,7 +92,7 @@ def counted(sources: Iterable[Any]) -> dict[Any, int]:
 
 
 def cut_for(obj: Any) -> Any:
-    """Return the object that is cut: for a flat part the strip, or the model with its slots."""
+    """Return the object that is cut: for a flat part its strip, or the model whose slots the part has."""
     return (obj.Model or obj.Strip) if is_flat(obj) else obj
 
 

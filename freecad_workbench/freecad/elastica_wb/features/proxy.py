@@ -188,7 +188,7 @@ class Feature(Unsaved):
         return None
 
     def make(self, obj: Any) -> None:
-        """Compute shape and results from the properties, in every feature."""
+        """Compute shape and results from the properties. Every feature defines this method."""
         raise NotImplementedError
 
     def failed(self, obj: Any, error: ElasticaError) -> None:

@@ -218,9 +218,7 @@ def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
 
 
 def changeable(obj: Any) -> tuple[str, ...]:
-    """Return the fields that suggestions may change; fields of the sketch only if the strip follows all of
-    it.
-    """
+    """Return the fields that suggestions may change. The sketch may change if the strip follows all its edges."""
     source, edges = obj.Curve or (None, ())
     return (*CHANGEABLE, *(DRAWN if is_sketch(source) and not any(edges) else ()))
 

@@ -107,7 +107,7 @@ class Unsaved:
 
 
 def dress(obj: Any) -> None:
-    """Set the view provider of a feature without a view provider, such as from a file of freecadcmd."""
+    """Set the view provider of a feature that has none, because freecadcmd wrote its file."""
     make = view_providers.get(feature_kind(obj))
     if make is not None and isinstance(getattr(obj.ViewObject, "Proxy", None), (int, type(None))):
         make(obj.ViewObject)

@@ -24,7 +24,7 @@ NAMES = {
     "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText", "limits": "Follow",
     "limits.keep_out": "KeepOut", "limits.stiffness_bounds": "StiffnessBounds",
 }  # fmt: skip
-"""Names of properties that differ from `name_of` of their keys; files of users contain these names."""
+"""Names of properties that are not derived from their keys, because files of users contain these names."""
 
 
 def name_of(path: str) -> str:

@@ -113,9 +113,7 @@ class Overlay:
         self._set(width=edges)
 
     def show_nearest(self, *curves: FloatArray) -> None:
-        """Show the nearest possible curve, or the curves of a suggested change; no curves hide the earlier
-        curves.
-        """
+        """Replace the shown curves by the nearest possible curve, the curves of a suggested change, or nothing."""
         self._set(nearest=curves)
 
     def shown(self) -> dict[str, int]:

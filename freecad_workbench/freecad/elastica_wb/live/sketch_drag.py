@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Geometry of a sketch during a drag, computed from the points that the sketcher draws."""
+"""Geometry of a sketch during a drag, computed from the points that the sketcher draws.
+
+FreeCAD notifies observers of a drag only when the mouse is released.
+"""
 
 from collections.abc import Sequence
 from typing import Any
