@@ -115,7 +115,7 @@ BY_KIND: dict[Record, dict[str, Record]] = {
     Element: {"rail": Rail, "pin": Pin, "tie": Tie},
     BoundedLaw: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
 }
-"""For a family of records, the record for each value of the key `kind`, the default before others."""
+"""For a family of records, the record for each value of the key `kind`; the first record is the default."""
 
 MAKERS: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting}
 """Functions that make certain records from their tables."""

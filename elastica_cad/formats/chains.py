@@ -675,7 +675,7 @@ def _fitted_if_polyline(edge: Edge, fit_tolerance: float) -> Edge:
 
 
 def _joined(edges: Sequence[Edge], tolerance: float) -> Edge:
-    """Return the joined edges as a B-spline with nearly unit speed and full knots at joints."""
+    """Return the joined edges as a B-spline with nearly unit speed, and knots of full multiplicity at joints."""
     degree = max(2, *(edge.degree for edge in edges))
     knots, homogeneous = np.zeros(1), np.empty((0, 3))
     for edge in edges:

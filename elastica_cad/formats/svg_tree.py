@@ -680,6 +680,7 @@ def _check_expanded_count(tree: SvgTree) -> None:
 
 
 def _elements_of_clones(root: ElementTree.Element, ids: set[str]) -> dict[str, ElementTree.Element]:
+    """Return the first element of each id, and delete the ids of later elements."""
     named: dict[str, ElementTree.Element] = {}
     for element in root.iter():
         name = element.get("id")

@@ -339,7 +339,7 @@ class Branch:
 
 
 IntersectionCurve: TypeAlias = Branch | Ruling
-"""Curve of common points of two surfaces; only crossings of edges are between two nodes."""
+"""Curve of common points of two surfaces. Its only special points between two nodes are crossings of edges."""
 
 
 def _level_set(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:

@@ -339,7 +339,7 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def _floor_directions(self) -> tuple[FloatArray, FloatArray, float]:
-        """Unit vectors (2,) normal to the floor and along it, and the height of the floor, in profiles."""
+        """Unit vectors (2,) normal to the floor and along it, and the height of the floor, in the profile."""
         n = self.ground.z_axis
         up = np.array([n @ self._profile.x_axis, n @ self._profile.y_axis])
         up = up / np.hypot(*up)
@@ -347,7 +347,7 @@ class EndFixture(EqualByValue):
 
     @property
     def lowest(self) -> float:
-        """Height of the lowest corner of the block, mm, before the block is extended to the floor."""
+        """Height of the lowest corner of the block over the floor, mm, before it is extended to the floor."""
         up, _, height = self._floor_directions
         return float((self._block_corners @ up).min() - height)
 

@@ -98,7 +98,7 @@ SHALLOW_RAD = np.radians(15.0)
 """Angle between two strips, rad, below which a warning is added: slots are over 7 sheet thicknesses wide."""
 
 TOUCHING_RAD = np.radians(1.0)
-"""Angle between two strips, rad, below which they touch: slots would be over 100 sheet thicknesses wide."""
+"""Least angle between strips, rad, for slots: at smaller angles, slots are over 100 sheet thicknesses wide."""
 
 OTHER_SIDE_FRACTION = 0.5
 """Fraction of the crossing by which slots must become shorter for the side that is not preferred."""

@@ -383,7 +383,7 @@ LARGEST_LOG_CHANGE = 0.15
 """Largest change of the logarithm of a width in a round of corrections."""
 
 LARGEST_WIDENING, REDUCED_CHANGE = 1.1, 0.7
-"""Largest factor by which a strip is widened in a round, and factor on larger changes of width.
+"""Largest factor by which a strip is widened in a round, and factor on its largest change if more is needed.
 
 A much wider strip does not help, because the shoulders beside its tabs are wider too.
 """

@@ -308,7 +308,7 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
 
 
 LEVEL_GAIN_MM = 0.5
-"""Least gain of distance to the tabs, mm, for a plane that is not perpendicular to their mean direction."""
+"""Least decrease of the range of heights of the tabs, mm, for a plane oblique to their mean direction."""
 
 
 def end_plates(

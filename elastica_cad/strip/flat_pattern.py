@@ -390,7 +390,7 @@ class _Cutter:
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Return the corners on the station line of a corner, and the step along the region on the left."""
+        """Return the corners on the station line of a corner, and the step with the region on the left."""
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:
                 return on_seam[row], step

@@ -118,7 +118,7 @@ class Laminated:
     def _scale(
         self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None
     ) -> float:
-        """Return the bending stiffness, N mm2, where K = 1: of the rod, or else the largest possible one."""
+        """Return the bending stiffness, N mm2, where K = 1: of the rod, or else the largest possible stiffness."""
         s = stations_of(rod.length, base, rod.profile)
         w1 = base(s)
         s = refine_stations(s, section.bending_stiffness(w1, w1) / rod.profile(s), w1 / rod.profile(s))

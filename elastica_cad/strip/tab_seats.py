@@ -275,7 +275,7 @@ def _constrained_step(
         Indices of the unknowns that are shifts; all others are angles.
     scale : float
         Scale of the Hessian, 1/mm3: Hessian and gradient are divided by it.
-    price : float
+    penalty : float
         Penalty for an overlap, relative to the forces.
     reach : float
         Largest step of any unknown, mm.

@@ -228,7 +228,7 @@ def _opposed_points(
     The leading point of each pair is among `searching`. The normals times `least` are appended to the
     coordinates, so that one search compares positions and normals.
     """
-    # the length of the sum of the normals is at most 2 sin(acos(FACING)) for points that face each other
+    # for points that face each other, the sum of the normals is at most 2 sin(acos(LEAST_FACING_COSINE)) long
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
     radius = np.hypot(reach, 2 * least * np.sqrt(1 - LEAST_FACING_COSINE**2))
     i, j = near_pairs(here, there, float(radius))

@@ -444,7 +444,7 @@ class PropertyPanel(Panel):
 
 
 class _ChangeButton(QtWidgets.QPushButton):
-    """Button of a suggested change. It calls `preview` with its number as the mouse enters, with None as it leaves."""
+    """Button of a suggested change. It calls `preview` with its number, or with None when the mouse leaves."""
 
     def __init__(self, number: int, preview: Callable[[int | None], None]) -> None:
         super().__init__()
