@@ -178,8 +178,8 @@ def fitting_width(
 ) -> float | None:
     """Return the largest tested width of tabs, mm, for which two plates can replace each plate, or None.
 
-    All tabs get the given length and at most this width. With `keep`, their present widths are tested
-    before others; the result is then infinite.
+    All tabs get the given length and this width. With `keep`, the present widths of the tabs are tested first;
+    the result is infinite if two plates can hold these tabs.
     """
     narrowest = min(slot.tab.width for plate in plates for slot in plate.slots if slot.tab is not None)
     for fraction in TESTED_WIDTHS:

@@ -180,6 +180,7 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
+    """Yield the parameters of each joint, of the end of the part before it, and of the start of the next part."""
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
         first = last = kinks.pop(0)

@@ -335,6 +335,7 @@ def _rename_users(obj: Any, old: str) -> None:
 
 
 def _hide_failed(sketch: Any) -> None:
+    """Hide failed features again, because the sketcher makes them visible when a sketch is closed."""
     if lives(sketch):
         _call_in_proxy("hide_failed", sketch)
 

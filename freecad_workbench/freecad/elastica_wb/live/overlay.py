@@ -162,7 +162,7 @@ class _Points:
         self.set([])
 
     def set(self, pieces: Sequence[FloatArray]) -> None:
-        """Each array in `pieces` is a line."""
+        """Draw the points (n, 2) of each array in `pieces` as a line or as marks."""
         pieces = [piece for piece in pieces if len(piece)]
         if not pieces and self.count == 0:
             return

@@ -258,7 +258,7 @@ class _Mouse(QtCore.QObject):
             self._widget.installEventFilter(self)
 
     def leave(self) -> None:
-        """The view may be closed already."""
+        """Remove the event filter. The view may be closed already."""
         with suppress(RuntimeError):
             if self._widget is not None:
                 self._widget.removeEventFilter(self)

@@ -31,7 +31,7 @@ FOLDED = "CardFolded"
 
 
 class VerdictCard(QtCore.QObject):
-    """Frame over a view that ignores the mouse, with three buttons.
+    """Card over a view: a frame that ignores the mouse, and three buttons.
 
     The lowest button calls `use_nearest`, and `keep` is a switch. The card is in the corner of the view in
     which it hides the fewest of the points that must stay visible.

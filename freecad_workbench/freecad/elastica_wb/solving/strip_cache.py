@@ -266,7 +266,7 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
 def engraved_shape(strip: Strip, layer: int = 0) -> Part.Shape:
     """Return the shape of `flat_shape`, with the engraved text as edges on the upper face.
 
-    Tapered strips and stacks of plies have no plane face for the text.
+    Tapered strips and stacks of plies are returned without text, because they have no plane face for it.
     """
     shape = flat_shape(strip, layer)
     if strip.layout.worked_size is not None or strip.layout.stack is not None:
