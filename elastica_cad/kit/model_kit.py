@@ -118,7 +118,13 @@ def model_kit(
             File(f"{name}-assembly.pdf", partial(_draw_assembly, contents, listed), "assembly sheet")
         )
     if spec.pages and can_draw():
-        files.append(File(f"{name}-pages.pdf", partial(_draw_pages, contents), "parts at full size on paper"))
+        files.append(
+            File(
+                f"{name}-pages.pdf",
+                partial(_draw_pages, contents),
+                "parts and templates at full size on paper",
+            )
+        )
     files.append(File(csv, lambda path: write_text(path, listed.csv), "cut list"))
     files.append(File(txt, lambda path: write_text(path, str(listed)), "cut list"))
     shapes = cache(

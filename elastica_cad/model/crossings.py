@@ -215,7 +215,7 @@ def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling,
     """Return all intersection curves of the two surfaces, extended along their rulings."""
     n = np.cross(a.axis, b.axis)
     if np.linalg.norm(n) < PARALLEL_RAD:
-        return tuple(_ruling_matrix(a, b))
+        return tuple(_rulings(a, b))
     heights = _Heights(a, b, n)
     return tuple(Branch(heights, s_a, s_b) for s_a, s_b in _level_set(heights))
 
@@ -246,7 +246,7 @@ class Ruling:
         return IntersectionPoints(s_a, s_b, q, self.sign * (q - self.offset), on_curves)
 
 
-def _ruling_matrix(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
+def _rulings(a: RuledStrip, b: RuledStrip) -> list[Ruling]:
     """Return a ruling for every crossing of the two plane curves, in the plane of strip a."""
     sign = float(np.sign(a.axis @ b.axis))
     moved = Frame(a.frame.local(b.frame.origin), a.frame.axes @ b.frame.x_axis, a.frame.axes @ b.frame.y_axis)
