@@ -110,7 +110,7 @@ def batten(**chosen: Any) -> None:
     answer({"batten": report})
     _report_batten(result, table)
     for side, bow in report.get("camber_with_weight", {}).items():
-        camber = f"{100 * bow['camber']:.2f} % at {100 * bow['camber_place']:.2f} % of the chord"
+        camber = f"{100 * bow['camber']:.4g} % at {100 * bow['camber_place']:.4g} % of the chord"
         say_row(Row("Weight", f"level and bulging {side}, its own weight makes the camber {camber}"))
     _print_files(written)
 
@@ -134,7 +134,7 @@ def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
     answer({"batten": report})
     plies = f"{chosen['leaves']} plies of {strip.sheet.thickness:.4g} mm"
     say_row(Row("Size", f"{rod.length:.1f} mm long, {plies}, {strip.mass:.4g} g"))
-    camber = f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord"
+    camber = _camber_text(depth, place, float(np.hypot(*(rod.position[-1] - rod.position[0]))))
     say_row(Row("Camber", f"{camber}, at most {glued.deviation:.2g} mm from the planed batten"))
     if not glued.settled:
         text = (
@@ -156,8 +156,12 @@ def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
     _print_files(written)
 
 
+CONTENTS = {".csv": "table", ".svg": "drawing", ".dxf": "drawing", ".pdf": "print", ".step": "bodies"}
+"""Descriptions of the written files, by the end of the name."""
+
+
 def _print_files(written: tuple[Path, ...]) -> None:
-    wrote(written)
+    wrote(written, {path.name: CONTENTS[path.suffix] for path in written if path.suffix in CONTENTS})
     for missing in left_out(pictures=False, paper=True):
         say(missing)
 
@@ -233,18 +237,26 @@ def _report_batten(result: Batten, table: dict[str, FloatArray]) -> None:
     level = "" if lying is None else f", level under its own weight and bulging {lying}"
     ends = f"ends {result.chord:.1f} mm apart"
     say_row(Row("Size", f"{result.spec.length:.1f} mm long, {ends}, {result.strip.mass:.4g} g"))
-    say_row(Row("Camber", f"{100 * depth:.2f} % at {100 * place:.2f} % of the chord{level}"))
+    say_row(Row("Camber", f"{_camber_text(depth, place, result.chord)}{level}"))
     _print_load(result.strip, result.end_force)
     s, s_inch, _, _, size, inch, strain, safety = table.values()
     say_table(
         {
-            "mm": [f"{x:.1f}" for x in s],
-            "inch": [f"{x:.3f}" for x in s_inch],
+            "at mm": [f"{x:.1f}" for x in s],
+            "at inch": [f"{x:.3f}" for x in s_inch],
             f"{quantity} mm": [f"{x:.2f}" for x in size],
             f"{quantity} inch": [f"{x:.4f}" for x in inch],
             "strain %": [f"{100 * x:.3f}" for x in strain],
-            "safety": [f"{x:.2f}" if np.isfinite(x) else "-" for x in safety],
+            "safety": [f"{x:.1f}" if np.isfinite(x) else "-" for x in safety],
         }
+    )
+
+
+def _camber_text(depth: float, place: float, chord: float) -> str:
+    """Return the camber and its place, in mm and as percentages of the chord."""
+    return (
+        f"{depth * chord:.1f} mm ({100 * depth:.4g} % of the chord) at {place * chord:.1f} mm "
+        f"({100 * place:.4g} %) along the chord"
     )
 
 
@@ -254,5 +266,9 @@ def _print_load(strip: Strip, end_force: float) -> None:
         f"{strip.sheet.name} allows {100 * strip.strain_limit:.2f} %"
     )
     warnings = [warning_row(text) for text in strip.warnings]
-    for row in (*warnings, Row("Force", f"{end_force:.3g} N at each end"), Row("Strain", strain)):
+    for row in (
+        *warnings,
+        Row("Force", f"{end_force:.3g} N at each end, pressed towards the other"),
+        Row("Strain", strain),
+    ):
         say_row(row)

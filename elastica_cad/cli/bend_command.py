@@ -55,7 +55,7 @@ from elastica_cad.refusals import ENGLISH
 from elastica_cad.refusals import Length as MmLength
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.summary import between_rows
+from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows, direction_in_drawing
 from elastica_cad.strip.travel import Travel, bend_strip
 
 OF_A_CURVE = {
@@ -206,7 +206,10 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         answered |= {"travel": moved.table(), "snaps_at": moved.snaps_at, "strained_at": moved.strained_at,
                      "unit": moved.unit}  # fmt: skip
     answer(answered)
-    wrote(_write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]))
+    wrote(
+        _write_files(name, rod, shapes, moved, chosen["output"], chosen["force"]),
+        {f"{_travel_name(name)}.csv": "the table", f"{name}.csv": "points", f"{name}.json": "curves"},
+    )
 
 
 def _strip_of_report(path: Path, chosen: dict[str, Any]) -> FinishedStrip | None:
@@ -384,14 +387,16 @@ def _print_shapes(
     )
     say_row(Row("Size", f"{rod.length:.1f} mm long", [f"The stiffness ratio is {rod.ratio:.4g}."]))
     width, height = np.ptp(shapes[-1].position, axis=0)
-    radius = _least_radius(shapes[-1])
-    say_row(Row("Shape", f"last shape {width:.1f} x {height:.1f} mm, least radius {radius} mm"))
+    last = "last shape " if shapes[1:] else ""
+    radius = _smallest_radius(shapes[-1])
+    radius = radius if radius == "straight" else f"smallest radius {radius} mm"
+    say_row(Row("Shape", f"{last}{width:.1f} x {height:.1f} mm, {radius}"))
     (x0, y0), (x1, y1) = np.round(shapes[-1].position[[0, -1]], 2) + 0.0
     say_row(Row("Ends", f"from ({x0:.2f}, {y0:.2f}) to ({x1:.2f}, {y1:.2f}) mm in the drawing"))
     if moved is not None and (shapes[-1].acting or change):
         for row in _load_rows(change.get("loads", ())):
             say_row(row)
-        say_row(_displacement_row(moved))
+        say_row(_displacement_row(moved, released=change.get("between") == ()))
         for row in between_rows(shapes[-1], moved.strip.bending_stiffness):
             say_row(row)
         worst = int(np.argmin(moved.safety))
@@ -407,7 +412,7 @@ def _print_shapes(
     say_row(
         Row(
             "Force",
-            f"at most {_rounded(size)} N and {_rounded(turns)} N mm at an end; energy {energy} N mm",
+            f"at most {_rounded(size)} N and {_rounded(turns)} N mm at an end; the strip stores {energy} mJ",
         )
     )
     tips = [k for k, verdict in enumerate(moved.sideways) if verdict.needs_guiding]
@@ -433,26 +438,22 @@ def _load_rows(loads: Sequence[PointMass | PointForce]) -> Iterator[Row]:
         yield Row("Load", "; ".join(texts))
 
 
-def _displacement_row(moved: Travel) -> Row:
+def _displacement_row(moved: Travel, *, released: bool) -> Row:
     moves = moved.rods[-1].position - moved.strip.rod.position
     k = int(np.hypot(*moves.T).argmax())
     distance, angle = np.hypot(*moves[k]), np.degrees(np.arctan2(*moves[k][::-1]))
-    text = f"the strip moves by at most {distance:.2g} mm from its design"
+    strip = "without rails, pins and ties, the strip" if released else "the strip"
     if distance < SMALLEST_MOVE_MM:
-        return Row("Moved", text)
-    where = f"at {moved.strip.rod.s[k]:.0f} mm, at {angle:.0f} degrees from the x axis"
-    return Row("Moved", f"{text}, {where}")
-
-
-SMALLEST_MOVE_MM = 1e-3
-"""Least displacement whose place and direction are reported, mm."""
+        return Row("Moved", f"{strip} stays within {SMALLEST_MOVE_MM:g} mm of its design")
+    text = f"{strip} moves by at most {distance:.2g} mm from its design"
+    return Row("Moved", f"{text}, at {moved.strip.rod.s[k]:.0f} mm, {direction_in_drawing(angle)}")
 
 
 def _distance_columns(shapes: Sequence[Rod]) -> dict[str, list[str]]:
     distances = [np.hypot(*(shape.position[-1] - shape.position[0])) for shape in shapes]
     return {
         "ends apart mm": [f"{distance:.2f}" for distance in distances],
-        "least radius mm": [_least_radius(shape) for shape in shapes],
+        "smallest radius mm": [_smallest_radius(shape) for shape in shapes],
     }
 
 
@@ -460,13 +461,13 @@ def _force_columns(moved: Travel) -> dict[str, list[str]]:
     size = np.hypot(*moved.end_force.T)[:, None]
     force = np.where(np.abs(moved.end_force) <= 1e-9 * size, 0.0, moved.end_force)
     return {
-        f"{ {'deg': 'turn', 'mm': 'travel', '%': 'change'}[moved.unit] } {moved.unit}": [
+        f"{ {'deg': 'turn', 'mm': 'travel', '%': 'change applied'}[moved.unit] } {moved.unit}": [
             f"{x:.4g}" for x in moved.path_length
         ],
-        "force x N": [_rounded(x) for x in force[:, 0]],
-        "force y N": [_rounded(x) for x in force[:, 1]],
-        "start N mm": [_rounded(x) for x in moved.start_moment],
-        "end N mm": [_rounded(x) for x in moved.end_moment],
+        "end force x N": [_rounded(x) for x in force[:, 0]],
+        "end force y N": [_rounded(x) for x in force[:, 1]],
+        "start moment N mm": [_rounded(x) for x in moved.start_moment],
+        "end moment N mm": [_rounded(x) for x in moved.end_moment],
         "strain %": [_rounded(100 * x) for x in moved.strain],
         "safety": [_rounded(x) for x in moved.safety],
     }
@@ -476,7 +477,7 @@ def _rounded(value: float) -> str:
     return ENGLISH.format_field(float(value), ".3g")
 
 
-def _least_radius(shape: Rod) -> str:
+def _smallest_radius(shape: Rod) -> str:
     kappa = float(np.abs(shape.curvature).max())
     return f"{1 / kappa:.4g}" if kappa * shape.length > 1e-6 else "straight"
 
@@ -486,7 +487,10 @@ def _stability_row(
 ) -> Row:
     step = next((k for k, state in enumerate(states) if state != "stable"), None)
     if step is None:
-        return Row("Stability", "stable in its plane" + (" at every step" if states[1:] else ""))
+        sideways = {side.word for side in moved.sideways} if moved is not None else set()
+        text = "stable, in its plane and sideways" if sideways == {"ample"} else "stable in its plane"
+        undecided = "; sideways undecided" if "undecided" in sideways else ""
+        return Row("Stability", text + (" at every step" if states[1:] else "") + undecided)
     where = f" from {_place(step, shapes, moved, change)} on" if states[1:] else ""
     return warning_row(f"{states[step]}{where}", "Stability")
 
@@ -498,10 +502,14 @@ def _place(step: int, shapes: Sequence[Rod], moved: Travel | None, change: dict[
     return moved.place_message(moved.path_length[step])
 
 
+def _travel_name(name: str) -> str:
+    return f"{name.removesuffix('-bent')}-travel"
+
+
 def _write_files(
     name: str, rod: Rod, shapes: Sequence[Rod], moved: Travel | None, output: Path, force: bool
 ) -> tuple[Path, ...]:
-    travelled = f"{name.removesuffix('-bent')}-travel"
+    travelled = _travel_name(name)
     files = [
         File(f"{name}.csv", partial(_write_shapes, shapes)),
         File(f"{name}.json", lambda path: write_text(path, curves_json([shape.curve for shape in shapes]))),

@@ -1,6 +1,7 @@
 """`elastica bow`: a rod or strip bent by a cord between its ends."""
 
 from functools import partial
+from math import isclose
 from pathlib import Path
 from typing import Any
 
@@ -168,7 +169,7 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
 def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
     strip, (start, end) = result.strip, np.degrees(result.end_angles)
     force = f"{result.pull:.3g} N" if in_newtons else f"{result.pull:.3g} N per GPa of Young's modulus"
-    shape = f"rise {result.rise:.1f} mm; ends at {start:.1f} and {end:.1f} degrees"
+    shape = f"rise {result.rise:.1f} mm; ends at {start:.1f} and {end:.1f} degrees to the cord"
     verdict = stability(strip.rod)
     rows = [
         size_row(strip)
@@ -176,7 +177,7 @@ def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
         else Row("Size", f"{result.length:.1f} mm long, {strip.breadth('.1f')}"),
         _curve_row(result),
         Row("Cord", f"{result.cord:.1f} mm long, pulls with {force}; {shape}"),
-        Row("Stability", f"{verdict.rating} in its plane")
+        Row("Stability", f"{verdict.rating} in its plane; sideways not computed")
         if verdict.rating == "stable"
         else warning_row(verdict.rating, "Stability"),
     ]
@@ -188,7 +189,8 @@ def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
 
 
 def _curve_row(result: Bow) -> Row:
-    text = f"at most {result.deviation:.3g} mm from the drawn curve"
+    even = ", which an even section cannot take exactly" if isclose(result.strip.rod.ratio, 1) else ""
+    text = f"at most {result.deviation:.3g} mm from the drawn curve{even}"
     if result.deviation <= FAR_SHARE * result.length:
         return Row("Curve", text)
     return warning_row(f"{text}. Draw a curve that is more like an arch.", "Curve")
@@ -207,6 +209,11 @@ def _table(fractions: list[float], shorter: Travel, *, in_newtons: bool) -> dict
     }
 
 
+def _heading(name: str) -> str:
+    words = name.replace("shorter", "cord shorter").replace("_per_", "/").replace("_percent", " %")
+    return words.replace("_", " ")
+
+
 def _print_table(table: dict[str, Any]) -> None:
     formats = {
         "shorter_percent": "g",
@@ -217,9 +224,7 @@ def _print_table(table: dict[str, Any]) -> None:
     }
     say_table(
         {
-            name.replace("_per_", "/").replace("_percent", " %").replace("_", " "): [
-                f"{value:{formats.get(name, '.3g')}}" for value in values
-            ]
+            _heading(name): [f"{value:{formats.get(name, '.3g')}}" for value in values]
             for name, values in table.items()
             if name != "margin"
         }

@@ -260,28 +260,26 @@ def _widths_row(ratio: float) -> Row:
 def _sheets_row(sheets: Sequence[Mapping[str, Any]]) -> Row:
     sheets_and_scales = [(Sheet.named(sheet["name"]), sheet["scale"]) for sheet in sheets]
     fitting = _each_kind_first([sheet for sheet, scale in sheets_and_scales if scale <= 1][::-1])
-    larger = [
-        f"{sheet.full_name} at {ceil(100 * scale)} %" for sheet, scale in sheets_and_scales if scale > 1
-    ]
+    larger = [f"{sheet.name} at {ceil(100 * scale)} %" for sheet, scale in sheets_and_scales if scale > 1]
     details = [f"All: {', '.join(fitting)}."] if fitting else []
     details += [f"If the curve is enlarged: {', '.join(larger)}."] if larger else []
     return Row(
         "Sheets",
         _first_names(fitting)
         if fitting
-        else f"none at this size; if the curve is enlarged: {_first_names(larger)}",
+        else f"none at this size; if the curve is enlarged, {_first_names(larger)}",
         details,
     )
 
 
 def _each_kind_first(sheets: Sequence[Sheet]) -> list[str]:
     first = list({sheet.kind: sheet for sheet in reversed(sheets)}.values())[::-1]
-    return [sheet.full_name for sheet in (*first, *(sheet for sheet in sheets if sheet not in first))]
+    return [sheet.name for sheet in (*first, *(sheet for sheet in sheets if sheet not in first))]
 
 
 def _first_names(names: Sequence[str]) -> str:
-    more = len(names) - MOST_SHEETS
-    return f"{', '.join(names[:MOST_SHEETS])}{f' and {more} others (-v)' if more > 0 else ''}"
+    shown = ", ".join(names[:MOST_SHEETS])
+    return f"{len(names)} can take it: {shown}, ... (-v lists all)" if names[MOST_SHEETS:] else shown
 
 
 def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
@@ -319,7 +317,10 @@ def _report_on_elements(rod: Rod) -> dict[str, Any]:
 
 
 def _stability_row(report: Mapping[str, Any]) -> Row:
-    bars = [f"the bar at {bar['at']:.4g} mm is on the {bar['side']} of the strip" for bar in report["bars"]]
+    bars = [
+        f"the rail at {bar['at']:.4g} mm is on the {bar['side']} of the strip, seen from its start"
+        for bar in report["bars"]
+    ]
     word = report["stability"]["word"]
     text = {"unstable": "unstable: the strip snaps into another shape", "low": "close to snapping"}
     return Row(

@@ -37,12 +37,15 @@ from elastica_cad.kit.kit import left_out
 from elastica_cad.kit.strip_kit import StripFiles, StripResult
 from elastica_cad.mechanics.theorem1 import outlier_message
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import Length, Listed, is_reported
+from elastica_cad.refusals import Length, Listed, is_reported, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.makeable_strip import compensate_within
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.summary import size_row, strip_rows
+
+MOST_NAMES = 3
+"""Largest number of files for cutting that are named in a row on several strips."""
 
 SUGGESTED_DEVIATION = 3e-4
 """Corrected widths are suggested if the strip deviates from its curve by more than this fraction of its
@@ -146,7 +149,10 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         )
         say_row(replace(row, text=f"{label}: {row.text}{more}"))
     if len(curves) > 1 and not voice().verbose:
-        say_row(Row("Files", f"{len(voice().files)} in {chosen['output']}"))
+        cut = Listed(f"{requested.name}.dxf" for requested in solved[:MOST_NAMES])
+        more = ", ..." if solved[MOST_NAMES:] else ""
+        marked = f" (cut: {cut}{more})" if solved else ""
+        say_row(Row("Files", f"{len(voice().files)} in {chosen['output']}{marked}"))
     if chosen["save_design"] is not None and solved:
         wrote([_save_design(chosen["save_design"], solved, table, force=chosen["force"])])
     for missing in left_out(step=files.step, pictures=files.pictures) if reports else ():
@@ -232,7 +238,7 @@ def _report_briefly(
     """Print the size of a strip and its distance from the drawn curve, and add its warnings to `alike`."""
     strip, near = result.strip, result.near
     voice().notes.extend(text for text in strip.warnings if not is_reported(text))
-    for row in strip_rows(strip, near, result.stability):
+    for row in _rows(result):
         if row.stops:
             alike.setdefault(getattr(row.text, "text", row.text), []).append((strip.label, row))
     moved = "" if near is None else f"; at most {Length(near.deviation)} from the drawn curve"
@@ -240,9 +246,21 @@ def _report_briefly(
     voice().files += map(str, written)
 
 
+def _rows(result: StripResult) -> tuple[Row, ...]:
+    rows, verdict = strip_rows(result.strip, result.near, result.stability), result.strip.strain_verdict
+    if verdict.allowed or verdict.refused:
+        return rows
+    return tuple(
+        replace(row, text=note("{text} The files are written; only a strip that would break is refused.",
+                               text=row.text))
+        if row.stops and row.text in result.strip.strain_warnings else row
+        for row in rows
+    )  # fmt: skip
+
+
 def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> None:
     strip = result.strip
-    rows = strip_rows(strip, result.near, result.stability)
+    rows = _rows(result)
     voice().notes.extend(text for text in strip.warnings if not is_reported(text))
     tabs = result.spec.tabs_message
     more = [pre_bend_message(strip), tabs]

@@ -36,8 +36,7 @@ MOST_REFUSALS = 7
 
 
 def typed_line(*added: str, instead: str | None = None) -> str:
-    """Return the running command as typed, with added options, which override earlier options of the same
-    name.
+    """Return the running command as typed, with added options, which replace earlier values of the same options.
 
     `instead` is another command with the same options, except output options.
     """
@@ -45,7 +44,21 @@ def typed_line(*added: str, instead: str | None = None) -> str:
     words: Sequence[str] = context.meta.get(TYPED, ())
     if instead is not None:
         words = [instead if word == context.info_name else word for word in words if word != "--json"]
-    return f"{name_program()} {quote_words([*words, *added])}"
+    return f"{name_program()} {quote_words([*_without_values(words, added), *added])}"
+
+
+def _without_values(words: Sequence[str], added: Sequence[str]) -> list[str]:
+    """Remove the earlier values of added options that take a single value."""
+    remaining = list(words)
+    for option in click.get_current_context().command.params:
+        single = isinstance(option, click.Option) and not (option.multiple or option.is_flag)
+        if single and option.nargs == 1 and set(option.opts) & set(added):
+            for name in option.opts:
+                while name in remaining:
+                    at = remaining.index(name)
+                    del remaining[at : at + 2]
+                remaining = [word for word in remaining if not word.startswith(f"{name}=")]
+    return remaining
 
 
 def typed_length(mm: float) -> str:

@@ -66,6 +66,9 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
     return middle if np.isfinite(middle) and even.mean() >= 1 - _MOST_END_WIDTHS * width / s[-1] else None
 
 
+BY_OPTION = "the option unit"
+"""Source of a unit that the user has set."""
+
 EXACT_MM = 1e-3
 """Largest distance from the drawing, mm, at which a curve counts as exact."""
 
@@ -94,11 +97,12 @@ class ReadUnit:
     @classmethod
     def requested(cls, name: str) -> "ReadUnit":
         """Return the record of a unit that the user has set by an option."""
-        return cls(name, "stated", "the option unit")
+        return cls(name, "stated", BY_OPTION)
 
     def __str__(self) -> str:
         if self.known == "stated":
-            return note("{unit}, from {source}", unit=self.name, source=self.source)
+            source = self.source if self.source == BY_OPTION else note("the file")
+            return note("{unit}, from {source}", unit=self.name, source=source)
         return note("{unit}, {known}", unit=self.name, known=self.known)
 
 

@@ -93,9 +93,9 @@ class MadePair:
         kerf = sheet.kerf or LASER_KERF
         remaining = max(thin - kerf, 0.0)
         yield note(
-            "The files have the outline of the part without compensation for the cut. A laser cut of {kerf} "
-            "leaves {left} of {thin} at the thinnest place, and {percent:.0f} % of the force. Set the width "
-            "of the cut ({field}), unless the laser program compensates it.",
+            "The files do not compensate the width of the cut. A laser cut of {kerf} makes the thinnest place "
+            "{left:.2g} wide instead of {thin:.2g} and leaves {percent:.0f} % of the force. Set {field}, unless "
+            "the laser program compensates the cut.",
             severity="warning", field=FieldName("cut.kerf"), kerf=Length(kerf), left=Length(remaining),
             thin=Length(thin), percent=100 * (remaining / thin) ** 3,
         )  # fmt: skip

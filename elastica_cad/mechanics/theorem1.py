@@ -950,17 +950,17 @@ def _warn_of_widths(
         yield Refusal(
             "kinks",
             "The width of the strip jumps at {places}, because the curvature jumps there. Set {field} to "
-            "{within:g} for a smooth curve of degree 4 within that distance.",
+            "{within:g} to smooth the curve, which moves it by at most that distance.",
             {"places": lengths(steps), "field": SMOOTH, "within": SMOOTH_WITHIN}, changes=SMOOTHED,
             severity="warning",
         )  # fmt: skip
     if kinks:
         yield Refusal(
             "kinks",
-            "The width of the strip has a kink at {places}, because the slope of the curvature jumps there. "
-            "Set {field} to {within:g} for a smooth curve of degree 4 within that distance."
+            "The edges of the strip have a corner at {places}, because the curvature changes abruptly there. "
+            "Set {field} to {within:g} to smooth the curve, which moves it by at most that distance."
             if curve.degree < 4 else
-            "The width of the strip has a kink at {places}, because the slope of the curvature jumps there. "
+            "The edges of the strip have a corner at {places}, because the curvature changes abruptly there. "
             "Do not repeat the knot there.",
             {"places": lengths(kinks), "field": SMOOTH, "within": SMOOTH_WITHIN},
             changes=SMOOTHED if curve.degree < 4 else (), severity="warning" if sharp else "note",

@@ -58,12 +58,12 @@ class MatchedPair:
 
     def __str__(self) -> str:
         return note(
-            "Both curves are now {length} long and have the same clamps. For this, the first curve was "
-            "moved by up to {first} and the second by up to {second}."
+            "To give both curves the same length ({length}) and the same clamped ends, the first curve was "
+            "moved by up to {first:.2g} and the second by up to {second:.2g}."
             if self.same_clamps
             else (
-                "Both curves are now {length} long. For this, the first curve was moved by up to {first} "
-                "and the second by up to {second}."
+                "To give both curves the same length ({length}), the first curve was moved by up to "
+                "{first:.2g} and the second by up to {second:.2g}."
             ),
             length=Length(self.first.length),
             first=Length(self.moved[0]),

@@ -7,7 +7,7 @@ from elastica_cad.pairs.flexure import STATES, Flexure
 from elastica_cad.refusals import Length, Refusal, Span, note
 from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.held_shape import about
-from elastica_cad.strip.summary import LATER
+from elastica_cad.strip.summary import LATER, direction_in_drawing
 
 
 def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tuple[Row, ...]:
@@ -24,8 +24,7 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
     path = [] if quick else [Row(note("Force"), _force_sentence(part))]
     first, second = part.rest_deviations
     rest = note(
-        "at rest the part is up to {far} ({first}) and {other} ({second}) from its curves, because its forces "
-        "stretch it",
+        "at rest up to {far} ({first}) and {other} ({second}) from its curves, because its forces stretch it",
         far=about(first), other=about(second), **_names(part),
     )  # fmt: skip
     stability = Row(note("Stability"), LATER) if live else _stability_row(part)
@@ -39,7 +38,7 @@ def _names(part: Flexure) -> dict[str, Any]:
 
 def _size(part: Flexure) -> Row:
     text = note(
-        "{length:.1f} between its pads, {thickness} thick in the plane, {depth} deep",
+        "{length:.1f} between its end pads, {thickness} wide in the drawing, {depth} thick",
         length=Length(part.pair.length),
         thickness=Span.of(*part.thickness_range),
         depth=Length(part.sheet.thickness),
@@ -52,8 +51,8 @@ def _strain(part: Flexure, *, quick: bool) -> Row:
     text = note(
         "{one:.2f} % ({first}) and {other:.2f} % ({second}); {sheet} allows {limit:.2f} % in the long term"
         if quick else
-        "{one:.2f} % ({first}) and {other:.2f} % ({second}), {between:.2f} % between them; {sheet} allows "
-        "{limit:.2f} % in the long term",
+        "{one:.2f} % ({first}) and {other:.2f} % ({second}), {between:.2f} % on the way between them; {sheet} "
+        "allows {limit:.2f} % in the long term",
         one=100 * strains[0], other=100 * strains[1], between=100 * strains[-1],
         sheet=part.sheet.name, limit=100 * part.sheet.max_strain, **_names(part),
     )  # fmt: skip
@@ -110,13 +109,16 @@ def _force_sentence(part: Flexure) -> Refusal:
             force=part.force_text, at=at, turn=turn, second=part.state_labels[1],
         )  # fmt: skip
     sentence = note(
-        "bistable: if pushed at {at:.4g} from the start, at {turn} degrees to the x axis, the part snaps over "
-        "at {force}, and back at about {back:.2g} N in the opposite direction",
-        at=at, turn=turn, force=part.force_text, back=back.largest_force,
+        "bistable: pushed {direction} at {at:.3g} from the start, the part snaps over at {force}, and back at "
+        "about {back:.2g} N"
+        if turn % 90 == 0 else
+        "bistable: pushed at {at:.3g} from the start, at {turn} degrees to the x axis, the part snaps over at "
+        "{force}, and back at about {back:.2g} N",
+        at=at, turn=turn, direction=direction_in_drawing(turn), force=part.force_text, back=back.largest_force,
     )  # fmt: skip
     if part.travel.snap is None:
         return sentence
     return note(
-        "{sentence}; the part snaps by itself after {snap:.3g} of travel and about {work:.2g} N mm of work",
+        "{sentence}; it snaps by itself after {snap:.3g} of travel and about {work:.2g} mJ of work",
         sentence=sentence, snap=Length(part.travel.snap), work=part.travel.work,
     )  # fmt: skip

@@ -76,13 +76,14 @@ class Suggestion:
     @property
     def effect(self) -> Refusal:
         """Sentence on the distance from the drawn curve and the strain."""
+        if self.change.field == "size":
+            return note("{used} % of the allowed strain", used=self.used)
         return note(
-            "within {distance} of the drawn curve, {used} % of the allowed strain of {sheet}"
+            "within {distance} of the drawn curve, {used} % of the allowed strain"
             if self.deviation
-            else "the curve as drawn, {used} % of the allowed strain of {sheet}",
+            else "the curve as drawn, {used} % of the allowed strain",
             distance=about(self.deviation),
             used=self.used,
-            sheet=self.requests[0].material.name,
         )
 
     def __str__(self) -> str:

@@ -217,14 +217,14 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
         for action in rod.between
     ]
     details = note(
-        "Left and right are seen along the strip from its start; a bar that pushes to the left is on the right. "
-        "Angles are from the x axis of the drawing."
+        "Directions are those of the drawing; a rail that pushes the strip upward is below it. Angles are "
+        "measured from the x axis."
     )
     yield Row(note("Between"), sentences(texts, "; "), (details,))
 
 
-SMALLEST_GAP_MM = 0.01
-"""Least distance of a slack rail from the strip that is reported, mm."""
+SMALLEST_MOVE_MM = 0.01
+"""Least displacement of a strip, or distance of a slack rail from it, that is reported, mm."""
 
 MOUNTING_ERROR_MM = 0.5
 """Assumed error of the position of a rail or pin, or of the length of a cord, mm.
@@ -237,23 +237,27 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
         return
     texts = [
         note(
-            "{far:.2g} because of the {element} from {start:.0f} to {end:.0f}"
+            "the {element} from {start:.0f} to {end:.0f} moves the strip by {far}"
             if isinstance(action.element, Tie)
-            else "{far:.2g} because of the {element} at {start:.0f}",
-            far=Length(MOUNTING_ERROR_MM * moved), element=noun_of(action.element), start=Length(action.s[0]),
-            end=Length(action.s[-1]),
+            else "the {element} at {start:.0f} moves the strip by {far}",
+            far=_rounded_move(MOUNTING_ERROR_MM * moved), element=noun_of(action.element),
+            start=Length(action.s[0]), end=Length(action.s[-1]),
         )
         for action, moved in zip(strip.rod.between, displacements_per_mm(strip.rod), strict=True)
     ]  # fmt: skip
     text = note(
-        "an error of {error} in mounting an element moves the strip by {moves}", error=Length(MOUNTING_ERROR_MM),
-        moves=sentences(texts, ", "),
+        "if mounted with an error of {error}, {moves}", error=Length(MOUNTING_ERROR_MM), moves=sentences(texts),
     )  # fmt: skip
     details = note(
         "The error moves a rail across the strip or a pin in any direction, or makes a cord too long or too "
         "short. The result is the largest displacement of the strip."
     )
     yield Row(note("Mounting"), text, (details,))
+
+
+def _rounded_move(mm: float) -> Length | Refusal:
+    small = note("less than {limit}", limit=Length(SMALLEST_MOVE_MM))
+    return about(mm) if mm >= SMALLEST_MOVE_MM else small
 
 
 def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
@@ -263,7 +267,7 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
         gap = -violation(action, ShapeOfRod.of(rod))
         return note(
             "the {element} at {places} is slack, {gap:.2g} away from the strip"
-            if isinstance(action.element, Rail) and gap >= SMALLEST_GAP_MM
+            if isinstance(action.element, Rail) and gap >= SMALLEST_MOVE_MM
             else "the {element} at {places} is slack",
             element=noun_of(action.element), places=places, gap=Length(gap),
         )  # fmt: skip
@@ -273,25 +277,26 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
             start=Length(action.s[0]), end=Length(action.s[1]), force=force,
             length=Length(action.distance_on(rod.curve)),
         )  # fmt: skip
-    x, y = action.force[0]
+    angle = float(np.degrees(np.arctan2(*action.force[0][::-1])))
     if isinstance(action.element, Rail):
-        angle = rod.curve.at(action.s).angle[0]
-        left = y * np.cos(angle) > x * np.sin(angle)
-        text = (
-            "rail at {at:.0f} pushes {force:.2g} N to the left"
-            if left
-            else "rail at {at:.0f} pushes {force:.2g} N to the right"
-        )
-        return note(text, at=Length(action.s[0]), force=force)
+        return note(
+            "rail at {at:.0f} pushes the strip {direction} with {force:.2g} N",
+            at=Length(action.s[0]), direction=direction_in_drawing(angle), force=force,
+        )  # fmt: skip
     return note(
         "pin at {at:.0f} pushes {force:.2g} N at {angle:.0f} degrees",
-        at=Length(action.s[0]), force=force, angle=float(np.degrees(np.arctan2(y, x))),
+        at=Length(action.s[0]), force=force, angle=angle,
     )  # fmt: skip
+
+
+def direction_in_drawing(angle: float) -> Refusal:
+    """Return the direction of the drawing that is nearest to an angle, in degrees from the x axis."""
+    return note(("to the right", "upward", "to the left", "downward")[round(angle / 90) % 4])
 
 
 def not_computed_row() -> Row:
     """Return the row on accuracy of a strip with elements or point forces, which is not computed."""
-    return Row(note("Accuracy"), note("not computed with rails, pins, ties or point forces"))
+    return Row(note("Accuracy"), note("not computed for a strip with rails, pins, ties or point forces"))
 
 
 def accuracy_row(held: HeldShape) -> Row:

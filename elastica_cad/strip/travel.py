@@ -37,7 +37,7 @@ CONSTANT_FORCE_FRACTION = 1e-4
 TITLES = {
     "mm": "travel mm   force N  strain %    margin",
     "deg": " turn deg   force N  strain %    margin",
-    "%": " change %   force N  strain %    margin",
+    "%": "applied %   force N  strain %    margin",
 }
 """Header of the printed table, by the unit of the movement."""
 

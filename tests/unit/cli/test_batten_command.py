@@ -21,7 +21,7 @@ ASKED = ("--sheet", "pom-1", "--length", "2400", "--camber", "10", "--at", "40")
 
 def test_the_files_say_what_is_told(tmp_path, check_drawing_file):
     told = run("batten", *ASKED, "--stock", 25, 8, "--least", 3, "--every", 300, "--weight", "-o", tmp_path)
-    assert "Camber      10.00 % at 40.00 % of the chord" in told.output
+    assert "Camber      233.9 mm (10 % of the chord) at 935.5 mm (40 %) along the chord" in told.output
     assert "Weight      level and bulging down, its own weight makes the camber" in told.output
     rows = list(csv.DictReader((tmp_path / "batten.csv").read_text().splitlines()))
     assert [float(row["s_mm"]) for row in rows] == list(np.arange(0.0, 2401.0, 300.0))
@@ -205,7 +205,9 @@ def test_the_place_that_is_told_instead_can_be_made(place, towards, tmp_path):
     refused = run("batten", *asked, "--at", place, code=2)
     told = re.search(rf"Move the largest camber to {towards} (\d\d\.\d) %", refused.output)[1]
     made = run("batten", *asked, "--at", told)
-    assert f"Camber      10.00 % at {float(told):.2f} % of the chord" in made.output
+    assert re.search(
+        rf"Camber      [\d.]+ mm \(10 % of the chord\) at [\d.]+ mm \({float(told):g} %\)", made.output
+    )
 
 
 def test_stock_as_it_is_sold_in_inches(tmp_path):

@@ -24,7 +24,7 @@ def test_a_spring_and_its_force_travel_curve(tmp_path):
     for k in range(1, 5):
         assert energy[k] - energy[k - 1] == pytest.approx((force[k] + force[k - 1]), rel=1e-3)
     titles, *_, last = [line.split("  ") for line in made.stdout.splitlines() if "stab" in line][:6]
-    assert [text.strip() for text in titles if text][:3] == ["travel mm", "force x N", "force y N"]
+    assert [text.strip() for text in titles if text][:3] == ["travel mm", "end force x N", "end force y N"]
     numbers = [float(text) for text in last if text and text.strip() != "stable"]
     assert numbers[:3] == [10, pytest.approx(float(rows[-1]["end_force_x_N"]), rel=5e-3), 0]
     assert {row["end_y_mm"] for row in rows} == {row["end_force_y_N"] for row in rows} == {"0"}, "no dust"

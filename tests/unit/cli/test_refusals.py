@@ -176,6 +176,7 @@ def test_what_is_nearest_to_working_is_told_where_no_change_of_the_request_works
     write_curves([ec.PlaneCurve.arc((0, 0), 60, 0, 3)], tmp_path / "arc.json")
     refused = run("strip", "arc.json", "--sheet", "oak-3", "--max-width", "12", "-o", "out", code=1)
     (sheet,) = suggested_commands(refused.output)
+    assert shlex.split(sheet).count("--sheet") == 1
     (scale,) = re.findall(
         r"^Change +This works: Draw the curve ([0-9.]+) times as large \(", refused.output, re.M
     )

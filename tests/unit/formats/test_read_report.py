@@ -25,8 +25,8 @@ def dxf(tmp_path):
 
 
 @pytest.mark.parametrize(("unit", "line"), [
-    (4, "180.0 x 60.0 mm (mm, from $INSUNITS), 1 spline, exact"),
-    (1, "4572.0 x 1524.0 mm (in, from $INSUNITS), 1 spline, exact"),
+    (4, "180.0 x 60.0 mm (mm, from the file), 1 spline, exact"),
+    (1, "4572.0 x 1524.0 mm (in, from the file), 1 spline, exact"),
     (0, "180.0 x 60.0 mm (mm, assumed), 1 spline, exact"),
 ])  # fmt: skip
 def test_a_spline_is_read_exactly_in_the_unit_of_its_file(dxf, unit, line):

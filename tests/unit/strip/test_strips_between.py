@@ -58,7 +58,7 @@ def test_no_kink_is_reported_where_the_force_of_a_rail_causes_it():
     strips = [
         ec.make_strip(slat, "birch-plywood-6", max_width=100, between=rails) for rails in (ec.Rail(400), ())
     ]
-    kinks = [[warning for warning in strip.warnings if "kink at" in warning] for strip in strips]
+    kinks = [[warning for warning in strip.warnings if "have a corner at" in warning] for strip in strips]
     assert [len(found) for found in kinks] == [0, 1]
 
 
@@ -139,8 +139,8 @@ def test_the_report_has_the_displacement_by_errors_in_mounting():
     text = {row.label: row.text for row in strip_rows(strip)}["Mounting"]
     rail, tie = (element["moved_per_mm"] for element in report_strip(strip, name="wave", files={})["between"])
     assert text == (
-        f"an error of 0.5 mm in mounting an element moves the strip by {rail / 2:.2g} mm because of the rail at "
-        f"200 mm, {tie / 2:.2g} mm because of the tie from 40 mm to 310 mm"
+        f"if mounted with an error of 0.5 mm, the rail at 200 mm moves the strip by {rail / 2:.2g} mm; the tie "
+        f"from 40 mm to 310 mm moves the strip by {tie / 2:.2g} mm"
     )
     assert "Mounting" not in {row.label for row in strip_rows(strip, quick=True)}
 
