@@ -445,7 +445,8 @@ def _displacement_row(moved: Travel, *, released: bool) -> Row:
     strip = "without rails, pins and ties, the strip" if released else "the strip"
     if distance < SMALLEST_MOVE_MM:
         return Row("Moved", f"{strip} stays within {SMALLEST_MOVE_MM:g} mm of its design")
-    text = f"{strip} moves by at most {distance:.2g} mm from its design"
+    far = ENGLISH.format_field(float(distance), ".2g")
+    text = f"{strip} moves by at most {far} mm from its design"
     return Row("Moved", f"{text}, at {moved.strip.rod.s[k]:.0f} mm, {direction_in_drawing(angle)}")
 
 
