@@ -19,11 +19,10 @@ from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.drawn_file import CurveList
-from elastica_cad.geometry.path import largest_deviation
+from elastica_cad.forming.nearest_record import Status
 from elastica_cad.kit.kit import Kit, left_out
-from elastica_cad.kit.kit_contents import KitContents, count_strips, kit_contents
+from elastica_cad.kit.kit_contents import KitContents, changed_curves, count_strips, far_parts, kit_contents
 from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
-from elastica_cad.model.model import Model
 from elastica_cad.plot.drawing_process import DrawingProcess
 from elastica_cad.refusals import Length, Refusal, is_reported, note, one_of_each
 from elastica_cad.report_rows import Row, warning_row
@@ -33,7 +32,7 @@ from elastica_cad.strip.strip_spec import StripSpec
 
 if TYPE_CHECKING:
     from elastica_cad.strip.suggestions import Suggestion
-from elastica_cad.strip.summary import accuracy_row, size_row
+from elastica_cad.strip.summary import accuracy_row, hold_row, size_row
 
 MOST_SHOWN = 6
 """Largest number of notes that are printed without -v; the report contains all notes."""
@@ -168,7 +167,9 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
     for text, parts in sizes.items():
         count, names = sum(part.count for part in parts), [part.name for part in parts]
         label = f"{names[0]} x {count}" if count > 1 else names[0]
-        say_row(Row(label, text, [f"These are {', '.join(names)}."] if names[1:] else []))
+        loads = (hold_row(part.strip).text for part in parts)
+        details = [f"{name}: {load}" for name, load in zip(names, loads, strict=True)]
+        say_row(Row(label, text, [f"These are {', '.join(names)}.", *details] if names[1:] else details))
     say_row(
         Row(
             "Model",
@@ -196,21 +197,16 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
 
 
 def _row_of_largest_deviation(contents: KitContents) -> Row | None:
-    curves = {entry.label: entry.curve for entry in contents.entries if entry.spec.may_change}
-    deviations = [
-        (largest_deviation(curves[part.strip.label], part.strip.rod.curve), part.name)
-        for part in contents.model.parts
-        if part.strip.label in curves
-    ]
+    deviations = changed_curves(contents.model, contents.entries)
     if not deviations:
         return None
-    distance, name = max(deviations)
-    return Row("Curves", f"{name} is farthest from its drawn curve: {Length(distance)}")
+    name = max(deviations, key=lambda name: deviations[name])
+    return Row("Curves", f"{name} is farthest from its drawn curve: {Length(deviations[name])}")
 
 
 def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
     model = contents.model
-    messages = [*contents.notes, *model.reports, *_warnings(model)]
+    messages = [*contents.notes, *model.reports, *_warnings(contents)]
     if old := left_behind(kit, output):
         messages.append(
             f"{output} holds files of an earlier run that do not belong to this model "
@@ -225,9 +221,13 @@ def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
         warn(f"All {len(messages)} notes are in {model.name}.json, or printed with -v.", in_notes=False)
 
 
-def _warnings(model: Model) -> Iterator[Refusal]:
+def _warnings(contents: KitContents) -> Iterator[Refusal]:
+    model = contents.model
+    far = far_parts(model, changed_curves(model, contents.entries))
     for part in model.parts:
         for text in part.strip.warnings:
+            if text == Status.FAR.value and part in far:
+                continue  # the notes of the kit name the strip and a remedy
             if voice().verbose or is_reported(text):
                 warning = text if isinstance(text, Refusal) else note(text, severity="warning")
                 yield warning.at(strip=part.name)

@@ -7,7 +7,14 @@ from urllib.parse import quote
 
 from elastica_cad._text import html_text
 from elastica_cad._values import require_record, round_numbers
-from elastica_cad.design.reports import list_versions, report_blank, report_held, report_measuring
+from elastica_cad.design.reports import (
+    list_versions,
+    report_blank,
+    report_held,
+    report_measuring,
+    report_reactions,
+    report_sideways,
+)
 from elastica_cad.design.strip_table import StripEntry
 from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.model.cut_rows import CutList
@@ -59,6 +66,8 @@ def report_model(
             "mass": "g",
             "area": "mm2",
             "angle": "rad",
+            "force": "N",
+            "moment": "N mm",
         },
         "strips": len(model.placed),
         "parts": [
@@ -134,6 +143,8 @@ def _strip(strip: Strip) -> dict[str, Any]:
         "width": {"least": round_numbers(low), "largest": round_numbers(high)},
         "largest_strain": round_numbers(strip.max_strain),
         "mass": round_numbers(strip.mass),
+        "sideways": report_sideways(strip.sideways),
+        "reactions": report_reactions(strip.reactions()),
         "blank": report_blank(strip),
         "slots": len(strip.slots),
         "warnings": list(strip.warnings),

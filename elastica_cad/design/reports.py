@@ -154,7 +154,7 @@ def report_strip(
         "check": None if rod.check is None else report_check(rod.check),
         "nearest": None if near is None else _nearest_report(near),
         "stability": None if stability is None else _stability_report(stability),
-        "sideways": _sideways_report(strip.sideways),
+        "sideways": report_sideways(strip.sideways),
         "creep": _creep(strip),
         "moved_by_snapping": round_numbers(rod.moved),
         "smoothing": None if smoothing is None else _smoothing_report(smoothing),
@@ -180,7 +180,7 @@ def report_strip(
         "joint": _joint(strip),
         "mass": round_numbers(strip.mass),
         "layers": _layers(strip),
-        "reactions": _reactions_report(strip.reactions()),
+        "reactions": report_reactions(strip.reactions()),
         "between": _between(strip),
         "warnings": list(strip.warnings),
     }
@@ -195,7 +195,8 @@ def _stability_report(stability: Stability) -> dict[str, Any]:
     }
 
 
-def _sideways_report(verdict: SidewaysStability) -> dict[str, Any]:
+def report_sideways(verdict: SidewaysStability) -> dict[str, Any]:
+    """Return the stability against tipping sideways as plain data."""
     return {
         "word": verdict.word,
         "margin": round_numbers(verdict.margin),
@@ -251,7 +252,8 @@ def _sheet_report(sheet: Sheet) -> dict[str, Any]:
     }
 
 
-def _reactions_report(reactions: Reactions) -> dict[str, Any]:
+def report_reactions(reactions: Reactions) -> dict[str, Any]:
+    """Return the forces (N) and moments (N mm) at both ends as plain data."""
     return {
         "start_force": round_numbers(reactions.start_force),
         "start_moment": round_numbers(reactions.start_moment),

@@ -13,6 +13,8 @@ from elastica_cad.design.model_report import report_model
 from elastica_cad.design.reports import pre_bend_message
 from elastica_cad.design.strip_table import StripEntry
 from elastica_cad.errors import NotConvergedError
+from elastica_cad.forming.limits import FAR_SHARE
+from elastica_cad.geometry.path import largest_deviation
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.model.assembly import Holder, unheld_ends
@@ -27,9 +29,11 @@ from elastica_cad.refusals import FieldName, Length, Listed, note, sentences
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.strip.outline import StripEnd
-from elastica_cad.strip.pieces import Piece, strip_pieces
+from elastica_cad.strip.pieces import EqualStrips, Piece, strip_pieces
 from elastica_cad.strip.strip import Strip, distinct_names
 from elastica_cad.strip.strip_spec import StripSpec
+from elastica_cad.strip.suggestions import thinner_for_all
+from elastica_cad.strip.summary import instability
 from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
 
 
@@ -93,7 +97,10 @@ def kit_contents(
     spec = spec or KitSpec()
     requests = {entry.label: entry.spec for entry in entries}
     model = _with_plates_over_joints(model, spec, requests)
-    messages = [*_pre_bend_notes(model), *_strip_faults(model, spec, requests), *_instability_notes(model)]
+    messages = [
+        *_departure_notes(model, entries), *_instability_notes(model), *_pre_bend_notes(model),
+        *_strip_faults(model, spec, requests),
+    ]  # fmt: skip
     holders = list[Holder]()
     joined = _spliced(model, spec, requests)
     strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
@@ -189,12 +196,51 @@ def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]
 
 
 def _instability_notes(model: Model) -> list[str]:
-    verdicts = ((part, stability(part.strip.rod)) for part in model.parts)
+    warnings = ((part, instability(part.strip, stability(part.strip.rod))) for part in model.parts)
+    return [warning.at(strip=part.name) for part, warning in warnings if warning is not None]
+
+
+def changed_curves(model: Model, entries: Sequence[StripEntry]) -> dict[str, float]:
+    """Return the largest distance, mm, of each part from its drawn curve, by name, where the curve may change."""
+    curves = {entry.label: entry.curve for entry in entries if entry.spec.may_change}
+    return {
+        part.name: largest_deviation(curves[part.strip.label], part.strip.rod.curve)
+        for part in model.parts
+        if part.strip.label in curves
+    }
+
+
+def far_parts(model: Model, deviations: Mapping[str, float]) -> list[EqualStrips]:
+    """Return the parts whose deviation from the drawn curve is a large fraction of their length."""
     return [
-        note("{name}: {verdict}", name=part.name, verdict=str(verdict), severity="warning")
-        for part, verdict in verdicts
-        if not verdict.stable
+        part for part in model.parts if deviations.get(part.name, 0.0) > FAR_SHARE * part.strip.rod.length
     ]
+
+
+def _departure_notes(model: Model, entries: Sequence[StripEntry]) -> list[str]:
+    """Return a warning for each sheet of which strips are far from their drawn curves."""
+    deviations = changed_curves(model, entries)
+    specs = {entry.label: entry.spec for entry in entries}
+    far = dict[Sheet, list[EqualStrips]]()
+    for part in far_parts(model, deviations):
+        far.setdefault(part.strip.sheet, []).append(part)
+    messages = list[str]()
+    for parts in far.values():
+        worst = max(parts, key=lambda part: deviations[part.name])
+        thinner = thinner_for_all([specs[part.strip.label] for part in parts])
+        messages.append(
+            note(
+                "The limits change the curves of {names}: {worst} by up to {far}, {percent:.2g} % of its length. "
+                "Relax a limit."
+                if thinner is None
+                else "The limits change the curves of {names}: {worst} by up to {far}, {percent:.2g} % of its "
+                "length. Use stock at most {thickness} thick, or relax a limit.",
+                names=Listed(part.name for part in parts), worst=worst.name,
+                far=Length(deviations[worst.name]), thickness=Length(thinner or 0.0),
+                percent=100 * deviations[worst.name] / worst.strip.rod.length, severity="warning",
+            )
+        )  # fmt: skip
+    return messages
 
 
 def _pre_bend_notes(model: Model) -> list[str]:

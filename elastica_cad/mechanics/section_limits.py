@@ -125,15 +125,20 @@ def thinner_for(sheet: Sheet, strain: float) -> float | None:
     >>> thinner_for(Sheet.named("birch-plywood-3"), 0.008)
     2.0
     """
+    for thickness in thinner_on_sale(sheet):
+        thinner = sheet.with_thickness(thickness)
+        if judge_strain(thinner, strain * thickness / sheet.thickness).allowed:
+            return thickness
+    return None
+
+
+def thinner_on_sale(sheet: Sheet) -> list[float]:
+    """Return the smaller thicknesses of this sheet on sale, mm, in decreasing order."""
     stem = sheet.name.removesuffix(f"-{sheet.thickness:g}")
     sold = (
         figures["thickness"] for name, figures in built_in_figures().items() if name.startswith(f"{stem}-")
     )
-    for thickness in sorted((candidate for candidate in sold if candidate < sheet.thickness), reverse=True):
-        thinner = sheet.with_thickness(thickness)
-        if judge_strain(thinner, strain * thickness / sheet.thickness).allowed:
-            return float(thickness)
-    return None
+    return sorted((float(thickness) for thickness in sold if thickness < sheet.thickness), reverse=True)
 
 
 LIMIT_SLACK = 1e-9

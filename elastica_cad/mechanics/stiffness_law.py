@@ -1,7 +1,7 @@
 """Stiffness laws of cross-sections: tapered strips, rods, tubes and glued plies."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Protocol, Self
 
@@ -62,6 +62,11 @@ class _PowerLaw(FixedLaw):
                 low=low,
                 high=Length(high),
             )
+
+    def with_sheet(self, sheet: Sheet) -> Self:
+        """Return the law for another thickness of the sheet; the limits change in proportion to the thickness."""
+        factor = sheet.thickness / self.sheet.thickness
+        return replace(self, sheet=sheet, least=factor * self.least, largest=factor * self.largest)
 
     @property
     def quantity(self) -> str:
@@ -211,6 +216,10 @@ class LeavesLaw(FixedLaw):
     leaves: int
     width: float
     fewest: int = 1
+
+    def with_sheet(self, sheet: Sheet) -> Self:
+        """Return the law for plies of another sheet."""
+        return replace(self, sheet=sheet)
 
     def __post_init__(self) -> None:
         if not isinstance(self.sheet, Sheet):

@@ -1,6 +1,6 @@
 """Tabs of strips in space, and printed blocks that hold tabs."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import combinations
@@ -285,19 +285,30 @@ class EndFixture(EqualByValue):
 
     @property
     def warnings(self) -> tuple[Refusal, ...]:
-        """Message that the pocket is rotated, with its angle and its overlap with the straight body of the tab."""
+        """Warning about a tall block, and a message that the pocket is rotated."""
+        return (*self._extended(), *self._rotated())
+
+    def _extended(self) -> Iterator[Refusal]:
+        if self.lowest > MOST_EXTENDED_MM:
+            yield note(
+                "The block of {tab} is {height:.0f} high, because the floor is {extra:.0f} below its pocket. "
+                "Raise the floor, or leave it out.",
+                tab=self.tab.name, height=Length(self.size[2]), extra=Length(self.lowest), severity="warning",
+            )  # fmt: skip
+
+    def _rotated(self) -> Iterator[Refusal]:
+        """Report the angle of the pocket and its overlap with the straight body of the tab."""
         depth = -float(self.seat.gaps(0.0, 0.0, 1).min())
         if depth <= 0:
-            return ()
+            return
         shift, turn = self.lean
-        message = note(
+        yield note(
             "The pocket of {fixture} is turned by {angle:.2g} degrees and moved by {shift:.2g}, so that the loaded "
             "tab has its designed direction. In the drawing, its wall overlaps the straight tab by up to "
             "{depth:.2g}. Do not correct the pocket.",
             fixture=self.label, angle=abs(float(np.degrees(turn))), shift=Length(abs(shift)), depth=Length(depth),
             severity="note",
         )  # fmt: skip
-        return (message,)
 
     @property
     def label(self) -> str:

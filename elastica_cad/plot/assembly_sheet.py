@@ -30,6 +30,7 @@ from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_p
 from elastica_cad.plot.model_pictures import holder_patches, lit, look_from, rule_strip, screen_of
 from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements, held_ends
 from elastica_cad.strip.outline import ENDS
+from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.strip import Placed
 
 A4 = np.array([595.0, 842.0])  # points
@@ -197,6 +198,8 @@ def _tables(
         ("plate", "middle at (x, y, z)", "from the middle above"),
         placed_plates if len(placed_plates) > 1 else [],
     )
+    loads = ("strip", "start (1): force, N", "moment, N mm", "end (2): force, N", "moment, N mm")
+    yield Table("Loads at the ends", loads, [*_load_rows(model)])
     head = ("strip", "element", "place (x, y, z), mm", "angle, degrees", "force, N", "length, mm")
     yield Table("Rails, pins, ties and loads", head, [*_element_rows(model)])
     if cut_list is not None:
@@ -299,6 +302,18 @@ def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
             noun = f"{element.name} {element.noun}"
             angle, length = ("", f"{distance:.1f}") if is_tie else (f"{element.tilt:.1f}", "")
             yield model.single_name_of(i), noun, at, angle, f"{element.force:.2g}", length
+
+
+def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:
+    """Successive parts with equal loads have one row."""
+
+    def cells(part: EqualStrips) -> tuple[str, ...]:
+        loads = part.strip.reactions()
+        ends = ((loads.start_force, loads.start_moment), (loads.end_force, loads.end_moment))
+        return tuple(f"{np.linalg.norm(load):.2g}" for end in ends for load in end)
+
+    for texts, parts in groupby((part for part in model.parts if not part.strip.is_closed), cells):
+        yield _range([part.name for part in parts]), *texts
 
 
 def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:

@@ -39,7 +39,7 @@ from elastica_cad.mechanics.loads import (
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw, WidthRange
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stiffness_law import BoundedLaw
+from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.theorem1 import NotRealizable, begin_at, flattest_place, measured_points
 from elastica_cad.refusals import FieldName, Length, Refusal, note
 from elastica_cad.strip.held_shape import USUAL_TOLERANCE, MakingTolerance
@@ -834,7 +834,10 @@ class StripSpec(EqualByValue):
                 return None
             return self.changed(limits=self.limits or Limits(), keep=self.keep or Keep())
         if change.field == "thickness":
-            return self.changed(sheet=self.material.with_thickness(change.value))
+            sheet, law = self.material.with_thickness(change.value), self.law
+            if isinstance(law, ThicknessLaw | RoundLaw | LeavesLaw):
+                law = law.with_sheet(sheet)
+            return self.changed(sheet=sheet, law=law)
         if change.field == "lap":
             return self.changed(shop=replace(self.shop, lap=change.value))
         if change.field not in {option.name for option in fields_of(self)}:

@@ -17,6 +17,7 @@ from elastica_cad.geometry.plane_curve import split_at_corners
 from elastica_cad.mechanics.elements import NOUNS, Pin, Rail, Tie
 from elastica_cad.mechanics.equilibrium_check import largest_move
 from elastica_cad.mechanics.point_search import move_one_point
+from elastica_cad.mechanics.section_limits import thinner_on_sale
 from elastica_cad.mechanics.sheets import cut_sheets, sheet_names
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.support_search import suggest_support
@@ -172,6 +173,17 @@ def suggest(
             count += 1
         if count == MOST_SUGGESTIONS:
             return
+
+
+def thinner_for_all(specs: Sequence[StripSpec]) -> float | None:
+    """Return the largest smaller thickness, mm, that suits all requests, or None.
+
+    The requests have the same sheet. At most `MOST_TRIED` thicknesses on sale are tested.
+    """
+    for thickness in islice(thinner_on_sale(specs[0].material), MOST_TRIED):
+        if all(_held(spec, Change("thickness", thickness)) for spec in specs):
+            return thickness
+    return None
 
 
 def _changes(spec: StripSpec, problem: ElasticaError) -> Iterator[Iterable[Change]]:

@@ -145,20 +145,31 @@ def stability_row(strip: Strip, verdict: Stability) -> Row:
                 factor=SAFE_LOAD,
             )
         )
-    if verdict.rating == "unstable":
-        text = note("unstable: the strip snaps into another shape")
-    elif verdict.rating == "close to snapping":
-        text = note("close to snapping: a push can move the strip into another shape")
-    elif sideways.word == "unstable":
-        text = note("unstable sideways: the strip tips over; guide it at the sides, or make it wider")
-    elif sideways.word == "low":
-        text = note("close to tipping over sideways: guide the strip at the sides")
-    elif sideways.word == "undecided":
+    if warning := instability(strip, verdict):
+        return Row(note("Stability"), warning, details, "warning")
+    text = note("stable, in its plane and sideways")
+    if sideways.word == "undecided":
         text = note("stable in its plane; sideways undecided ({meaning})", meaning=note(sideways.meaning))
-        return Row(note("Stability"), text, details)
-    else:
-        return Row(note("Stability"), note("stable, in its plane and sideways"), details)
-    return Row(note("Stability"), text, details, "warning")
+    return Row(note("Stability"), text, details)
+
+
+def instability(strip: Strip, verdict: Stability) -> Refusal | None:
+    """Return the warning that a strip may snap in its plane or tip over sideways, or None."""
+    if verdict.rating == "unstable":
+        return note("unstable: the strip snaps into another shape", severity="warning")
+    if verdict.rating == "close to snapping":
+        return note(
+            "close to snapping: a push can move the strip into another shape",
+            severity="warning",
+        )
+    if strip.sideways.word == "unstable":
+        return note(
+            "unstable sideways: the strip tips over; guide it at the sides, or make it wider",
+            severity="warning",
+        )
+    if strip.sideways.word == "low":
+        return note("close to tipping over sideways: guide the strip at the sides", severity="warning")
+    return None
 
 
 COMPRESSED_SHARE = 0.05

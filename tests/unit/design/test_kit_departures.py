@@ -8,6 +8,7 @@ import elastica_cad as ec
 from elastica_cad.design import read_design
 from elastica_cad.kit.kit_contents import kit_contents
 from elastica_cad.kit.model_kit import model_kit
+from elastica_cad.strip.summary import strip_rows
 
 DESIGN = """schema = 1
 sheet = "card-200gsm"
@@ -37,3 +38,45 @@ def test_departures_from_drawn_curves(tmp_path):
     assert parts["near"]["deviation"] == pytest.approx(wanted, rel=1e-2)
     assert parts["exact"]["deviation"] == pytest.approx(0.0, abs=1e-6)
     assert "section" not in parts["near"]
+
+
+RODS = """schema = 1
+sheet = "{sheet}"
+law = {{ kind = "rod", limits = [{diameter}, {diameter}] }}
+limits = {{ ratio = 1.0 }}
+[[strips]]
+label = "hoop"
+curve = {{ ellipse = {{ semi_axes = [400, 400], start = 0, end = 3.14159265358979 }} }}
+"""
+
+
+def contents_of(tmp_path, text):
+    (tmp_path / "model.toml").write_text(text)
+    design = read_design(tmp_path / "model.toml", ec.read_curves)
+    return kit_contents(design.model(), design.kit, entries=design.entries)
+
+
+def test_a_curve_that_the_limits_change_much_needs_thinner_stock(tmp_path):
+    """A fibre glass rod of 8 mm withstands a radius of 482 mm, and 6 mm withstands 361 mm."""
+    contents = contents_of(tmp_path, RODS.format(sheet="glass-rod-8", diameter=8))
+    first = contents.report["reports"][0]
+    assert first.severity == "warning"
+    assert "change the curves of hoop" in first
+    assert "at most 6 mm thick" in first
+    assert first.values["percent"] > 3
+    thinner = contents_of(tmp_path, RODS.format(sheet="glass-rod-6", diameter=6))
+    assert not any("The limits change" in text for text in thinner.report["reports"])
+
+
+def test_a_model_reports_tipping_and_loads_as_a_strip_does(tmp_path):
+    (tmp_path / "model.toml").write_text(RODS.format(sheet="glass-rod-5", diameter=5))
+    design = read_design(tmp_path / "model.toml", ec.read_curves)
+    contents = kit_contents(design.model(), design.kit, entries=design.entries)
+    strip = contents.model.strips[0]
+    row = next(row for row in strip_rows(strip) if row.label == "Stability")
+    assert "tip" in row.text
+    assert f"hoop: {row.text}" in contents.report["reports"]
+    part = contents.report["parts"][0]
+    assert part["sideways"]["word"] == strip.sideways.word
+    assert part["reactions"]["start_force"] == pytest.approx(strip.reactions().start_force.tolist(), rel=1e-3)
+    assert part["reactions"]["end_moment"] == pytest.approx(strip.reactions().end_moment, rel=1e-3)

@@ -298,3 +298,14 @@ def test_the_cut_list_counts_equal_blocks(arch):
     wider = model.cut_list(model.fixtures(foot=5.0, screw=0)).printed
     assert [row.length - 10 for row in wider] == pytest.approx([row.length for row in listed.printed])
     assert [row.thickness for row in wider] == [row.thickness for row in listed.printed]
+
+
+def test_a_floor_far_below_a_block_is_reported(arch):
+    near, far = (
+        EndFixture.of(arch, "start", UPRIGHT, floor=Frame((0, 0, -height))) for height in (100, 900)
+    )
+    assert not any("high" in text for text in near.warnings)
+    (message,) = (text for text in far.warnings if "high" in text)
+    assert message.severity == "warning"
+    assert message.values["height"] == pytest.approx(far.size[2])
+    assert message.values["extra"] == pytest.approx(near.lowest + 800)

@@ -103,3 +103,14 @@ def test_the_sheet_of_a_frame_states_the_distances_of_its_plates(sheet):
         if middles[1:]:
             assert float(page[row + 2]) == pytest.approx(np.linalg.norm(middles[-1] - middles[-2]), abs=0.15)
     assert abs(middles[0] - middles[1]) == pytest.approx([2 * 60, 0, 0], abs=6)
+
+
+def test_the_sheet_states_the_loads_at_the_ends(sheet):
+    strips = [replace(BOW, label="A"), replace(BOW, label="B")]
+    (page,) = sheet(ec.Model([ec.Placed(strip, (0, 30 * k, 0)) for k, strip in enumerate(strips)]))
+    loads = BOW.reactions()
+    row = page[page.index("Loads at the ends") :]
+    row = row[row.index("A and B") :]
+    assert [float(text) for text in row[1:5]] == pytest.approx(
+        [np.hypot(*loads.start_force), abs(loads.start_moment)] * 2, rel=0.05
+    )
