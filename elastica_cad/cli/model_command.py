@@ -24,7 +24,7 @@ from elastica_cad.kit.kit import Kit, left_out
 from elastica_cad.kit.kit_contents import KitContents, changed_curves, count_strips, far_parts, kit_contents
 from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import Length, Refusal, is_reported, note, one_of_each
+from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, one_of_each
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.pieces import EqualStrips
@@ -123,8 +123,11 @@ def model(
         process=click.get_current_context().find_object(DrawingProcess),
     )
     _report(contents, kit, output)
-    for text in left_out(step=step, pictures=pictures, paper=bool(requested.kit.pages)):
+    blocks, paper = contents.names_of_blocks, bool(requested.kit.pages)
+    for text in left_out(step=step, pictures=pictures, paper=paper, blocks=blocks):
         say(text)
+    if blocks and not step:
+        say(f"not written: STL of {Listed(blocks)}; to get it: leave out --no-step")
 
 
 KEYS = {"nearest": "limits = {{}}", "lap": "shop = {{ lap = {value:g} }}"}

@@ -16,7 +16,16 @@ from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.segments import Line
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
 from elastica_cad.strip.lettering import Text
-from elastica_cad.strip.measuring import ANGLES, LENGTHS, MARKS, MEANINGS, UNITS, Measuring, row_label
+from elastica_cad.strip.measuring import (
+    ANGLES,
+    LENGTHS,
+    MARKS,
+    MEANINGS,
+    UNITS,
+    Measuring,
+    heights_of_marks,
+    row_label,
+)
 
 WIDE_MM, HIGH_MM = 180.0, 60.0
 """Largest width and height of the drawn strip, mm. With the text below it, the page fits A4."""
@@ -167,6 +176,9 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     position = np.array(measuring.shape)
     x, y = position[-1] - position[0]
     position = position @ (np.array([[x, -y], [y, x]]) / np.hypot(x, y))  # rotate the chord to level
+    heights = heights_of_marks(position)
+    if heights[np.abs(heights).argmax()] < 0:
+        position = -position  # turn the picture, so that positive heights are above the chord
     low, high = position.min(axis=0), position.max(axis=0)
     scale = float(np.min([WIDE_MM, HIGH_MM] / np.maximum(high - low, [WIDE_MM, HIGH_MM])))
     points = (position - [low[0], low[1]]) * scale
@@ -181,6 +193,7 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     rows = [
         (name, "Measure the strip in its fixture."),
         ("Marks", f"1, 2 and 3 at {places} mm along the free part"),
+        ("Signs", "Heights above the chord and angles of ends that rise from it are positive."),
     ]
     rows += [
         (

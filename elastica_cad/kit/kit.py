@@ -1,6 +1,6 @@
 """A kit: the files of a strip, a model or a flexure, and their report."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import partial
@@ -15,6 +15,7 @@ from elastica_cad.formats.write_files import File, write_files
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.plot.drawing_process import DrawingProcess
+from elastica_cad.refusals import Listed
 from elastica_cad.strip.drawing import Drawing
 
 
@@ -47,11 +48,17 @@ def can_draw() -> bool:
     return find_spec("matplotlib") is not None
 
 
-def left_out(*, step: bool = True, pictures: bool = True, paper: bool = False) -> tuple[str, ...]:
-    """Return a sentence for each missing package: the files that it would write, and how to install it."""
+def left_out(
+    *, step: bool = True, pictures: bool = True, paper: bool = False, blocks: Sequence[str] = ()
+) -> tuple[str, ...]:
+    """Return a sentence for each missing package: the files that it would write, and how to install it.
+
+    `blocks` are the names of printed blocks.
+    """
     outputs = " and ".join(kind for requested, kind in ((paper, "PDF"), (pictures, "pictures")) if requested)
     missing = [(outputs, "" if can_draw() else how_to_install("matplotlib"))]
-    missing += [("STEP", step_trouble())] if step else []
+    solids = f"STEP and STL of {Listed(blocks)}" if blocks else "STEP"
+    missing += [(solids, step_trouble())] if step else []
     return tuple(f"not written: {kind}; to get it: {cure}" for kind, cure in missing if kind and cure)
 
 

@@ -65,6 +65,11 @@ class KitContents:
         """Blocks to be printed."""
         return [holder for holder in self.holders if isinstance(holder, EndFixture)]
 
+    @property
+    def names_of_blocks(self) -> list[str]:
+        """Names of the blocks to be printed, each once."""
+        return [*dict.fromkeys(block.label for block in self.blocks)]
+
     @cached_property
     def report(self) -> dict[str, Any]:
         """Report as data for JSON, without the list of files."""

@@ -44,6 +44,9 @@ FRAME_MM = 4.0
 LONGEST_TITLE = 90
 """Largest number of letters of a page title that lists all parts. Longer titles name only the first part."""
 
+NOT_WRITTEN = "not written"
+"""Text in the lists in place of the file of a block, if no solids are written."""
+
 CUT_FROM = (".dxf", ".svg", ".stl")
 """Suffixes of files from which parts are made."""
 
@@ -110,7 +113,7 @@ def model_kit(
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
     name, files, used_names = file_word(model.name), list[File](), set[str]()
     listed = contents.cut_list.in_files(_file_of_each_piece(contents, parts=parts))
-    blocks = (replace(row, file=f"{PARTS}/{row.file}" if step else "") for row in listed.printed)
+    blocks = (replace(row, file=f"{PARTS}/{row.file}" if step else NOT_WRITTEN) for row in listed.printed)
     listed = replace(listed, printed=tuple(blocks))
     csv, txt, json, page = _list_names(name)
     if pictures:
@@ -245,7 +248,7 @@ def save_model(
     kit = model_kit(contents, step=step, pictures=pictures, parts=parts)
     kit.write(folder, force=force, done=done)
     summary = f"{model.name}: {count_strips(model)} on {counted(len(contents.nests), 'sheet')}"
-    missing = left_out(step=step, pictures=pictures, paper=bool(spec.pages))
+    missing = left_out(step=step, pictures=pictures, paper=bool(spec.pages), blocks=contents.names_of_blocks)
     return SavedKit(folder, tuple(file.name for file in kit.files), missing, summary)
 
 

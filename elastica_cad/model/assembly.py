@@ -14,7 +14,7 @@ from elastica_cad.model.frames import Rib, SlottedFrame
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate, Ring
 from elastica_cad.refusals import note
-from elastica_cad.strip.holding_template import held_ends
+from elastica_cad.strip.measuring import rising_angles
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.solids import BentSolid, BodyRecord, PrismSolid, bent_colors, bent_sheets
 from elastica_cad.strip.strip import Placed, Strip, strip_names
@@ -237,7 +237,7 @@ def _instruction_without_holder(member: Placed, end: StripEnd) -> str:
     if member.strip.is_closed or not (support.x or support.y or support.angle):
         return FREE
     x, y, z = PlacedTab.of(member.strip, end, member.frame).frame.origin
-    turned = f", {held_ends(member.strip)[k].tilt:z.1f} degrees from the line" if support.angle else ""
+    turned = f", {rising_angles(member.strip)[k]:z.1f} degrees from the line" if support.angle else ""
     return f"hold at ({x:z.1f}, {y:z.1f}, {z:z.1f}){turned}"
 
 

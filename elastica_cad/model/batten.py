@@ -104,12 +104,13 @@ def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
 
 
 def _label_lines(strip: Strip) -> list[str]:
-    law, sheet = strip.layout.section, strip.sheet
-    flat = law is not None and law.quantity == "thickness"
+    sheet, flat = strip.sheet, "thickness" in strip.tapered
     # remove the sheet's thickness from its name, because the stock has another thickness
     stock = sheet.full_name.removesuffix(f" {sheet.thickness:g} mm")
     wide = f"{stock}, {strip.width.extremes[1]:g} mm wide: plane both faces alike"
-    instruction = wide if flat else f"{stock}, round: turn it to the diameters"
+    sizes = {f"{size:.2f}" for profile in strip.tapered.values() for size in profile.extremes}
+    work = ": turn it to the diameters" if len(sizes) > 1 else f", {float(sizes.pop()):g} mm in diameter"
+    instruction = wide if flat else f"{stock}, round{work}"
     ticks = "full size, seen from the side; at a tick: mm from this tip, and the size there"
     blocks = strip.label or "batten", instruction, str(ends_message(strip)), ticks
     return [engravable(line) for block in blocks for line in wrap(block, LETTERS)]

@@ -174,7 +174,18 @@ class CutList:
 def _texts(
     rows: Iterable[CutListRow], columns: Mapping[str, str], empty: Sequence[str] = ()
 ) -> list[list[str]]:
-    return [["" if name in empty else text.format(row) for name, text in columns.items()] for row in rows]
+    return [
+        [
+            "" if name in empty or _is_sawn_cut(name, row) else text.format(row)
+            for name, text in columns.items()
+        ]
+        for row in rows
+    ]
+
+
+def _is_sawn_cut(column: str, row: CutListRow) -> bool:
+    """Return True for the length of the cuts of a rod, which is only sawn to length."""
+    return column == "cut mm" and not row.cut_length
 
 
 def _without_formula(text: str) -> str:
@@ -209,7 +220,7 @@ def cut_list(pieces: Iterable[Piece | EndFixture], files: Mapping[str, str] | No
                 0.0 if piece.is_rod else piece.cut_length,
                 piece.mass,
                 f"{piece.file_stem}.dxf",
-                "" if piece.sheet.grain == "none" else piece.sheet.grain,
+                "" if piece.is_rod or piece.sheet.grain == "none" else piece.sheet.grain,
                 _equal_piece(piece, shapes, first_names),
                 hex_color(sheet_color(piece.sheet)),
             )

@@ -28,7 +28,8 @@ from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate, RingOptions
 from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_pages
 from elastica_cad.plot.model_pictures import holder_patches, lit, look_from, rule_strip, screen_of
-from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements, held_ends
+from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements
+from elastica_cad.strip.measuring import rising_angles
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.strip import Placed
@@ -190,7 +191,9 @@ def _tables(
     yield Table("" if sentences else "Order of assembly", head, rows)
     yield Table("", (), [(text,) for text in _sentences_below_steps(holders)])
     head = ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance")
-    title = "Positions in the blocks (mm; degrees from the line between the ends)"
+    title = (
+        "Positions in the blocks (mm; degrees from the line between the ends, positive where the strip rises)"
+    )
     yield Table(title, head, [*_block_rows(model, holders)])
     placed_plates = [*_plate_rows(holders)]
     yield Table(
@@ -266,8 +269,8 @@ def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, 
         if blocks.isdisjoint(tab.key for tab in tabs):
             continue
         cells = []
-        for tab, end in zip(tabs, held_ends(member.strip), strict=True):
-            cells += [_point(tab.frame.origin), f"{end.tilt:z.1f}"]
+        for tab, angle in zip(tabs, rising_angles(member.strip), strict=True):
+            cells += [_point(tab.frame.origin), f"{angle:z.1f}"]
         distance = float(np.linalg.norm(tabs[1].frame.origin - tabs[0].frame.origin))
         yield model.single_name_of(i), *cells, f"{distance:.1f}"
 

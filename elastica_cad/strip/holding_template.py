@@ -313,7 +313,7 @@ def holding_template(strip: Strip) -> Drawing:
         f"bend lines {distance_between(ends):.1f} mm apart, tips {distance_of_tips(ends):.1f} mm",
         *(
             f"{name}: "
-            + (f"{abs(end.tilt):.1f} degrees from the line" if end.support.angle else "free to turn")
+            + f"{abs(end.tilt):.1f} degrees from the line{'' if end.support.angle else ', free to turn'}"
             + "".join(f", hole at x {x:z.1f}, y {y:z.1f}" for x, y in holes)
             for name, end, holes in zip(("start (1)", "end (2)"), ends, hole_places(ends), strict=True)
         ),

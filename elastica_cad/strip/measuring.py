@@ -10,6 +10,7 @@ from elastica_cad._values import require_positive, require_record
 from elastica_cad.errors import InputError
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import shape_responses
+from elastica_cad.strip.holding_template import held_ends
 from elastica_cad.strip.strip import Strip
 
 MARKS = (0.25, 0.5, 0.75)
@@ -139,11 +140,12 @@ class Measuring:
             loads[:, owners.index("thinner sheet")] = 0.02 * loaded.nodal_load
         moments = np.column_stack([column for column_list in columns.values() for column in column_list])
         moved = shape_responses(loaded, moments, loads, apart)
-        expected = _measured(design.position, design.position)
+        unmoved = _measured(design.position, design.position)
+        expected = unmoved | dict(zip(ANGLES, rising_angles(strip), strict=True))
         causes: dict[str, list[dict[str, float]]] = {}
         for k, cause in enumerate(owners):
             lengths = _measured(design.position + moved[:, k], design.position)
-            causes.setdefault(cause, []).append({name: lengths[name] - expected[name] for name in expected})
+            causes.setdefault(cause, []).append({name: lengths[name] - unmoved[name] for name in unmoved})
         off = np.degrees(strip.tolerance.clamps + held.expected / design.length)
         uncertain = dict.fromkeys(LENGTHS, held.expected) | dict.fromkeys(ANGLES, float(off))
         return cls(
@@ -264,18 +266,40 @@ def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
     """
     chord = position[-1] - position[0]
     length = float(np.hypot(*chord))
-    along, heights, designed = chord / length, _heights(position), _heights(design)
-    side = -1.0 if designed[np.abs(designed).argmax()] < 0 else 1.0
+    along, heights, side = chord / length, heights_of_marks(position), _side(heights_of_marks(design))
     first, last = position[1] - position[0], position[-1] - position[-2]
     angles = [np.degrees(np.arctan2(along[0] * d[1] - along[1] * d[0], along @ d)) for d in (first, last)]
     values = (length, *(side * heights), side * angles[0], -side * angles[1])
     return dict(zip((*LENGTHS, *ANGLES), map(float, values), strict=True))
 
 
-def _heights(position: FloatArray) -> FloatArray:
-    """Return the distances of the marks from the chord, mm, positive to the left of it."""
+def _side(heights: FloatArray) -> float:
+    return -1.0 if heights[np.abs(heights).argmax()] < 0 else 1.0
+
+
+def rising_angles(strip: Strip) -> tuple[float, float]:
+    """Return the angles of the ends from the line between them, degrees, positive towards the largest height.
+
+    Examples
+    --------
+    >>> from elastica_cad.geometry.plane_curve import PlaneCurve
+    >>> from elastica_cad.strip.strip_spec import make_strip
+    >>> arch = make_strip(PlaneCurve.arc((0, 0), 100, 0, np.pi / 3), "card-200gsm", max_width=20)
+    >>> np.round(rising_angles(arch), 6).tolist()
+    [30.0, 30.0]
+    """
+    (first, last), rod = held_ends(strip), strip.rod
+    side = _side(heights_of_marks(rod.position, rod.s))
+    return side * first.tilt, -side * last.tilt
+
+
+def heights_of_marks(position: FloatArray, s: FloatArray | None = None) -> FloatArray:
+    """Return the distances of the marks from the chord, mm, positive to the left of it.
+
+    Without arc lengths `s` (n,), the points (n, 2) are evenly spaced.
+    """
     chord = position[-1] - position[0]
-    at = np.array(MARKS) * (len(position) - 1)
-    x, y = (np.interp(at, np.arange(len(position)), column) for column in (position - position[0]).T)
+    stations = np.linspace(0.0, 1.0, len(position)) if s is None else s / s[-1]
+    x, y = (np.interp(MARKS, stations, column) for column in (position - position[0]).T)
     heights: FloatArray = (chord[0] * y - chord[1] * x) / np.hypot(*chord)
     return heights

@@ -3,6 +3,7 @@
 import csv
 import json
 import re
+import sys
 from urllib.parse import unquote
 
 import numpy as np
@@ -89,6 +90,17 @@ def test_a_model_becomes_one_folder(design, tmp_path):
     assert sorted(name for name in names if name.endswith(".stl")) == blocks
     told = f"{blocks[0]} to {blocks[-1]}, foot down" if blocks else "without STEP files they are left out"
     assert f"4 blocks to print: {told}" in (out / "index.html").read_text()
+
+
+@pytest.mark.parametrize(("options", "cure"), [((), "build123d"), (("--no-step",), "leave out --no-step")])
+def test_blocks_that_are_not_written_are_named(tmp_path, monkeypatch, options, cure):
+    monkeypatch.setitem(sys.modules, "OCP", None)
+    path, out = tmp_path / "kit.toml", tmp_path / "out"
+    path.write_text(DESIGN.replace("K{i}", "K").replace(BASE, ""))
+    told = run("model", path, "-o", out, "--no-pictures", "--no-effects", "--no-parts", *options)
+    assert re.search(f"not written: .*STL of fixture K:1 and fixture K:2; .*{cure}", told.output)
+    with (out / "kit-cut-list.csv").open() as file:
+        assert {row["file"] for row in csv.DictReader(file) if row["sheet"] == "printed"} == {"not written"}
 
 
 @pytest.mark.campaign
@@ -606,6 +618,10 @@ def test_a_kit_of_rods_lists_the_lengths_to_saw(tmp_path):
         assert sum(map(len, sawn)) == 5
         assert all(sum(parts) < float(length) for parts in sawn)
         assert not (out / "sheets").exists()
+        with (out / "tent-cut-list.csv").open() as file:
+            assert {row["grain"] for row in csv.DictReader(file)} == {""}
+        heads, _, pole, *_ = (out / "tent-cut-list.txt").read_text().splitlines()
+        assert pole[heads.index("cut mm") :][: len("cut mm")].strip() == ""
     cut_only(design, tmp_path / "service", "cut.for=service")
     assert not [*(tmp_path / "service").rglob("*.dxf")]
     short = cut_only(design, tmp_path / "short", "shop.stock=[500, 100]")

@@ -7,7 +7,9 @@ from scipy.special import ellipe, ellipk
 
 import elastica_cad as ec
 from elastica_cad.mechanics import RoundLaw
+from elastica_cad.model.batten import bench_drawing
 from elastica_cad.model.bows import bow
+from elastica_cad.strip.holding_template import held_ends, holding_template
 
 E, DIAMETER = 38000.0, 8.0
 GLASS = ec.Sheet("glass", DIAMETER, E, density=1900.0, max_strain=0.02)
@@ -128,3 +130,24 @@ def test_a_cord_keeps_some_length(share):
 def test_an_even_bow_has_no_limits():
     with pytest.raises(ec.InputError, match="limits is not an option of a bow of constant section"):
         bow(ec.PlaneCurve.arc((0, 0), 300, 2.5, 0.6), GLASS, law=EVEN, limits=ec.Limits())
+
+
+def test_the_sheets_of_an_even_rod_name_its_diameter_and_its_angles():
+    """A rod of one diameter is not turned, and its pinned ends are shown with the angles at which they rest."""
+    law = RoundLaw(ec.Sheet.named("glass-rod-4"), 4.0, 4.0)
+    curve = ec.PlaneCurve.spline([(0, 0), (150, 110), (310, 150), (470, 110), (620, 0)])
+    rod = ec.make_strip(
+        curve,
+        law.sheet,
+        law=law,
+        limits=ec.Limits(ratio=1.0),
+        supports=ec.Supports("pinned", "pinned"),
+        label="P",
+    )
+    lines = [text.text for text in bench_drawing(rod).texts]
+    assert "round, 4 mm in diameter" in " ".join(lines)
+    assert not any("turn it" in line for line in lines)
+    (start,) = (text.text for text in holding_template(rod).texts if text.text.startswith("start (1): "))
+    angle, rest = start.removeprefix("start (1): ").split(maxsplit=1)
+    assert float(angle) == pytest.approx(abs(held_ends(rod)[0].tilt), abs=0.05)
+    assert rest == "degrees from the line, free to turn"

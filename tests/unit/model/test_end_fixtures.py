@@ -301,9 +301,7 @@ def test_the_cut_list_counts_equal_blocks(arch):
 
 
 def test_a_floor_far_below_a_block_is_reported(arch):
-    near, far = (
-        EndFixture.of(arch, "start", UPRIGHT, floor=Frame((0, 0, -height))) for height in (100, 900)
-    )
+    near, far = (EndFixture.of(arch, "start", UPRIGHT, floor=Frame((0, 0, -height))) for height in (100, 900))
     assert not any("high" in text for text in near.warnings)
     (message,) = (text for text in far.warnings if "high" in text)
     assert message.severity == "warning"

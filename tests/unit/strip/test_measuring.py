@@ -7,8 +7,10 @@ import pytest
 
 import elastica_cad as ec
 from elastica_cad import InputError, Laminated, Strip
+from elastica_cad.design.measuring_sheet import measuring_page
 from elastica_cad.strip import Measuring
-from elastica_cad.strip.measuring import _measured
+from elastica_cad.strip.drawing import MARK
+from elastica_cad.strip.measuring import ANGLES, _measured, rising_angles
 
 pytestmark = pytest.mark.core
 
@@ -23,6 +25,7 @@ def strip():
 
 def read(strip, bent):
     readings = _measured(bent.position, strip.rod.position)
+    readings |= dict(zip(ANGLES, measured_on_left(bent)[-2:].tolist(), strict=True))
     return {name: round(value, 1) for name, value in readings.items()}
 
 
@@ -38,11 +41,12 @@ def test_a_clamp_that_gives_way_is_found(strip):
     assert "The clamp at the end" in meaning(strip, ec.bend(rod, angles=(start, end - np.radians(3.0))))
 
 
-def measured_on_left(position):
+def measured_on_left(rod):
     """Heights of the quarter points above the chord of a polygon, mm, and angles of its ends, degrees."""
+    position = rod.position
     chord = complex(*(position[-1] - position[0]))
     turned = (position - position[0]) @ [1, 1j] / chord * abs(chord)
-    start, end = turned[1], turned[-1] - turned[-2]
+    start, end = np.exp(1j * rod.angle[[0, -1]]) / chord
     heights = [turned[k * (len(turned) - 1) // 4].imag for k in (1, 2, 3)]
     return np.array([*heights, np.degrees(np.angle(start)), -np.degrees(np.angle(end))])
 
@@ -60,14 +64,14 @@ def test_causes_of_an_s_keep_its_signs(points):
     rod = ec.optimal_rod(ec.PlaneCurve.spline(points, degree=3), samples=241)
     strip = Strip(rod, ec.Sheet.named("card-200gsm"), max_width=25.0)
     measuring, names = Measuring.of(strip), ("height_1", "height_2", "height_3", "start_angle", "end_angle")
-    designed = measured_on_left(rod.position)
+    designed = measured_on_left(rod)
     expected = np.array([measuring.expected[name] for name in names])
     side = np.sign(expected @ designed)
     assert expected == pytest.approx(side * designed, abs=1e-6)
     for end, cause in enumerate(("clamp at the start", "clamp at the end")):
         for degrees in (1.0, 3.0, -3.0):
             angles = rod.angle[[0, -1]] + np.radians(degrees) * np.eye(2)[end]
-            own = side * measured_on_left(ec.bend(rod, angles=tuple(angles.tolist())).position)
+            own = side * measured_on_left(ec.bend(rod, angles=tuple(angles.tolist())))
             changes = np.array([measuring.causes[cause][0][name] for name in names])
             sign = np.sign(changes @ (own - expected))
             assert own - expected == pytest.approx(sign * abs(degrees) * changes, abs=0.15 * abs(degrees))
@@ -184,3 +188,22 @@ def test_slips_are_refused(strip):
     hoop = ec.Strip(ec.optimal_rod(ec.PlaneCurve.arc((0, 0), 80, 0, 2 * np.pi)), PLY, max_width=20.0)
     with pytest.raises(InputError, match="a closed strip has no ends"):
         Measuring.of(hoop)
+
+
+@pytest.mark.parametrize("turn", [0.0, 2.0, np.pi])
+def test_heights_and_angles_have_one_sign_rule_on_all_sheets(turn):
+    """The picture of an S, its heights and its angles agree, in any direction of the drawing."""
+    points = np.array([(0, 0), (30, -20), (110, 120), (240, 90), (320, 0)])
+    curve = ec.PlaneCurve.spline(points @ [[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+    strip = ec.make_strip(curve, PLY, max_width=30, label="S", ignore_limits=True)
+    expected = Measuring.of(strip).expected
+    assert max(expected[f"height_{k}"] for k in (1, 2, 3)) > 50
+    assert rising_angles(strip) == pytest.approx((expected["start_angle"], expected["end_angle"]))
+    assert expected["start_angle"] == pytest.approx(-np.degrees(np.arctan2(2, 3)), abs=0.1)
+    assert expected["end_angle"] == pytest.approx(np.degrees(np.arctan2(9, 8)), abs=0.1)
+    page = measuring_page("S", Measuring.of(strip))
+    marks = {text.text: text.position[1] for text in page.texts if text.text in ("1", "2", "3")}
+    chord = next(path.path for path in page.paths if path.layer == MARK)
+    level = chord.segments[0].start[1] + 2
+    assert all((marks[str(k)] > level) == (expected[f"height_{k}"] > 0) for k in (1, 2, 3))
+    assert any(text.text.startswith("Heights above the chord") for text in page.texts)
