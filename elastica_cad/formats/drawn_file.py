@@ -66,8 +66,8 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
     return middle if np.isfinite(middle) and even.mean() >= 1 - _MOST_END_WIDTHS * width / s[-1] else None
 
 
-BY_OPTION = "the option unit"
-"""Source of a unit that the user has set."""
+KEYS_OF_FILES = ("$INSUNITS", "a comment", "width and height", "units", "STEP")
+"""Sources of units within a file, which reports for people name "the file"."""
 
 EXACT_MM = 1e-3
 """Largest distance from the drawing, mm, at which a curve counts as exact."""
@@ -97,11 +97,11 @@ class ReadUnit:
     @classmethod
     def requested(cls, name: str) -> "ReadUnit":
         """Return the record of a unit that the user has set by an option."""
-        return cls(name, "stated", BY_OPTION)
+        return cls(name, "stated", "the option unit")
 
     def __str__(self) -> str:
         if self.known == "stated":
-            source = self.source if self.source == BY_OPTION else note("the file")
+            source = note("the file") if self.source in KEYS_OF_FILES else self.source
             return note("{unit}, from {source}", unit=self.name, source=source)
         return note("{unit}, {known}", unit=self.name, known=self.known)
 
