@@ -29,7 +29,7 @@ from elastica_cad.forming.limits import FAR_SHARE, Limits
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.rod import csv_text
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.mechanics.stability import stability
+from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
 from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.model.batten import bench_drawing
 from elastica_cad.model.bows import ENDS, SHORTER, Bow, bow, rise_of
@@ -148,7 +148,7 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
             "The section of the bow is missing. Add --rod DIAMETER, or --max-width MM for a strip."
         )
     fields: dict[str, Any] = given_of(chosen, ["smooth"]) | (
-        {"limits": Limits()} if chosen["nearest"] else {}
+        {"limits": Limits(margin=SAFE_MARGIN)} if chosen["nearest"] else {}
     )
     if fields and (widest == least if rod is None else rod[0] == rod[1]):
         raise InputError("--nearest and --smooth apply to a varying section only. Leave out these options.")

@@ -23,8 +23,9 @@ from elastica_cad.forming.nearest_record import Status
 from elastica_cad.kit.kit import Kit, left_out
 from elastica_cad.kit.kit_contents import KitContents, changed_curves, count_strips, far_parts, kit_contents
 from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
+from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.plot.drawing_process import DrawingProcess
-from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, one_of_each
+from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, one_of_each, sentences
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.pieces import EqualStrips
@@ -130,7 +131,7 @@ def model(
         say(f"not written: STL of {Listed(blocks)}; to get it: leave out --no-step")
 
 
-KEYS = {"nearest": "limits = {{}}", "lap": "shop = {{ lap = {value:g} }}"}
+KEYS = {"nearest": f"`limits = {{{{ margin = {SAFE_MARGIN:g} }}}}`", "lap": "`shop = {{ lap = {value:g} }}`"}
 """Lines in a design file for suggested changes, if they are not of the form FIELD = VALUE."""
 
 FIELDS = ("nearest", "lap", "max_width", "smooth", "thickness")
@@ -144,9 +145,15 @@ def _refused_request(design: Design, problem: ElasticaError) -> StripSpec | None
 
 
 def _design_line(suggestion: "Suggestion") -> str:
-    change = suggestion.change
-    line = KEYS.get(change.field, "{field} = {value:g}").format(field=change.field, value=change.value)
-    return f"`{line}` in the table of strip {suggestion.requests[0].label}"
+    lines = sentences(
+        (
+            KEYS.get(change.field, "`{field} = {value:g}`").format(field=change.field, value=change.value)
+            for change in (suggestion.change, suggestion.width)
+            if change is not None
+        ),
+        " and ",
+    )
+    return f"{lines} in the table of strip {suggestion.requests[0].label}"
 
 
 def _read_with_note(path: Path, *, unit: str | None = None) -> CurveList:

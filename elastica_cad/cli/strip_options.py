@@ -68,6 +68,8 @@ def _arguments_of(change: Change) -> tuple[str, ...]:
             getattr(change.value, entry.name) for entry in declared(record) if entry.default is REQUIRED
         ]
         return f"--{record.__name__.lower()}", *map(typed_length, places)
+    if change.field == "nearest" and click.get_current_context().info_name != "bow":
+        return "--nearest", "--stable"
     path, value = CHANGED.get(change.field, change.field), change.value
     name = typed_name(path)
     if not name:
@@ -82,6 +84,8 @@ def _arguments_of(change: Change) -> tuple[str, ...]:
 def typed_change(suggestion: "Suggestion", *options: str, instead: str | None = None) -> str:
     """Return the running command with a suggested change, or an instruction if no option makes the change."""
     words = _arguments_of(suggestion.change)
+    if suggestion.width is not None and "--max-width" not in options:
+        options = *options, *_arguments_of(suggestion.width)
     return f"`{typed_line(*options, *words, instead=instead)}`" if words else suggestion.title
 
 

@@ -24,6 +24,9 @@ MOST_POINTS = 30
 DIRECTIONS = 16
 """Number of evenly spaced directions in which a control point is moved."""
 
+END_REACH = 3.0
+"""Largest distance by which an end may be moved, in multiples of the largest distance of other points."""
+
 SHARES = (0.1, 0.25, 0.5, 1.0)
 """Distances by which a control point is moved, as fractions of the largest distance."""
 
@@ -48,7 +51,7 @@ def move_one_point(
 ) -> Iterator[tuple[int, PlaneCurve]]:
     """Yield possible curves that differ from an impossible curve in one control point, small moves first.
 
-    Every inner control point is moved in 16 directions by four distances. If three inflections are on a common
+    Every control point is moved in 16 directions by four distances. If three inflections are on a common
     line at a distance between two of the four, bisection finds this distance. A curve is possible if a rod
     without weight has a ratio up to 8; the stability of the rod is not computed.
 
@@ -58,7 +61,7 @@ def move_one_point(
         Impossible curve, mm. There is no result for a closed curve, a curve that was fitted to points, or a curve
         with more than 30 control points.
     farthest : float
-        Largest distance, mm, between the drawn and the possible curve.
+        Largest distance, mm, between the drawn and the possible curve; three times as much if an end is moved.
     supports : Supports, optional
         By default both ends are clamped.
     natural_curvature : float or RestCurvature
@@ -99,8 +102,10 @@ def move_one_point(
         axis=0
     )  # largest weight of each control point in the points of the curve
     moves = [
-        _Move(curve, index, direction * farthest / weights[index], natural_curvature)
-        for index in range(1, len(points) - 1)
+        _Move(curve, index, direction * reach / weights[index], natural_curvature)
+        for index, reach in enumerate(
+            [END_REACH * farthest, *[farthest] * (len(points) - 2), END_REACH * farthest]
+        )
         for direction in directions
     ]
     before = [(0.0, move.side(0.0)[1]) for move in moves]

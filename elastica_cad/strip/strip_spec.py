@@ -39,6 +39,7 @@ from elastica_cad.mechanics.loads import (
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw, WidthRange
 from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.stiffness_law import BoundedLaw, LeavesLaw, RoundLaw, ThicknessLaw
 from elastica_cad.mechanics.theorem1 import NotRealizable, begin_at, flattest_place, measured_points
 from elastica_cad.refusals import FieldName, Length, Refusal, note
@@ -832,7 +833,7 @@ class StripSpec(EqualByValue):
         if change.field == "nearest":
             if self.may_change:
                 return None
-            return self.changed(limits=self.limits or Limits(), keep=self.keep or Keep())
+            return self.changed(limits=Limits(margin=SAFE_MARGIN), keep=self.keep or Keep())
         if change.field == "thickness":
             sheet, law = self.material.with_thickness(change.value), self.law
             if isinstance(law, ThicknessLaw | RoundLaw | LeavesLaw):

@@ -2,8 +2,8 @@
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import asdict, dataclass, field
-from itertools import islice
+from dataclasses import asdict, dataclass, field, replace
+from itertools import chain, islice
 from typing import Any
 
 import numpy as np
@@ -22,7 +22,7 @@ from elastica_cad.mechanics.sheets import cut_sheets, sheet_names
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.mechanics.support_search import suggest_support
 from elastica_cad.mechanics.theorem1 import NotRealizable, outlier_message
-from elastica_cad.refusals import FieldName, Length, Refusal, note
+from elastica_cad.refusals import FieldName, Length, Refusal, note, sentences
 from elastica_cad.strip.held_shape import about
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
@@ -35,6 +35,9 @@ FIRST_FIELDS = ("smooth", "split_corners", "nearest")
 MOST_TRIED = 3
 """Largest number of changes of one field that are tested. Each test takes as long as the request."""
 
+MOST_WIDENED = 2
+"""Largest number of widths that are tested with one change, each of which the previous refusal names."""
+
 WIDEST_SHARE = 0.5
 """Largest width of a strip as a fraction of its length. A wider strip bends as a plate."""
 
@@ -45,6 +48,8 @@ MOST_PIECES = 8
 @dataclass(frozen=True)
 class Suggestion:
     """A tested change of a request that gives a possible, stable strip within its strain limit.
+
+    A change of the sheet or the size may also need another width.
 
     `str()` returns the change and its effect, and `as_dict()` a table for reports.
 
@@ -61,6 +66,8 @@ class Suggestion:
         Strain, % of the long-term strain limit of the sheet.
     strips : tuple of Strip
         The strips of the requests.
+    width : Change or None
+        Change of the width that the strip also needs.
     """
 
     change: Change
@@ -68,24 +75,33 @@ class Suggestion:
     deviation: float
     used: int
     strips: tuple[Strip, ...] = field(repr=False)
+    width: Change | None = None
 
     @property
     def title(self) -> Refusal:
         """Instruction to make the change."""
-        return instruction(self.change, self.requests[0].curve.provenance)
+        first = instruction(self.change, self.requests[0].curve.provenance)
+        return first if self.width is None else sentences([first, instruction(self.width)], " ")
+
+    @property
+    def is_far(self) -> bool:
+        """True if the strip is farther from the drawn curve than 3 % of the curve's size."""
+        return self.deviation > FAR_SHARE * _size(self.requests[0])
 
     @property
     def effect(self) -> Refusal:
-        """Sentence on the distance from the drawn curve and the strain."""
-        if self.change.field == "size":
-            return note("{used} % of the allowed strain", used=self.used)
-        return note(
-            "within {distance} of the drawn curve, {used} % of the allowed strain"
-            if self.deviation
-            else "the curve as drawn, {used} % of the allowed strain",
-            distance=about(self.deviation),
-            used=self.used,
-        )
+        """Sentence on the distance from the drawn curve, or the length of an enlarged strip, and the strain."""
+        values: dict[str, Any] = {"used": self.used}
+        if self.is_far:
+            text = "far from the drawn curve, up to {distance} away, {used} % of the allowed strain"
+        elif self.deviation:
+            text = "within {distance} of the drawn curve, {used} % of the allowed strain"
+        elif self.change.field == "size":
+            text = "a strip {length} long, {used} % of the allowed strain"
+            values["length"] = Length(float(f"{self.strips[0].rod.length:.3g}"))
+        else:
+            text = "the curve as drawn, {used} % of the allowed strain"
+        return note(text, distance=about(self.deviation), **values)
 
     def __str__(self) -> str:
         return f"{self.title} ({self.effect})"
@@ -100,11 +116,15 @@ class Suggestion:
         return {"kind": NOUNS[type(value)], **given}
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the field, value, deviation (mm), used fraction of the strain limit (%) and text."""
-        return {
+        """Return the field, value, deviation (mm), used fraction of the strain limit (%) and text.
+
+        A width that the strip also needs is added as `max_width` (mm).
+        """
+        record = {
             "field": self.change.field, "value": self.table, "deviation": self.deviation, "used": self.used,
             "text": str(self),
         }  # fmt: skip
+        return record if self.width is None else record | {"max_width": self.width.value}
 
 
 def instruction(change: Change, drawn: Provenance | None = None) -> Refusal:
@@ -134,14 +154,17 @@ def instruction(change: Change, drawn: Provenance | None = None) -> Refusal:
 
 
 def suggest(
-    spec: StripSpec, problem: ElasticaError, fields: Collection[str] | None = None
+    spec: StripSpec,
+    problem: ElasticaError,
+    fields: Collection[str] | None = None,
+    sheet_size: tuple[float, float] | None = None,
 ) -> Iterator[Suggestion]:
     """Yield at most four changes of a refused request that are tested and give a suitable strip.
 
     The order is: a moved control point, smoothing, separate strips between corners, the nearest curve, a rail, pin
     or tie, other fields that the refusal names, another sheet, another size. A strip is suitable if it is stable
-    and strained within the limit of its sheet. Its distance from the drawn curve is at most 3 % of the curve's
-    size.
+    and strained within the limit of its sheet. If it is farther from the drawn curve than 3 % of the curve's size,
+    it is the last suggestion.
 
     Parameters
     ----------
@@ -151,6 +174,8 @@ def suggest(
         The error that refused the request.
     fields : collection of str, optional
         Fields that may change; by default all.
+    sheet_size : pair of float, optional
+        Sides of the sheets, mm, on which an enlarged strip must fit; by default those of the request.
 
     Examples
     --------
@@ -164,15 +189,20 @@ def suggest(
     """
     if outlier_message(spec.curve):
         return
-    count = 0
+    count, far = 0, []
+    widths = MOST_WIDENED if fields is None or "max_width" in fields else 0
     for changes in _changes(spec, problem):
         tried = (change for change in changes if fields is None or change.field in fields)
-        held = (_held(spec, change) for change in islice(tried, MOST_TRIED))
+        held = (_held(spec, change, widths, sheet_size) for change in islice(tried, MOST_TRIED))
         if (suggestion := next(filter(None, held), None)) is not None:
-            yield suggestion
             count += 1
+            if suggestion.is_far:
+                far.append(suggestion)
+            else:
+                yield suggestion
         if count == MOST_SUGGESTIONS:
-            return
+            break
+    yield from far
 
 
 def thinner_for_all(specs: Sequence[StripSpec]) -> float | None:
@@ -191,15 +221,16 @@ def _changes(spec: StripSpec, problem: ElasticaError) -> Iterator[Iterable[Chang
     named = problem.refusal.changes
     fields = dict.fromkeys((*FIRST_FIELDS, *(change.field for change in named)))
     exact = isinstance(problem, NotRealizable) and _is_unloaded(spec)
+    thinner = [change for change in named if isinstance(problem, StrainError) and change.field == "thickness"]
     if exact:
         yield _moved_points(spec)
     for name in fields:
-        yield [change for change in named if change.field == name]
+        yield [change for change in named if change.field == name and change not in thinner]
         if exact and name == FIRST_FIELDS[-1]:
             yield _support(spec)
     if isinstance(problem, StrainError):
         share = problem.refusal.values["percent"] / 100
-        yield _change_of_sheet(spec, share)
+        yield chain(islice(_other_sheets(spec, share), MOST_TRIED - len(thinner)), thinner)
         yield [Change("size", rounded_up(1.01 * share, 2))]
 
 
@@ -221,8 +252,8 @@ def _is_unloaded(spec: StripSpec) -> bool:
     return not (spec.may_change or spec.between or spec.loads) and spec.gravity is None
 
 
-def _change_of_sheet(spec: StripSpec, share: float) -> Iterator[Change]:
-    """Yield a change to the thickest sheet that withstands the curve, preferably of the same kind.
+def _other_sheets(spec: StripSpec, share: float) -> Iterator[Change]:
+    """Yield changes to the thickest sheet of each kind that withstands the curve, of the same kind first.
 
     `share` is the strain divided by the limit of the present sheet. If that is a sheet of the user, only
     sheets of its kind are considered.
@@ -230,13 +261,16 @@ def _change_of_sheet(spec: StripSpec, share: float) -> Iterator[Change]:
     own, listed = spec.material, spec.material.name in sheet_names()
     bears = share * own.max_strain / own.thickness
     known = (sheet for sheet in cut_sheets() if listed or sheet.kind == own.kind)
+    kinds = set()
     for sheet in sorted(known, key=lambda sheet: (sheet.kind != own.kind, -sheet.thickness)):
-        if sheet.max_strain / sheet.thickness >= bears:
+        if sheet.max_strain / sheet.thickness >= bears and sheet.kind not in kinds:
+            kinds.add(sheet.kind)
             yield Change("sheet", sheet.name)
-            return
 
 
-def _requests(spec: StripSpec, change: Change) -> Sequence[StripSpec]:
+def _requests(
+    spec: StripSpec, change: Change, sheet_size: tuple[float, float] | None = None
+) -> Sequence[StripSpec]:
     match change.field, change.value:
         case "point", (index, place):
             points = spec.curve.control_points.copy()
@@ -244,7 +278,8 @@ def _requests(spec: StripSpec, change: Change) -> Sequence[StripSpec]:
             moved = spec.curve.with_control_points(points)
             return [spec.changed(curve=moved.drawn_as(spec.curve.provenance))]
         case "size", scale:
-            return [spec.changed(curve=spec.curve.transformed(np.diag([scale, scale, 1.0])))]
+            shop = spec.shop if sheet_size is None else replace(spec.shop, stock=sheet_size)
+            return [spec.changed(curve=spec.curve.transformed(np.diag([scale, scale, 1.0])), shop=shop)]
         case "split_corners", _:
             pieces = split_at_corners(spec.curve)
             drawn = spec.curve.degree > 1  # the corners of a polyline are not joints between straight strips
@@ -254,29 +289,49 @@ def _requests(spec: StripSpec, change: Change) -> Sequence[StripSpec]:
     return [] if changed is None else [changed]
 
 
-def _held(spec: StripSpec, change: Change) -> Suggestion | None:
-    """Return the suggestion for a change, or None if a strip is impossible or unsuitable."""
+def _held(
+    spec: StripSpec, change: Change, widths: int = 0, sheet_size: tuple[float, float] | None = None
+) -> Suggestion | None:
+    """Return the suggestion for a change, or None if a strip is impossible or unsuitable.
+
+    If a strip is too narrow or too wide, the width that its refusal names is tested, at most `widths` times.
+    """
+    width = None
+    for _ in range(widths + 1):
+        try:
+            return _tested(spec, change, width, sheet_size)
+        except ElasticaError as problem:
+            width = next((named for named in problem.refusal.changes if named.field == "max_width"), None)
+            if width is None:
+                return None
+            if change.field == width.field:
+                change, width = width, None
+    return None
+
+
+def _tested(
+    spec: StripSpec, change: Change, width: Change | None, sheet_size: tuple[float, float] | None
+) -> Suggestion | None:
+    """Return the suggestion for a change and a width, or None if a strip is unsuitable."""
     away, used, strips = [0.0], [0], []
-    try:
-        requests = tuple(_requests(spec, change))
-        for request in requests:
-            rod = solve_rod(request.rod_spec)
-            strip = request.make(rod)
-            away.append(
-                request.rod_spec.smoothing.moved + (rod.deviation if isinstance(rod, NearestRod) else 0.0)
-            )
-            if change.field == "point":
-                away.append(largest_move(spec.curve, request.curve))
-            wide = float(strip.width.extremes[1]) > WIDEST_SHARE * strip.rod.length
-            if wide or max(away) > FAR_SHARE * _size(request) or not strip.strain_verdict.allowed:
-                return None
-            if not stability(strip.rod).stable:
-                return None
-            used.append(strip.strain_verdict.percent)
-            strips.append(strip)
-    except ElasticaError:
+    widened = spec if width is None else spec.changed(max_width=width.value)
+    requests = tuple(_requests(widened, change, sheet_size))
+    for request in requests:
+        rod = solve_rod(request.rod_spec)
+        strip = request.make(rod)
+        away.append(
+            request.rod_spec.smoothing.moved + (rod.deviation if isinstance(rod, NearestRod) else 0.0)
+        )
+        if change.field == "point":
+            away.append(largest_move(spec.curve, request.curve))
+        wide = float(strip.width.extremes[1]) > WIDEST_SHARE * strip.rod.length
+        if wide or not strip.strain_verdict.allowed or not stability(strip.rod).stable:
+            return None
+        used.append(strip.strain_verdict.percent)
+        strips.append(strip)
+    if not requests:
         return None
-    return Suggestion(change, requests, max(away), max(used), tuple(strips)) if requests else None
+    return Suggestion(change, requests, max(away), max(used), tuple(strips), width)
 
 
 def _size(spec: StripSpec) -> float:

@@ -33,6 +33,7 @@ from elastica_cad.mechanics.point_search import ALL_DIRECTIONS, move_while_possi
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet, cut_sheets
+from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.mechanics.thrust_line import thrust_sides
 from elastica_cad.model.assembly import assembly_parts
@@ -399,22 +400,31 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
                 "effect": suggestion.effect,
                 "strips": _changed_strips(request, suggestion),
             }
-            for suggestion in suggest(spec, problem)
+            for suggestion in suggest(spec, problem, sheet_size=_sheet_size_of_model(request["design"]))
         ]
         return {"cures": changes}
     return {"cures": []}
 
 
+def _sheet_size_of_model(design: Mapping[str, Any]) -> tuple[float, float] | None:
+    """Return the sides of the sheets, mm, on which the parts of a model are laid, or None for a strip alone."""
+    if len(design["strips"]) == 1 and design.keys().isdisjoint({"nest", *OF_MODELS}):
+        return None
+    return design_of(design, FilePath("design"), _no_file).kit.nesting.sheet_size
+
+
 def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[Record]:
     design = request["design"]
     strip, change = design["strips"][request.get("strip", 0)], suggestion.change
+    if suggestion.width is not None:
+        strip = strip | {"max_width": suggestion.width.value}
     match change.field:
         case "point" | "size" | "split_corners":
             tables = [strip | {"curve": curve_table(request.curve)} for request in suggestion.requests]
             unlabelled = [{key: table[key] for key in table if key != "label"} for table in tables[1:]]
             return [tables[0], *unlabelled]
         case "nearest":
-            return [strip | {"limits": strip.get("limits", {})}]
+            return [strip | {"limits": {"margin": SAFE_MARGIN}}]
         case "lap":
             return [strip | {"shop": strip.get("shop", design.get("shop", {})) | {"lap": change.value}}]
         case "between":

@@ -359,8 +359,8 @@ def test_a_dragged_point_stops_at_the_border(between):
     [
         pytest.param(wave(), ["between"], marks=pytest.mark.campaign),
         pytest.param(wave(ZIGZAG, sheet="pom-0.5"), ["point", "nearest"], marks=pytest.mark.campaign),
-        (design(sheet="oak-3", thickness=4.0), ["thickness", "sheet"]),
-        (design(strips=[{"label": "A1", "curve": TWO_ARCS}]), ["split_corners"]),
+        (design(sheet="oak-3", thickness=4.0), ["sheet", "size", "nearest"]),
+        (design(strips=[{"label": "A1", "curve": TWO_ARCS}]), ["split_corners", "nearest"]),
     ],
 )
 def test_each_change_that_helps_makes_the_strip(drawn, fields):
@@ -379,7 +379,19 @@ def test_each_change_that_helps_makes_the_strip(drawn, fields):
 
 def test_a_strip_that_can_be_made_needs_no_change():
     assert asked("cures") == {"cures": []}
-    assert answer({"do": "cures", "design": wave(gravity=True)}) == {"cures": []}
+
+
+def test_a_strip_of_a_model_is_not_enlarged_beyond_its_sheets():
+    """Of the strip alone, a larger drawing is suggested."""
+
+    def listed(**tables):
+        cures = answer({"do": "cures", "design": design(sheet="oak-3") | tables})["cures"]
+        return [cure["effect"] for cure in cures if cure["text"].startswith("Draw the curve")]
+
+    (effect,) = listed()
+    assert float(effect.split()[2]) > 600
+    assert listed(base={}) == []
+    assert listed(base={}, nest={"sheet_size": [3000, 1500]}) == [effect]
 
 
 @pytest.mark.campaign

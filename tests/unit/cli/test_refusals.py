@@ -175,20 +175,24 @@ def test_what_is_nearest_to_working_is_told_where_no_change_of_the_request_works
     monkeypatch.chdir(tmp_path)
     write_curves([ec.PlaneCurve.arc((0, 0), 60, 0, 3)], tmp_path / "arc.json")
     refused = run("strip", "arc.json", "--sheet", "oak-3", "--max-width", "12", "-o", "out", code=1)
-    (sheet,) = suggested_commands(refused.output)
+    sheet, nearest = suggested_commands(refused.output)
     assert shlex.split(sheet).count("--sheet") == 1
-    (scale,) = re.findall(
-        r"^Change +This works: Draw the curve ([0-9.]+) times as large \(", refused.output, re.M
+    ((scale, length),) = re.findall(
+        r"^Change +This works: Draw the curve ([0-9.]+) times as large \(a strip ([0-9]+) mm long",
+        refused.output,
+        re.MULTILINE,
     )
     run(*shlex.split(sheet), "--no-step", "--no-pictures")
+    assert nearest.endswith("--nearest --stable")
+    assert "(far from the drawn curve, up to " in refused.output.splitlines()[-1]
     larger = ec.PlaneCurve.arc((0, 0), 60 * float(scale), 0, 3)
     assert ec.make_strip(larger, "oak-3", max_width=12).strain_verdict.allowed
+    assert float(length) == pytest.approx(larger.length, rel=0.005)
 
 
 @pytest.mark.parametrize(
     "words",
     [
-        "check wave.dxf",  # the nearest strip is farther than 3 %
         "strip wide.dxf --sheet birch-plywod-0.8 --max-width 12",
         "strip wide.dxf --sheet birch-plywood-0.8 --max-width 12",  # writes over its own drawing
         "bend corner.svg --to 100 0",
@@ -204,7 +208,7 @@ def test_nothing_is_suggested_that_does_not_hold(words, desk, monkeypatch):
 def test_ctrl_c_ends_the_search_and_keeps_what_was_found(monkeypatch):
     tried = []
 
-    def held_once(spec, change):
+    def held_once(spec, change, *_):
         tried.append(change)
         if len(tried) == 2:
             raise KeyboardInterrupt

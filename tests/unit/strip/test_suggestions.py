@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 import elastica_cad as ec
+from elastica_cad.strip.held_shape import about
+from elastica_cad.strip.suggestions import suggest
 
 ZIGZAG = [(0, 20), (60, 20), (120, 40), (180, -20), (240, 50), (300, -50)]
 ORDER = ["point", "smooth", "split_corners", "nearest", "between", "sheet", "size"]
@@ -30,7 +32,8 @@ def require_held(curve, suggestion):
         strip.rod.position[:, None] - curve.at(np.linspace(0, curve.length, 500)).position, axis=2
     )
     size = np.hypot(*np.ptp(curve.bounds, axis=0))
-    assert gaps.min(axis=1).max() <= 0.031 * size
+    assert suggestion.is_far == (suggestion.deviation > 0.03 * size)
+    assert gaps.min(axis=1).max() <= 1.01 * suggestion.deviation + 0.003 * size
 
 
 def test_a_moved_point_alone_makes_a_curve_possible():
@@ -49,11 +52,55 @@ def test_a_possible_curve_has_no_cures():
     assert ec.check_equilibrium(ec.PlaneCurve.arc((0, 0), 100, 0, 2)).cures == ()
 
 
+def changes_of(points, sheet, width, degree=5, **options):
+    """The curve and the changes of a refused strip, each made again."""
+    spec = ec.StripSpec(ec.PlaneCurve.spline(points, degree), sheet, max_width=width)
+    with pytest.raises(ec.ElasticaError) as refusal:
+        spec.make()
+    found = list(suggest(spec, refusal.value, **options))
+    for suggestion in found:
+        (request,) = suggestion.requests
+        strip = request.make()
+        assert ec.stability(strip.rod).stable
+        assert strip.strain_verdict.allowed
+    return spec, found
+
+
+def test_the_nearest_curve_is_the_last_change_if_it_is_far():
+    points = [(0, 0), (45, 55), (90, 10), (140, -50), (190, 5), (240, 50), (280, -10)]
+    _, found = changes_of(points, "birch-plywood-2", 20)
+    *_, last = found
+    assert last.change.field == "nearest"
+    assert last.is_far
+    assert f"up to {about(last.deviation)} away" in last.effect
+    assert not any(suggestion.is_far for suggestion in found[:-1])
+
+
+def test_a_tight_curve_gets_another_sheet_or_size_once_with_the_width_it_needs():
+    points = [(0, 0), (60, 70), (120, 20), (180, -45), (240, 30), (300, 75)]
+    spec, found = changes_of(points, "birch-plywood-3", 31)
+    changes = {suggestion.change.field: suggestion for suggestion in found}
+    assert "thickness" not in changes
+    sheet, size = changes["sheet"], changes["size"]
+    assert sheet.requests[0].material.kind == spec.material.kind
+    assert size.strips[0].rod.length == pytest.approx(size.change.value * spec.curve.length, rel=1e-3)
+    assert float(size.effect.split()[2]) == pytest.approx(size.strips[0].rod.length, rel=0.005)
+    wider = [suggestion for suggestion in (sheet, size) if suggestion.width]
+    assert wider
+    for suggestion in wider:
+        (width,) = (request.max_width for request in suggestion.requests)
+        assert suggestion.as_dict()["max_width"] == width > 31
+        assert f"Set max_width to {width:g} mm." in suggestion.title
+    _, fitting = changes_of(points, "birch-plywood-3", 31, sheet_size=(600, 400))
+    assert "size" not in [suggestion.change.field for suggestion in fitting]
+
+
 def test_cures_hold_in_a_fixed_order():
     for curve in curves(2):
         cures = ec.check_equilibrium(curve).cures
         fields = [cure.change.field for cure in cures]
-        assert fields == sorted(fields, key=ORDER.index)
+        near = [cure.change.field for cure in cures if not cure.is_far]
+        assert near == sorted(near, key=ORDER.index) == fields[: len(near)]
         for cure in cures:
             require_held(curve, cure)
 

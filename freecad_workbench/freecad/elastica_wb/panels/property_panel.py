@@ -386,8 +386,11 @@ class PropertyPanel(Panel):
                 sketch, _ = obj.Curve
                 recorded(curve_into, sketch, change.requests[0].curve)
                 record_call(sketch, "solve")
-                continue
-            values = values_of(obj, change.change) if isinstance(change, Suggestion) else change
+                values = {}
+            else:
+                values = values_of(obj, change.change) if isinstance(change, Suggestion) else change
+            if isinstance(change, Suggestion) and change.width is not None:
+                values |= values_of(obj, change.width)
             for name, value in values.items():
                 setattr(obj, name, value)
                 self._changed[name] = None
