@@ -78,7 +78,7 @@ class Suggestion:
     width: Change | None = None
 
     @property
-    def title(self) -> Refusal:
+    def title(self) -> str:
         """Instruction to make the change."""
         first = instruction(self.change, self.requests[0].curve.provenance)
         return first if self.width is None else sentences([first, instruction(self.width)], " ")

@@ -410,7 +410,8 @@ def _sheet_size_of_model(design: Mapping[str, Any]) -> tuple[float, float] | Non
     """Return the sides of the sheets, mm, on which the parts of a model are laid, or None for a strip alone."""
     if len(design["strips"]) == 1 and design.keys().isdisjoint({"nest", *OF_MODELS}):
         return None
-    return design_of(design, FilePath("design"), _no_file).kit.nesting.sheet_size
+    strips_and_nest = {key: value for key, value in design.items() if key not in OF_MODELS}
+    return design_of(strips_and_nest, FilePath("design"), _no_file).kit.nesting.sheet_size
 
 
 def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[Record]:
