@@ -49,11 +49,11 @@ def move_one_point(
     supports: Supports | None = None,
     natural_curvature: NaturalCurvature = 0.0,
 ) -> Iterator[tuple[int, PlaneCurve]]:
-    """Yield possible curves that differ from an impossible curve in one control point, small moves first.
+    """Yield possible curves that differ from an impossible curve in one control point.
 
-    Every control point is moved in 16 directions by four distances. If three inflections are on a common
-    line at a distance between two of the four, bisection finds this distance. A curve is possible if a rod
-    without weight has a ratio up to 8; the stability of the rod is not computed.
+    Every inner control point is moved in 16 directions by four distances, small moves first, and then each end.
+    If three inflections are on a common line at a distance between two of the four, bisection finds this distance.
+    A curve is possible if a rod without weight has a ratio up to 8; the stability of the rod is not computed.
 
     Parameters
     ----------
@@ -101,28 +101,29 @@ def move_one_point(
     weights = curve.basis(np.linspace(*curve.domain, 201)).max(
         axis=0
     )  # largest weight of each control point in the points of the curve
-    moves = [
-        _Move(curve, index, direction * reach / weights[index], natural_curvature)
-        for index, reach in enumerate(
-            [END_REACH * farthest, *[farthest] * (len(points) - 2), END_REACH * farthest]
-        )
-        for direction in directions
-    ]
-    before = [(0.0, move.side(0.0)[1]) for move in moves]
-    for share in SHARES:
-        results = []
-        for k, move in enumerate(moves):
-            (last, side), (count, now) = before[k], move.side(share)
-            before[k] = share, now
-            if side * now < 0:
-                least = _bisected(last, share, TO_LINE, partial(move.is_beside, now))
-                if possible(move, least):
+    ends = 0, len(points) - 1
+    inner = range(1, len(points) - 1)
+    for indices, reach in ((inner, farthest), (ends, END_REACH * farthest)):
+        moves = [
+            _Move(curve, index, direction * reach / weights[index], natural_curvature)
+            for index in indices
+            for direction in directions
+        ]
+        before = [(0.0, move.side(0.0)[1]) for move in moves]
+        for share in SHARES:
+            results = []
+            for k, move in enumerate(moves):
+                (last, side), (count, now) = before[k], move.side(share)
+                before[k] = share, now
+                if side * now < 0:
+                    least = _bisected(last, share, TO_LINE, partial(move.is_beside, now))
+                    if possible(move, least):
+                        results.append((least, move))
+                elif count < ON_LINE and possible(move, share):
+                    least = _bisected(last, share, TO_RATIO, partial(possible, move))
                     results.append((least, move))
-            elif count < ON_LINE and possible(move, share):
-                least = _bisected(last, share, TO_RATIO, partial(possible, move))
-                results.append((least, move))
-        for least, move in sorted(results, key=lambda pair: pair[0]):
-            yield move.index, move.at(least)
+            for least, move in sorted(results, key=lambda pair: pair[0]):
+                yield move.index, move.at(least)
 
 
 def move_while_possible(

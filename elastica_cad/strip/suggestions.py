@@ -185,7 +185,7 @@ def suggest(
     ...     strip = spec.make()
     ... except StrainError as problem:
     ...     print([suggestion.change.field for suggestion in suggest(spec, problem)])
-    ['sheet', 'size']
+    ['sheet', 'size', 'nearest']
     """
     if outlier_message(spec.curve):
         return
