@@ -14,8 +14,9 @@ pytestmark = pytest.mark.campaign
 
 SHARP = [(20, 0), (60, 130), (120, 130), (140, 40), (160, -50), (220, -30), (280, 90)]
 """A curve whose strain is refused, with a sheet and a size that help."""
-HOPELESS = [(0, 0), (20, 60), (40, -40), (60, 60), (80, -40), (100, 0)]
-"""A refused curve for which no change is found."""
+ZIGZAG = [(0, 0), (20, 60), (40, -40), (60, 60), (80, -40), (100, 0)]
+"""A refused curve for which only a far curve is found, and with HOPELESS none."""
+HOPELESS = {"limits": {"length": [10, 20]}}
 WITHOUT_KERNEL = """
 const read = JSON.parse;
 JSON.parse = (...texts) => {
@@ -89,9 +90,18 @@ def test_a_refused_file_shows_the_place_and_the_changes(server, tmp_path, width)
 
 
 def test_a_search_without_result_ends_with_a_sentence(server, tmp_path, width):
-    with screen(server, tmp_path, width, link(design(HOPELESS))) as studio:
+    with screen(server, tmp_path, width, link(design(ZIGZAG, **HOPELESS))) as studio:
         studio.until(lambda: "No change was found" in studio.text(".offers"))
         assert is_in_view(studio, ".offers p")
+
+
+def test_a_far_nearest_curve_is_offered(server, tmp_path, width):
+    with screen(server, tmp_path, width, link(design(ZIGZAG))) as studio:
+        studio.until(lambda: studio.all(".cure"))
+        (nearest,) = studio.all(".cure")
+        assert "far from the drawn curve" in nearest.text
+        nearest.click()
+        studio.until(lambda: not studio.all(".verdict.no"))
 
 
 def test_an_error_ends_with_the_next_change(server, tmp_path, width):
