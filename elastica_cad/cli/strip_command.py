@@ -155,6 +155,9 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
         say_row(Row("Files", f"{len(voice().files)} in {chosen['output']}{marked}"))
     if chosen["save_design"] is not None and solved:
         wrote([_save_design(chosen["save_design"], solved, table, force=chosen["force"])])
+        if solved[1:] and "origin" not in table:
+            text = "The saved design has all strips in one plane, as drawn. Set `origin` of each strip to move it."
+            say_row(Row("Note", text))
     for missing in left_out(step=files.step, pictures=files.pictures) if reports else ():
         say(missing)
     if wrong:

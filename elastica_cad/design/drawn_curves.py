@@ -97,17 +97,24 @@ class _Curve:
 
 @dataclass(frozen=True, kw_only=True)
 class CurveOfFile(_Curve):
-    """Table of a curve in a file; `number`, `id` or `layer` selects one of several curves."""
+    """Table of a curve in a file; `number`, `id` or `layer` selects one of several curves.
+
+    In `file`, `id` and `layer`, {i} is the number of the strip, as in labels.
+    """
 
     file: Annotated[str, Option("File name, relative to the design file: DXF, SVG, CSV, JSON or STEP.")]
     number: Annotated[int | None, Option("Curve of the file.", least=1)] = None
-    id: Annotated[str | None, Option("Name of the curve in the file.")] = None
+    id: Annotated[str | None, Option("Name of the curve in the file; {i} is the number of the strip.")] = None
     layer: Annotated[str | None, Option("Layer of the curve.")] = None
     unit: Annotated[str | None, Option("Unit of the file, if the file names none.")] = None
 
-    def drawn(self, reader: Reader, where: str, _: Table) -> PlaneCurve:
+    def drawn(self, reader: Reader, where: str, table: Table) -> PlaneCurve:
         """Read the file, and return the curve that the table selects."""
-        path = reader.folder / self.file
+        strip_number = f"{table.scope['i']:g}" if "i" in table.scope else "{i}"
+        file, name, layer = (
+            text and text.replace("{i}", strip_number) for text in (self.file, self.id, self.layer)
+        )
+        path = reader.folder / (file or "")
         if not path.is_file():
             raise InputError(
                 "{place}: the file {path} does not exist. Write its name relative to the design file.",
@@ -119,7 +126,7 @@ class CurveOfFile(_Curve):
         if isinstance(curves, CurveList):
             number = None if self.number is None else str(self.number)
             choice = "number = 1 .. {count}, id or layer"
-            return curves.file.one(self.id or number, self.layer, choice).curve
+            return curves.file.one(name or number, layer, choice).curve
         if (self.number or 1) > len(curves) or (len(curves) > 1 and self.number is None):
             raise InputError(
                 "{place}: {name} has {count} curve{given}. Choose a curve with number = 1 .. {count}.",

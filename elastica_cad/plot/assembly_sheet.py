@@ -192,7 +192,7 @@ def _tables(
     yield Table("", (), [(text,) for text in _sentences_below_steps(holders)])
     head = ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance")
     title = (
-        "Positions in the blocks (mm; degrees from the line between the ends, positive where the strip rises)"
+        "Positions in the blocks (mm; degrees from the line of the ends, positive towards the largest height)"
     )
     yield Table(title, head, [*_block_rows(model, holders)])
     placed_plates = [*_plate_rows(holders)]
@@ -201,8 +201,8 @@ def _tables(
         ("plate", "middle at (x, y, z)", "from the middle above"),
         placed_plates if len(placed_plates) > 1 else [],
     )
-    loads = ("strip", "start (1): force, N", "moment, N mm", "end (2): force, N", "moment, N mm")
-    yield Table("Loads at the ends", loads, [*_load_rows(model)])
+    loads = ("strip", "start (1): force", "moment", "end (2): force", "moment")
+    yield Table("Force and moment at the ends", loads, [*_load_rows(model)])
     head = ("strip", "element", "place (x, y, z), mm", "angle, degrees", "force, N", "length, mm")
     yield Table("Rails, pins, ties and loads", head, [*_element_rows(model)])
     if cut_list is not None:
@@ -313,7 +313,12 @@ def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:
     def cells(part: EqualStrips) -> tuple[str, ...]:
         loads = part.strip.reactions()
         ends = ((loads.start_force, loads.start_moment), (loads.end_force, loads.end_moment))
-        return tuple(f"{np.linalg.norm(load):.2g}" for end in ends for load in end)
+        sizes = (
+            (np.linalg.norm(load), unit)
+            for end in ends
+            for load, unit in zip(end, ("N", "N mm"), strict=True)
+        )
+        return tuple(f"{float(f'{size:.2g}'):g} {unit}" for size, unit in sizes)
 
     for texts, parts in groupby((part for part in model.parts if not part.strip.is_closed), cells):
         yield _range([part.name for part in parts]), *texts

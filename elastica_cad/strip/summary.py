@@ -315,7 +315,7 @@ def accuracy_row(held: HeldShape) -> Row:
     text = {
         "computed": "about {far}, mostly from tabs, slots, curling and holders",
         "model": "about {far}, mostly from the model",
-        "sheet": "about {far}, mostly from the sheet",
+        "sheet": "about {far}, mostly from material, cut and clamps",
         None: "about {far}",
     }[held.main_source]
     return Row(note("Accuracy"), note(text, far=about(held.expected)), (str(held),))

@@ -577,3 +577,19 @@ def test_the_version_of_the_keys_may_be_left_out(tmp_path):
         "curve = { spline = [[0, 0], [30, 60], [70, 60], [100, 0]], degree = 3 }\n"
     )
     assert [strip.label for strip in read_model(tmp_path / "arch.toml").strips] == ["A"]
+
+
+def test_the_name_of_a_curve_may_contain_the_number_of_the_strip(tmp_path):
+    """One table takes rib1 and rib2 from a drawing, in this order."""
+    arcs = "".join(
+        f'<path id="rib{k}" d="M 0 0 C 20 -{height} 80 -{height} 100 0"/>' for k, height in ((2, 60), (1, 40))
+    )
+    size = 'width="100mm" height="100mm" viewBox="0 0 100 100"'
+    (tmp_path / "ribs.svg").write_text(f'<svg xmlns="http://www.w3.org/2000/svg" {size}>{arcs}</svg>')
+    (tmp_path / "ribs.toml").write_text(
+        HEAD + '[[strips]]\ncount = 2\nlabel = "R{i}"\ncurve = { file = "ribs.svg", id = "rib{i}" }\n'
+    )
+    first, second = read_design(tmp_path / "ribs.toml", read_curves).entries
+    assert (first.label, second.label) == ("R1", "R2")
+    assert np.ptp(first.curve.bounds, axis=0)[1] == pytest.approx(30, rel=1e-3)
+    assert np.ptp(second.curve.bounds, axis=0)[1] == pytest.approx(45, rel=1e-3)
