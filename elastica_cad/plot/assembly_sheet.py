@@ -312,13 +312,13 @@ def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:
 
     def cells(part: EqualStrips) -> tuple[str, ...]:
         loads = part.strip.reactions()
-        ends = ((loads.start_force, loads.start_moment), (loads.end_force, loads.end_moment))
-        sizes = (
-            (np.linalg.norm(load), unit)
-            for end in ends
-            for load, unit in zip(end, ("N", "N mm"), strict=True)
+        loaded_ends = (loads.start_force, loads.start_moment), (loads.end_force, loads.end_moment)
+        sizes = [(float(np.hypot(*force)), abs(moment)) for force, moment in loaded_ends]
+        return tuple(
+            f"{float(f'{size:.2g}'):g} {unit}"
+            for end in sizes
+            for size, unit in zip(end, ("N", "N mm"), strict=True)
         )
-        return tuple(f"{float(f'{size:.2g}'):g} {unit}" for size, unit in sizes)
 
     for texts, parts in groupby((part for part in model.parts if not part.strip.is_closed), cells):
         yield _range([part.name for part in parts]), *texts
