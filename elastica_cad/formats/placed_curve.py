@@ -189,15 +189,15 @@ def _several_chains_message(runs: Sequence[Run]) -> str:
         * np.ptp(np.concatenate([edge.points for part in runs for edge in part]), axis=0).max()
     ):
         return note(
-            "two edges end {gap} apart at {place}: join their ends there, in a sketch by a coincident "
-            "constraint",
+            "two edges end {gap} apart at {place}: join their ends there (in a sketch, by a coincident "
+            "constraint)",
             gap=Length(gap),
             place=place,
             changes=[Change("join", rounded_up(1.01 * gap, 2))] if gap <= JOINED_MM else [],
         )
     return note(
         "the edges form {count} separate chains, the nearest {gap} apart at {place}: join their ends, or "
-        "leave out edges that the strip does not follow, in a sketch as construction geometry",
+        "leave out edges that the strip does not follow (in a sketch, make them construction geometry)",
         count=len(runs), gap=Length(gap), place=place,
     )  # fmt: skip
 

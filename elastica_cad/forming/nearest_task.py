@@ -322,7 +322,9 @@ def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArr
     if not line:
         return None
     if request.gravity is not None:
-        raise InputError("a rod with weight has no inflection line: remove keep line, or gravity")
+        raise InputError(
+            "a rod with weight has no inflection line: leave out the option keep line, or gravity"
+        )
     if not isinstance(line, bool):
         return np.asarray(line[0]), np.asarray(line[1])
     crossing = examine(curve, Supports(), request.natural_curvature).line

@@ -162,7 +162,7 @@ def _numbers_ends(model: Model, spec: KitSpec) -> bool:
 
 
 def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> FabricationLimits:
-    """The stock is at most as large as a nested sheet without its borders."""
+    """Return the limits for the strip. Pieces of a long strip must fit inside the borders of a sheet."""
     shop = requests[strip.label].shop if strip.label in requests else spec.shop
     if shop.lap is None:
         return shop
@@ -311,7 +311,7 @@ def _bar_messages(spec: KitSpec) -> list[str]:
         return []
     return [
         note(
-            "There is no reference bar because the files are for a service. It checks only your own machine."
+            "The files are for a service and have no reference bar. Such a bar checks only your own machine."
         )
     ]
 

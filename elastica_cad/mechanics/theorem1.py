@@ -842,8 +842,9 @@ def _straight_part_reasons(
         ):
             yield note(
                 "The piece from {start} to {end} has exactly the natural curvature and an end that is free to "
-                "turn, so it carries no moment. Such an end is not computed, even with a tie or support at "
-                "{places}. Clamp this end, or let the curve end at {places}." if excess.is_bent_beforehand else
+                "turn, so it carries no moment. The program computes no strip with such a piece, even with "
+                "a tie or support at {places}. Clamp this end, or let the curve end at {places}."
+                if excess.is_bent_beforehand else
                 "The piece from {start} to {end} is straight and has an end that is free to turn, so it carries "
                 "no moment. Let this end be free, with a tie, pin or rail at {places}, or let the curve end at "
                 "{places}.",

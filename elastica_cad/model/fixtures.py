@@ -554,13 +554,14 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     messages = []
     if pairs:
         messages.append(note(
-            "the printed blocks of {pair}{more} would overlap: end these strips farther apart, make wall and "
-            "foot smaller, or hold fewer ends with blocks (strips, ends)",
+            "the printed blocks of {pair}{more} would overlap: let these strips end farther apart, make wall and "
+            "foot smaller, or hold fewer ends with blocks (settings strips and ends)",
             pair=pairs[0], more=and_more(pairs, "pair"),
         ))  # fmt: skip
     if crossed:
         messages.append(note(
-            "{crossed}{more}: end the strips farther apart, or hold fewer ends with blocks (strips, ends)",
+            "{crossed}{more}: let the strips end farther apart, or hold fewer ends with blocks (settings strips "
+            "and ends)",
             crossed=crossed[0], more=and_more(crossed, "place"),
         ))  # fmt: skip
     return tuple(messages)

@@ -270,8 +270,8 @@ class Flexure:
         if self.least_thickness is not None:
             return self.least_thickness
         if self.pair.check.any_stiffness:
-            raise InputError("both curves have the same shape, so the part is not bent: give its thickness "
-                             "({field})", field=FieldName("least_thickness"))  # fmt: skip
+            raise InputError("both curves have the same shape, so no bending determines the thickness of the "
+                             "part: set {field}", field=FieldName("least_thickness"))  # fmt: skip
         states, most = self.pair.states, self.sheet.max_strain
         scale = self._thickest(self._bends_of(states), self._pull_of(states), most)
         try:

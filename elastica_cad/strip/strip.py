@@ -250,12 +250,12 @@ def _backing_message(mark: str) -> str:
         "base and backing, on the face that points to the inside of the bend.",
         "OUTSIDE": "When the strip is bent, the backing is on the outside. The word {mark} is engraved on "
         "base and backing, on the face that points to the outside of the bend.",
-        "INSIDE AT START": "When the strip is bent, the backing is on the inside at the start (x = 0 in the "
-        "cutting files) and changes sides at each inflection. The words {mark} are engraved on base and "
-        "backing.",
-        "OUTSIDE AT START": "When the strip is bent, the backing is on the outside at the start (x = 0 in "
-        "the cutting files) and changes sides at each inflection. The words {mark} are engraved on base and "
-        "backing.",
+        "INSIDE AT START": "When the strip is bent, the backing is on the inside of the bend at the start (x = 0 "
+        "in the cutting files). After an inflection, the same face is on the outside. The words {mark} are "
+        "engraved on base and backing.",
+        "OUTSIDE AT START": "When the strip is bent, the backing is on the outside of the bend at the start (x = 0 "
+        "in the cutting files). After an inflection, the same face is on the inside. The words {mark} are "
+        "engraved on base and backing.",
     }
     return note(texts[mark], mark=mark)
 

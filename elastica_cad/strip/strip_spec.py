@@ -256,8 +256,8 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
         )
     if least >= max_width:
         raise InputError(
-            "{field} is {max_width:g}, but {name} needs {least} at the narrowest place: widen the strip, use "
-            "another sheet, or lower {least_width}",
+            "{field} is {max_width:g}, but a strip of {name} must be wider than {least} at its widest place: "
+            "increase {field}, use another sheet, or lower {least_width}",
             field=FieldName("max_width"),
             least_width=FieldName("shop.least_width"),
             max_width=Length(max_width),

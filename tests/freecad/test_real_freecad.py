@@ -175,7 +175,7 @@ def test_a_drag_and_every_command(tmp_path):
     assert found["about an axis"][1]
     assert ">3</td>" in found["curves shown"][0]
     assert found["curves shown"][1] == 3
-    assert "in Closed lines" in found["closed sections"]
+    assert "in the property Closed lines" in found["closed sections"]
     assert found["halves"] == 11
     assert found["strips of sections"] == [[["Up-to-date"], True]] * 3
     assert any(line.startswith("Bending the strip (Escape") for line in found["bar"])

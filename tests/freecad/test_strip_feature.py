@@ -216,7 +216,7 @@ def deleted(sketch):
         (two_curves, "2 separate chains"),
         (triangle, "corner"),
         (corner, "corner"),
-        (apart, "0.4 mm apart at (150, 0, 0) mm: join their ends there, in a sketch by a coincident"),
+        (apart, "0.4 mm apart at (150, 0, 0) mm: join their ends there (in a sketch, by a coincident"),
         (deleted, "missing"),
     ],
 )

@@ -536,7 +536,7 @@ class Studio {
         this.mark = mark;
         this.save();
       }),
-      ...(design ? [choice("Use the file's design", "The file's design is shown. Undo restores this page's design.", take),
+      ...(design ? [choice("Use the file's design", "The page shows the file's design. Undo brings back the design that the page has now.", take),
         choice("Keep both designs", "This page's design is downloaded. Then the file's design is shown.", async () => { if (await this.download("design")) take(); })] : []));
   }
 

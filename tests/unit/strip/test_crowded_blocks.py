@@ -88,7 +88,7 @@ def test_halves_of_a_ring_run_through_each_others_blocks():
     blocks = end_fixtures(ring)
     (told,) = crowded_blocks(blocks, ring)
     assert told.startswith(
-        "A would pass through the printed block of B:1 (and 3 more places): end the strips farther apart"
+        "A would pass through the printed block of B:1 (and 3 more places): let the strips end farther apart"
     )
     # 10 mm of the other half lie where the tab is to be
     for block, other in zip(blocks, (1, 1, 0, 0), strict=True):
@@ -110,6 +110,6 @@ def test_a_block_between_the_middle_and_the_edge_of_a_wide_strip():
     assert 12.5 - blocks[0].across / 2 > 5.0
     assert 12.5 + blocks[0].across / 2 < 20.0
     (told,) = crowded_blocks(blocks, placed)
-    assert told.startswith("W would pass through the printed block of B:1: end the strips farther apart")
+    assert told.startswith("W would pass through the printed block of B:1: let the strips end farther apart")
     beside = Placed(slim, (60, 50.5 + blocks[0].across / 2, 62), (1, 0, 0), (0, 0, 1))
     assert crowded_blocks(end_fixtures([beside]), [placed[0], beside]) == ()

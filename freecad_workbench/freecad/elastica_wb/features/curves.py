@@ -127,7 +127,7 @@ class SectionFeature(Feature):
         if not curves and remarks and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
             raise InputError(
                 "Every section is a closed line, but a strip has two ends. Choose how to divide the lines in "
-                "Closed lines."
+                "the property Closed lines."
             )
         if not curves:
             raise InputError(
