@@ -38,5 +38,5 @@ EMPTY: Any = ()
 
 
 def required() -> Any:
-    """Return a placeholder for a required field with the type `Takes`, because mypy requires a value."""
+    """Return a dataclass field without a default, which mypy accepts as the value of a field of type `Takes`."""
     return field()

@@ -25,7 +25,7 @@ Names: TypeAlias = str | tuple[str, ...]
 
 @dataclass(frozen=True)
 class OwnSheet:
-    """A sheet that a design defines: the fields of `Sheet`, by keys that name their unit."""
+    """Table of a design that defines a sheet: fields of `Sheet`, with the unit in each key."""
 
     FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(sheet_keys)
 

@@ -368,10 +368,9 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
 
 
 def _held(strip: Strip) -> dict[str, Any] | None:
-    """Return the shape of the cut strip at its designed ends, or None.
+    """Return the shape of the strip as cut, with its ends held as designed.
 
-    The result is None for a strip with rails, pins, ties or point forces, and if no shape near the design
-    is found.
+    Return None for a strip with rails, pins, ties or point forces, or if no shape near the design is found.
     """
     if strip.rod.acting:
         return None

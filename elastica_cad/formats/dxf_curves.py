@@ -304,7 +304,7 @@ def _unit_code(document: "Drawing") -> int:
 
 @dataclass(frozen=True)
 class _Hidden:
-    """Lower-case names of hidden layers (off or frozen), and of frozen layers."""
+    """Lower-case names of the layers that are off or frozen (`layers`), and of those that are frozen (`frozen`)."""
 
     layers: frozenset[str]
     frozen: frozenset[str]

@@ -53,8 +53,7 @@ BETWEEN = 8
 """Number of points between two nodes at which the residual is checked."""
 
 STUCK = 0.1
-"""Largest ratio of the residuals after and before a doubling of the nodes, for which the nodes are doubled
-again."""
+"""The nodes are doubled again if the last doubling reduced the residual to this fraction or less."""
 
 SETTLED = 1e-10
 """Relative change in a step at which the least-squares iteration ends."""
@@ -250,9 +249,9 @@ class _Equations:
 
 
 def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray, float]:
-    """Return the unknowns for a smooth curve through the points, and its length.
+    """Return an initial guess of the unknowns from a spline through the points, and the length of the spline.
 
-    The parameters a and b are found by regression."""
+    The last three unknowns are fitted to its curvature by linear regression."""
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
     line = curve.at(s).position

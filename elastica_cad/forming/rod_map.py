@@ -145,7 +145,7 @@ class SectionScale:
         return replace(self, scale=float(np.exp(brentq(room, low, high)))) if room(low) > 0 else self
 
     def bearing(self, bend: FloatArray, limits: Limits) -> Self | None:
-        """Return the relation with a smaller scale, the largest for which the sections withstand `bend`.
+        """Return the relation with the scale reduced so far that the sections withstand `bend`.
 
         `bend` (n,) is kappa - kappa_0, 1/mm.
 

@@ -344,7 +344,7 @@ ORDERS_OF_SIDES = 3
 """Number of derivatives that `KnotSides` compares; higher ones follow from the multiplicity of a knot."""
 
 SHORT_SPAN_SHARE = 1e-6
-"""Distance of knots, as a fraction of the domain, below which continuity is not concluded from multiplicity."""
+"""Least distance of knots, as a fraction of the domain, for knot multiplicities to prove continuity."""
 
 
 @dataclass(frozen=True, eq=False)

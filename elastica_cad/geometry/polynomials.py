@@ -450,7 +450,7 @@ class PanelFunction:
         return panel, sample, x
 
     def combined(self, numbers: FloatArray) -> "PanelFunction":
-        """Return the function whose last axis is reduced to a sum with factors `numbers`."""
+        """Return the sum of the functions along the last axis, multiplied by `numbers`."""
         return PanelFunction(self.coefficients @ numbers)
 
 

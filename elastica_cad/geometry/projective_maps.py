@@ -111,7 +111,7 @@ def map_spline(
     degree: int,
     pieces: Callable[[], tuple[FloatArray, FloatArray]],
 ) -> tuple[FloatArray, FloatArray, FloatArray | None]:
-    """Return knots, control points and weights of the image of a spline under a 3 x 3 matrix.
+    """Return knots, control points and weights of a spline after a projective map by a 3 x 3 matrix.
 
     The map is linear in homogeneous control points. If the weight of a control point would not be positive, the
     image is divided into Bezier pieces until all weights are positive. `pieces` returns the homogeneous Bezier

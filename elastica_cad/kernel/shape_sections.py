@@ -54,7 +54,7 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
 
     def cut(frame: Frame) -> Shape:
         section = k.BRepAlgoAPI_Section(shape, k.gp_Pln(plane_axes_of(frame)), False)
-        # without an approximation, the section of a freeform face is a polyline of ten thousand points
+        # join the computed points to splines; a freeform face would otherwise give a polyline of 10,000 points
         section.Approximation(True)
         section.Build()
         return section.Shape()

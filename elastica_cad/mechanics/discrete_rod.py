@@ -360,11 +360,12 @@ def shoot(
     stiffness, w : (n+1,) arrays
         Stiffness K and Voronoi lengths (mm) of the nodes.
     force : (n, 2) array
-        Minus the internal force, lambda, of the edges, 1/mm2; b is lambda turned by -90 degrees.
+        Force lambda of the edges: minus the internal force over the least bending stiffness, 1/mm2. The vector b
+        is lambda turned by -90 degrees.
     edge_length : float
         Edge length l, mm.
     moment, angle : float
-        Moment M_0, 1/mm, and held angle alpha_0 at the start, rad.
+        Moment M_0 divided by the least bending stiffness, 1/mm, and held angle alpha_0 at the start, rad.
     natural_curvature : float or (n+1,) array
         Curvature kappa_0 of the unloaded rod, 1/mm.
 
@@ -373,7 +374,7 @@ def shoot(
     angles : (n+2,) array
         alpha_0, the n edge angles, and the angle at the end; NaN from the first angle beyond `_WOUND_UP_RAD`.
     moments : (n+1,) array
-        Bending moments of the nodes, 1/mm.
+        Bending moments of the nodes divided by the least bending stiffness, 1/mm.
     """
     bends, rests = w / stiffness, np.ascontiguousarray(np.broadcast_to(w * natural_curvature, w.shape))
     across, along = edge_length * force[:, 1], -edge_length * force[:, 0]
@@ -449,7 +450,7 @@ def bending_moments(
     natural_curvature: float | FloatArray = 0.0,
     end_moments: tuple[float, float] = (0.0, 0.0),
 ) -> FloatArray:
-    """Return the bending moments of all nodes (n+1,), 1/mm.
+    """Return the bending moments of all nodes (n+1,) divided by the least bending stiffness, 1/mm.
 
     The moments are M_i = K_i ((alpha_{i+1} - alpha_i) / w_i - kappa_0), with stiffness K_i, angles alpha_i, Voronoi
     lengths w_i and natural curvature kappa_0.
@@ -500,12 +501,12 @@ class Compression:
         return np.asarray(directions * (1 - self.compliance * more)[:, None])
 
     def resampled(self, edges: int) -> "Compression":
-        """Return the record for another number of edges."""
+        """Interpolate both arrays to `edges` edges of equal length."""
         old, new = ((np.arange(n) + 0.5) / n for n in (self.pull.size, edges))
         return Compression(np.interp(new, old, self.compliance), np.interp(new, old, self.pull))
 
     def scaled(self, least: float) -> "Compression":
-        """Return the record for forces that are divided by `least` times the present bending stiffness."""
+        """Return both arrays for a least bending stiffness that is `least` times as large."""
         return Compression(self.compliance * least, self.pull / least)
 
 
@@ -564,7 +565,7 @@ class DiscreteRod:
     angles : (n,) array
         Edge angles, rad.
     force : (n, 2) or (2,) array
-        Force lambda of the edges, 1/mm2: minus the usual internal force.
+        Force lambda of the edges: minus the internal force over the least bending stiffness, 1/mm2.
     edge_length : float or (n,) array
         Length of the edges, mm.
     supports : Supports

@@ -398,7 +398,7 @@ class ElementForce:
 
     @property
     def size(self) -> float:
-        """Magnitude of the force, 1/mm2; for a tie, its pull."""
+        """Magnitude of the force over the least bending stiffness, 1/mm2; for a tie, its pull."""
         return float(np.hypot(*self.force[0]))
 
     def distance_on(self, curve: PlaneCurve) -> float:
@@ -448,7 +448,7 @@ def edge_weights(s: float, edge_length: float, edges: int, order: int = 0) -> Fl
 
 
 def lumped(forces: Iterable[ElementForce], nodes: int, length: float) -> FloatArray:
-    """Return forces between nodes as forces (n, 2), 1/mm2, on the neighbouring nodes of a rod."""
+    """Distribute forces between nodes to the neighbouring nodes of a rod; return nodal forces (n, 2), 1/mm2."""
     load = np.zeros((nodes, 2))
     for action in forces:
         for s, force in zip(action.s, action.force, strict=True):

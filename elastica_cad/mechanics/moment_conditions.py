@@ -282,7 +282,7 @@ CHOSEN = 1e-5
 
 @dataclass(frozen=True, eq=False)
 class StiffnessFamily:
-    """Stiffnesses K = rows @ y + offset for d free numbers y, as piecewise polynomials over panels.
+    """Stiffnesses K = rows @ y + offset with free parameters y (d,), as piecewise polynomials over panels.
 
     Attributes
     ----------
@@ -491,9 +491,9 @@ def _bounded(
 
 
 def find_violations(family: StiffnessFamily) -> FloatArray:
-    """Return the arc lengths (k,), mm, where no choice of the free numbers makes the stiffness positive everywhere.
+    """Return the arc lengths (k,), mm, that prevent a stiffness which is positive everywhere.
 
-    With a single free number they are the points at which the stiffness has the less frequent sign. Otherwise
+    With a single free parameter they are the points at which the stiffness has the less frequent sign. Otherwise
     they are the samples that limit the largest possible least stiffness.
     """
     from scipy.optimize import linprog
@@ -542,8 +542,8 @@ class BalancedStiffness:
     Attributes
     ----------
     stiffness, moment, force : PanelFunction
-        Stiffness K with a least value of about 1, bending moment (1/mm), and force b (1/mm2): minus the internal
-        force after a quarter turn.
+        Stiffness K with a least value of about 1, and bending moment (1/mm) and force b (1/mm2) over the least
+        bending stiffness. The force b is minus the internal force after a quarter turn.
     bending_stiffness, weight
         Least bending stiffness B, N mm2, and the corresponding weight, if the weight is in newtons.
     kinks : sequence of (s, continuity)
@@ -566,7 +566,7 @@ class BalancedStiffness:
 class StateFamily:
     """Family of stiffnesses of a rod in equilibrium.
 
-    The numbers of its `MomentRows` are fixed + basis @ free numbers.
+    The numbers that `MomentRows` multiplies are fixed + basis @ y with the parameters y of the family.
     """
 
     family: StiffnessFamily
@@ -783,7 +783,7 @@ class ConditionedRows:
     def ratio(
         self, numbers: StateFamily, tolerance: float = _SETTLED, most: float = np.inf
     ) -> tuple[FloatArray, float] | None:
-        """Return the free numbers with the least stiffness ratio, and the ratio; None if no stiffness exists.
+        """Return the parameters with the least stiffness ratio, and the ratio; None if no stiffness exists.
 
         The result can also be None if the ratio is above `most`.
         """
@@ -843,7 +843,7 @@ class ConditionedRows:
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
     def _offset(self, tau: float) -> FloatArray:
-        """Return the part of the stiffness (N, p) that does not depend on the free numbers, for tau."""
+        """Return the part of the stiffness (N, p) that does not depend on the free parameters, for tau."""
         return np.asarray(self.rows.stiffness @ self.at_compliance(tau).fixed)
 
     @property

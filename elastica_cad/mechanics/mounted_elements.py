@@ -81,7 +81,7 @@ class MountedElements:
         Coordinates, mm, of the end from which positions are computed, for x and y separately. This end is the
         start if the start holds the coordinate, otherwise the end.
     load : (2,) array
-        Sum of the known forces, 1/mm2.
+        Sum of the known forces over the least bending stiffness, 1/mm2.
     edge_length : float
         Length of an edge, mm.
     """

@@ -84,7 +84,7 @@ def ratio_within(request: RodRequest, most: float) -> float | None:
 
 
 def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutCurve]:
-    """Return the equilibrium conditions without weight, their free numbers, and the curve cut into panels."""
+    """Return the equilibrium conditions without weight, the family of their solutions, and the curve in panels."""
     cut = request.cut
     for _ in range(REFINEMENTS):
         rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
@@ -366,7 +366,7 @@ LONGEST_JUMP = float(np.log(4.0))
 """Largest step of the extrapolation of a sequence of scales, in the natural logarithm of the scale."""
 
 SLOWEST_RATE = 0.99
-"""Largest ratio of two successive steps of a sequence for which its limit is extrapolated."""
+"""A sequence is extrapolated only if the ratio of its last two steps is below this value."""
 
 
 def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness:
@@ -502,14 +502,13 @@ def _balance_by_descent(
 def _best_numbers_near(
     family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
 ) -> FloatArray | None:
-    """Return the free numbers near `here` with the least maximum of the family; the mean change is at most
-    `reach`.
+    """Return the parameters near `here` at which the largest value of the family is least, or None.
 
-    This limit is increased if no numbers within it satisfy the conditions.
+    The values may change by `reach` (root mean square), or by up to 64 times as much if that has no solution.
     """
     rows, _ = family.dense
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
-    # rows are directions of the free numbers, multiplied by the root mean square change of the values
+    # moves @ (parameters - here) has the length of the root mean square change of the values
     moves = sizes[:, None] * ways / np.sqrt(len(rows))
     for limit_of_change in reach * np.array([1.0, 4.0, 16.0, 64.0]):
         side = (
@@ -523,7 +522,7 @@ def _best_numbers_near(
 
 
 def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
-    """Return the free numbers (d,) of the state of the family that is nearest to `state`."""
+    """Return the parameters (d,) of the member of the family that is closest to `state`, by least squares."""
     size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
     return np.asarray(
         np.linalg.lstsq(numbers.basis / size[:, None], (state - numbers.fixed) / size, rcond=None)[0]
@@ -562,7 +561,7 @@ def _deciding_limit(law: BoundedLaw) -> float:
 
 
 def _fitting_scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
-    """Return the factor B, N mm2, for which a rod of bending stiffness B K just fits the limits of a section.
+    """Return the factor B, N mm2, with which a rod of bending stiffness B K just fits the limits of a section.
 
     K is the relative stiffness. At one point the rod needs the largest section, and nowhere a larger section.
     Without an upper limit, it needs the least section at one point, and nowhere a smaller section.

@@ -605,7 +605,7 @@ class Rod:
 
     @property
     def support_forces(self) -> FloatArray:
-        """Forces (2, 2) of the supports on the start and the end, 1/mm2.
+        """Forces (2, 2) of the supports on start and end over the least bending stiffness, 1/mm2.
 
         The forces of elements at the ends are not included.
         """
@@ -617,7 +617,7 @@ class Rod:
 
     @property
     def between_forces(self) -> FloatArray:
-        """Forces of elements on the strip (m, 2), 1/mm2, in the order of `between`; of a tie at its start."""
+        """Forces (m, 2), 1/mm2, of the elements `between`, scaled like `support_forces`; of a tie at its start."""
         return np.array([action.force[0] for action in self.between]).reshape(-1, 2)
 
     @property

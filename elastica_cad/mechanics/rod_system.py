@@ -69,9 +69,10 @@ class RodSystem:
     end_angles : (2,) array
         Angles of the tangent at start and end, rad; angles that are free are ignored.
     force : (2,) array
-        Dead force, 1/mm2; each component acts at the end where its coordinate is free.
+        Dead force over the least bending stiffness, 1/mm2. Each component acts at the end where its coordinate is
+        free.
     moments : (2,) array
-        Counterclockwise moments, 1/mm, applied at the start and at the end if the angle is free.
+        Counterclockwise moments over the least bending stiffness, 1/mm, applied at ends with a free angle.
     law : MaterialLaw, optional
         Material law for the moment K m(kappa - kappa_0) instead of K (kappa - kappa_0).
     actions : tuple of ElementForce
@@ -125,7 +126,7 @@ class RodSystem:
 
     @cached_property
     def given_force(self) -> FloatArray:
-        """Force lambda of the edges (n, 2) by the loads alone, 1/mm2: minus the internal force."""
+        """Force lambda of the edges (n, 2) by the loads alone, over the least bending stiffness, 1/mm2."""
         first = np.zeros(2)
         start = self.supports.ends[0]
         for i, held_at_start in enumerate((start.x, start.y)):
@@ -290,7 +291,7 @@ class RodState:
 
     @cached_property
     def moments(self) -> FloatArray:
-        """Bending moments of the nodes (n+1,), 1/mm."""
+        """Bending moments of the nodes (n+1,) divided by the least bending stiffness, 1/mm."""
         system, hooke = self.system, self._hooke_moments
         if system.law is None:
             return hooke
@@ -302,7 +303,7 @@ class RodState:
 
     @cached_property
     def _hooke_moments(self) -> FloatArray:
-        """Moments of the nodes (n+1,), 1/mm, by Hooke's law, and applied moments at ends that are free to turn."""
+        """Like `moments`, but by Hooke's law. At an end that is free to turn, it is the applied moment."""
         system = self.system
         return bending_moments(
             system.stiffness, self.angles, system.node_lengths, ends=system.held_angles,
@@ -351,13 +352,13 @@ class RodState:
 
     @cached_property
     def scale(self) -> float:
-        """Order of magnitude of the moments, 1/mm, to which an imbalance is compared."""
+        """Size of the moments, to which an imbalance is compared, over the least bending stiffness, 1/mm."""
         force = np.abs(self.discrete.force).max(initial=0.0)
         return float(max(np.abs(self.moments).max(), force * self.system.length))
 
     @cached_property
     def noise(self) -> float:
-        """Imbalance of moments that rounding errors of the angles cause, 1/mm."""
+        """Imbalance of moments by rounding errors of the angles, over the least bending stiffness, 1/mm."""
         turning = 1.0 + float(np.abs(self.angles).max())
         return 8 * ROUNDING * turning * float((self.system.stiffness / self.system.node_lengths).max())
 

@@ -508,7 +508,7 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
 def _lowest_braced(lower: FloatArray, braces: _Braces) -> float:
     """Return the lowest eigenvalue of the band matrix with the added terms, subject to the constraints."""
     first, second = _two_lowest(lower)
-    # constraints and terms raise eigenvalues, so the matrix minus this shift is positive definite
+    # below the lowest eigenvalue, so that the shifted matrix has a Cholesky factor
     shift = first - max(second - first, _POLE_SHARE * float(np.abs(lower).max()))
     shifted = lower.copy()
     shifted[0] -= shift

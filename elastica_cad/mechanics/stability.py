@@ -106,7 +106,7 @@ def determinant_gradient(
     weights : (n+1,) array
         Weights of the determinant Z at the midpoints of the edges and at the end.
     moments : (n+1,) array
-        Bending moments of the nodes, 1/mm.
+        Bending moments of the nodes divided by the least bending stiffness, 1/mm.
     load_slope : (n+1, 2) array, optional
         Derivative of the weight of each node by its stiffness, 1/mm2. The derivative is load / K if the weight
         is proportional to K.

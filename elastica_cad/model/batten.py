@@ -187,7 +187,7 @@ class BattenSpec:
             raise InputError(f'lying is {self.lying!r}: give "up" or "down", the side of the bulge, or None')
 
     def make(self) -> "Batten":
-        """Return the batten with the linear taper for which the largest depth has the requested position.
+        """Return the batten with a linear taper whose largest depth has the requested position.
 
         Raises
         ------

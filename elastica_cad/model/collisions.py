@@ -200,9 +200,9 @@ def _deeper_overlap(
 
 
 def _deepest_sample(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
-    """Return the sample of strip `a` that is deepest in strip `b`, or None up to the depth `least`, mm.
+    """Return the point of strip `a` that is deepest inside strip `b`, or None if no depth exceeds `least`, mm.
 
-    The samples are slightly inside both faces. For flush strips they are on the middle surface.
+    Tested points are slightly below both faces of `a`. For flush strips they are on the middle surface.
     """
     inset = least if is_flush else min(least / 2, a.thickness / 4, b.thickness / 4)
     heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]

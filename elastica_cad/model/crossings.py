@@ -465,7 +465,7 @@ ON_EDGE_MM = 1e-8
 """If the end of a crossing is nearer to an edge than this distance, mm, it counts as on the edge."""
 
 LENGTH_POINTS = 33
-"""Number of points at which the length along a crossing is measured, with an error of 0.1 %."""
+"""Number of points of the polyline whose length is used as the length of a crossing; its error is 0.1 %."""
 
 
 @dataclass(frozen=True, eq=False)

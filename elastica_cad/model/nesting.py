@@ -126,9 +126,9 @@ def nest_pieces(
 ) -> tuple[NestedSheet, ...]:
     """Arrange pieces in rows on as few sheets as possible, separately for each material.
 
-    Rows are parallel to that side of the sheet for which fewer sheets, or a smaller part of the last sheet,
-    are needed. Pieces without grain may be rotated by 90 degrees. The grain of a sheet is along its width,
-    and `Sheet.grain` sets the direction of pieces with grain.
+    Rows are parallel to one side of the sheet, so chosen that they need fewer sheets, or less of the last
+    sheet. Pieces without grain may be rotated by 90 degrees. The grain of a sheet is along its width, and
+    `Sheet.grain` sets the direction of pieces with grain.
 
     Parameters
     ----------

@@ -45,7 +45,7 @@ LEAN_ROUNDS = 6
 """Largest number of rounds in which slots are moved; three are usually enough."""
 
 LEAST_RELATIVE_DIFFERENCE = 1e-6
-"""Least relative difference between two distances of ends that determines the direction of a strip."""
+"""A strip is reversed only if this shortens the distances between its ends and its neighbour's by this fraction."""
 
 SETTLED_MM = 0.03
 """Largest movement of slots, mm, in the last round of moving them. Each round reduces the movement to a tenth."""
@@ -176,7 +176,7 @@ TESTED_WIDTHS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 def fitting_width(
     placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, *, keep: bool = True
 ) -> float | None:
-    """Return the largest tested width of tabs, mm, for which two plates can replace each plate, or None.
+    """Return the largest tested width of tabs, mm, with which two plates can replace each plate, or None.
 
     All tabs get the given length and this width. With `keep`, the present widths of the tabs are tested first;
     the result is infinite if two plates can hold these tabs.

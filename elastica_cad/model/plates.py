@@ -323,7 +323,7 @@ def base_plate(
 
 
 def with_shoulders(plate: BasePlate, options: PlateOptions) -> BasePlate:
-    """Return a base plate with warnings of strips that would run into it beside their tabs."""
+    """Return the plate with a warning for each strip that would run into the plate beside its tab."""
     tabs = [slot.tab for slot in plate.slots if slot.tab is not None]
     warnings = accept_faults(shoulder_faults(tabs, plate.frame, options), options.ignore_limits)
     return replace(plate, warnings=(*warnings, *plate.warnings))
@@ -382,14 +382,17 @@ def _with_holes(
 def _round_rim_and_opening(
     loops: Sequence[FloatArray], center: FloatArray, border: float
 ) -> tuple[Path, Path | None]:
-    """Return a round rim and opening, `border` mm from all loops (4, 2); None if the opening is small."""
+    """Return a round rim and a round opening, `border` mm from all slots; the opening is None if it is too small.
+
+    Each loop holds the four corners of a slot.
+    """
     inner, outer = around(loops, center, border)
     opening = Path.circle(center, inner) if inner > LEAST_OPENING_FRACTION * outer else None
     return Path.circle(center, outer), opening
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
-    """Return the radii of a circle inside and a circle outside of all loops (4, 2).
+    """Return the radii of a circle inside and a circle outside of all loops of four corners.
 
     The circles have the centre `center`, and their distance from the loops is `border` mm.
     """
@@ -465,7 +468,7 @@ def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[
 
 
 def _refuse_holes_in_seats(name: str, holes: Sequence[Path], seats: Sequence[FloatArray]) -> None:
-    """Raise InputError if a hole meets the seat (4, 2) of a tab that is glued to the plate."""
+    """Raise InputError if a hole meets the area (four corners) where a tab is glued to the plate."""
     for hole in holes:
         loop = hole.closed_points(FLAT_MM)
         if any(_overlap(loop, np.concatenate([seat, seat[:1]])) for seat in seats):

@@ -355,7 +355,7 @@ class _Request:
 
 
 def _smallest_ring(meridian: Meridian, request: _Request) -> int | None:
-    """Return the least distance of a ring from the axis for which all parts can be made, in whole mm, or None."""
+    """Return the least distance of a ring from the axis, in whole mm, at which all parts can be made, or None."""
 
     def works(ring: int) -> bool:
         try:

@@ -134,7 +134,7 @@ def _blocks_fit(tab: PlacedTab, placed: Sequence[Placed]) -> bool:
 
 
 def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
-    """Return the widest gap and the tabs for which two plates can replace each plate, or an empty text."""
+    """Return a text with the gap and tabs with which two plates can replace each plate, or an empty text."""
     plates = [
         plate for plate in plates_with_play(holders) if any(slot.tab is not None for slot in plate.slots)
     ]

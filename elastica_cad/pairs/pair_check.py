@@ -104,7 +104,7 @@ def check_pair(first: PlaneCurve, second: PlaneCurve) -> PairCheck:
 def examine_pair(
     first: PlaneCurve, second: PlaneCurve
 ) -> tuple[PairCheck, "PairedPanels | None", FloatArray | None]:
-    """Return the check and, if realizable, the panels and the free numbers of the least ratio."""
+    """Return the check and, if realizable, the panels and the parameters of the least stiffness ratio."""
     second = _of_equal_length(first, second)
     difference = ExcessCurvature(first, CurveOfRest.of(second))
     check = PairCheck(
@@ -409,11 +409,11 @@ class PairedPanels:
 
     @cached_property
     def family(self) -> StiffnessFamily:
-        """All stiffnesses that the conditions permit, as functions of the free numbers (q,)."""
+        """All stiffnesses that the conditions permit, as functions of free parameters (q,)."""
         return StiffnessFamily(self.panels, PanelFunction.through(self.stiffness @ self.basis))
 
     def least_ratio(self, family: StiffnessFamily | None = None) -> FloatArray | None:
-        """Return the free numbers of the least ratio, or None if no stiffness is positive."""
+        """Return the parameters of the least stiffness ratio, or None if no stiffness is positive everywhere."""
         family = family or self.family
         sizes = np.abs(family.dense[0]).sum(axis=1)
         if not sizes.max() < WIDEST_RATIO * sizes.min():

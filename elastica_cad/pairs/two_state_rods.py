@@ -301,7 +301,7 @@ Bounded: TypeAlias = "list[tuple[FloatArray, FloatArray]]"
 
 
 def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return numbers z (r,) for which the largest value of some functions is least, within bounds.
+    """Return the numbers z (r,) that minimise the largest value of some functions, within bounds.
 
     Each function and each bound is a pair (rows, offset) with the value rows @ z + offset; bounds must be >= 0.
     """

@@ -30,9 +30,9 @@ PARALLEL = 1e-200
 sides."""
 
 CLOSE_SHARE = 1e-3
-"""Tolerance, as a fraction of the radius, of the test whether an arc crosses a side that it replaces.
+"""Tolerance for testing whether a rounding arc crosses a side that it replaces, as a fraction of its radius.
 
-It is also the chord error of the polyline that represents the side in this test."""
+For the test, the side is a polyline with this chord error."""
 
 
 def round_corners(path: Path, radius: float) -> Path:

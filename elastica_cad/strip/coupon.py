@@ -25,10 +25,10 @@ EDGE_MM = 0.5
 
 
 def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
-    """Return the free length, mm, for which the tip of the coupon sags by about half that length.
+    """Return the free length of the coupon, mm, with which its tip sags by about half the free length.
 
-    It is rounded down to whole centimetres and is at most `max_overhang`, mm. Reading errors have the least effect
-    at this length.
+    The length is rounded down to whole centimetres and is at most `max_overhang`, mm. At this length, reading
+    errors have the least effect.
 
     Examples
     --------

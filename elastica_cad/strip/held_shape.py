@@ -239,7 +239,7 @@ def shape_responses(
 
 
 PHASES = 8
-"""Number of phases of a wave along the strip for which the deviation is computed."""
+"""Number of phases of the wave of thickness or grain; the deviation is computed for each phase."""
 
 OPEN_FRACTIONS: Mapping[str, float] = {
     "slots": 0.24,

@@ -187,7 +187,7 @@ class HeldElement:
 
     @property
     def noun(self) -> str:
-        """Kind of the element, with the mass of a hung mass."""
+        """Kind of the element as a word; for a point mass also its mass, in g."""
         element: Any = self.action.element
         mass = f" {element.mass:g} g" if isinstance(element, PointMass) else ""
         return f"{NOUNS[type(element)]}{mass}"

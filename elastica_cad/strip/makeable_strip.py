@@ -539,7 +539,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
 def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:
     """Return the strip with compensated widths.
 
-    If that strip could not be cut or handled, return the original strip with a warning.
+    If the compensated strip could not be cut or handled, return the original strip with a warning.
     """
     better = compensate_widths(strip)
     faults = find_strip_faults(better, shop)

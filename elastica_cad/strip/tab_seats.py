@@ -365,7 +365,7 @@ def rest_in_seats(
         before, step, pushes = step, solution.x, solution.row_multipliers * np.abs(firm).max()
         moved = np.abs(step).max()
         settled = moved <= SETTLED_FRACTION * design.length and moved < reach
-        # a reversal of direction means that shape and contacts changed more than predicted
+        # if this step reverses the previous step, that step was too long for the linear prediction
         reach = SHORTER_STEP * moved if step @ before < 0 else LONGER_STEP * reach
         q = q + step
         rod = problem.bent(q, rod)
@@ -562,7 +562,7 @@ class Lean:
 
 
 def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = np.inf) -> Lean:
-    """Return the displacement of a holder for which the loaded tab has its designed position.
+    """Return the displacement of a holder that gives the loaded tab its designed position.
 
     Force and moment of the strip press the tab against some points of the holder. In the displaced holder, these
     points touch the tab in its designed position, and the play is on the other sides. Under the constant load, an

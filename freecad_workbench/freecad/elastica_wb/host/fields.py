@@ -181,10 +181,10 @@ def _loader() -> Any:
 
 
 def quantity_box() -> Any:
-    """Make FreeCAD's input field for quantities.
+    """Return a new FreeCAD input field for quantities.
 
-    PySide may reuse the Python wrapper of a deleted widget for a new widget at the same address. A box with
-    such a wrapper stays in memory, so that the next box has another address.
+    PySide sometimes gives a new widget the Python wrapper of a deleted widget at the same address. Such a
+    widget cannot be used. It is kept in memory, so that the next attempt gets another address.
     """
     for _ in range(TRIES):
         box = _loader().createWidget("Gui::QuantitySpinBox")

@@ -63,7 +63,7 @@ REPEATS = int(App.Version()[0]) >= 1
 
 
 class _Silence:
-    """Suppresses all printing of errors until the next object is recomputed or the recompute ends."""
+    """Turns off the printing of errors from `begin` until the next object or the whole document is recomputed."""
 
     def __init__(self) -> None:
         # observers that print errors; None before the first suppression
@@ -99,7 +99,7 @@ def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]
 
 
 class _Worker:
-    """Operand for which `obj | worker` calls the function, and returns an error or `_Success`."""
+    """Right operand of `|`: `obj | worker` is the error that `work(obj)` returns, or `_Success`."""
 
     def __init__(self, work: Callable[[Any], RefusalError | None]) -> None:
         self._work = work
@@ -118,7 +118,7 @@ next(_ended, None)
 
 
 class _Thrower:
-    """Operand for which `refusal | thrower` raises the refusal."""
+    """Right operand of `|`: `error | thrower` raises the error."""
 
     __ror__ = staticmethod(_ended.throw)
 

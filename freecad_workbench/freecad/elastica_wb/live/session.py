@@ -291,7 +291,7 @@ class Session:
         return Answer(worst, words, sentences(lines, "\n"))
 
     def _spec_along(self, names: tuple[str, ...], curve: PlaneCurve) -> StripSpec:
-        """The request for the strip along edges is constant during a drag."""
+        """Return the options of the strip along these edges, which are read once per drag."""
         if names not in self._asks_along:
             spec = default_spec(curve)
             for strip in sketches.followers(self.sketch):
