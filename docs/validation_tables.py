@@ -90,7 +90,8 @@ def lateral() -> Iterator[str]:
         "Strips that tip out of their plane",
         "The strip has length 1. The table contains the critical moment, force or weight per length, divided by "
         "the square root of edgewise bending stiffness times torsional stiffness. Ours is the load at which the "
-        "computed sideways margin is 0. The rod has 601 nodes, and the sideways margin is computed with 201 nodes.",
+        "computed stability margin against tipping sideways is 0. The bent shape is computed at 601 points along "
+        "the strip, and the margin at 201 points.",
         "test_sideways",
         ["source", "published", "ours"],
         rows,
@@ -105,9 +106,10 @@ def paper() -> Iterator[str]:
         ours = optimal_rod(curve).ratio, optimal_rod(curve, ratios.CARD).ratio
         rows.append([f"strip {strip}", f"{light:.4f}", f"{ours[0]:.4f}", f"{heavy:.4f}", f"{ours[1]:.4f}"])
     yield from _table(
-        "The paper's Pavilion: least stiffness ratio",
-        "Hafner and Bickel 2021, section 9.1. The published ratios are results of their linear program with the "
-        "exact curvature at many samples. They are given without and with weight.",
+        "Pavilion of Hafner and Bickel: least stiffness ratio",
+        "Hafner and Bickel 2021, section 9.1. The stiffness ratio is the largest stiffness of a strip divided by "
+        "its smallest. The published ratios are results of their linear program, here with so many points along "
+        "the curve that more points do not change them. The strips are computed without and with their weight.",
         "test_optimal_ratios",
         ["curve", "without weight", "ours", "with weight", "ours"],
         rows,
@@ -125,10 +127,10 @@ def pot() -> Iterator[str]:
     ]
     rows.append(["mean", f"{100 * published.mean():.1f}", f"{100 * np.mean(ours):.1f}"])
     yield from _table(
-        "The paper's Flower Pot: distance from the drawn curves",
+        "Flower Pot of Hafner and Bickel: distance from the drawn curves",
         "Hafner and Bickel 2021, section 9.2, results of their published code. The numbers are the largest "
-        "distance in percent of the diagonal of the curve's bounding box. All our curves have a stiffness ratio of "
-        "at most 2.5.",
+        "distance of a strip from its drawn curve, in percent of the diagonal of the curve's bounding box. All our "
+        "strips have a stiffness ratio of at most 2.5.",
         "test_nearest_published",
         ["curve", "theirs", "ours"],
         rows,
@@ -147,12 +149,13 @@ def revolution() -> Iterator[str]:
         rows.append([f"{i + 1}", f"({one['gamma_end'][0]:.3f}, {one['gamma_end'][1]:.3f})",
                      f"({end[0]:.3f}, {end[1]:.3f})", f"{off:.1f}"])  # fmt: skip
     yield from _table(
-        "The paper's surfaces of revolution: ends of the meridians",
+        "Surfaces of revolution of Hafner and Bickel: ends of the meridians",
         "Hafner and Bickel 2021, section 9.4. Their published code integrates the meridian step by step with a "
-        "method of first order. Therefore the error of its end is a few times the length of a step. With shorter "
-        "steps, their end approaches ours.",
+        "method of first order. Therefore the error of its end (x, y) is a few times the length of a step. With "
+        "shorter steps, their end approaches ours. The last column is the distance between both ends, divided by "
+        "the length of a step of their code.",
         "test_revolution",
-        ["surface", "theirs", "ours", "distance in steps of their code"],
+        ["surface", "theirs", "ours", "distance (steps)"],
         rows,
     )
 
@@ -165,9 +168,9 @@ def code() -> Iterator[str]:
     (place,) = stability_determinant(rod).sign_changes
     yield from _table(
         "Where a strip loses stability",
-        "One shape in balance, computed by the published code of the authors. The strip loses stability if it is "
-        "longer than the arc length of its conjugate point. The table contains this arc length, in the unit of "
-        "length of their data.",
+        "One shape in equilibrium, computed by the published code of Hafner and Bickel. The piece of the strip "
+        "from its start to a point is stable until the point reaches the conjugate point. The table contains the "
+        "arc length of the conjugate point, in the unit of length of their data.",
         "test_stability_reference",
         ["result", "theirs", "ours"],
         [["conjugate point", f"{data['sigma']:.8f}", f"{place:.8f}"]],

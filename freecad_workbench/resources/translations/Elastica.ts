@@ -2203,7 +2203,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Check whether a flat strip can take the selected curve, and show reasons and places</source>
+        <source>Check whether a flat strip can take the selected curve; if not, show why and where</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2269,7 +2269,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give the selected strips an even width, with narrower glued strips that set their stiffness</source>
+        <source>Make the selected strips of a base of even width and a narrower layer that sets the stiffness</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2530,7 +2530,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Make the flat part of each selected strip that has none, such as a copy</source>
+        <source>Make the missing flat parts of the selected strips, for example of copied strips</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -2199,8 +2199,8 @@
         <translation>Kurve prüfen</translation>
     </message>
     <message>
-        <source>Check whether a flat strip can take the selected curve, and show reasons and places</source>
-        <translation>Prüfen, ob ein flacher Streifen die gewählte Kurve annehmen kann, mit Gründen und Stellen</translation>
+        <source>Check whether a flat strip can take the selected curve; if not, show why and where</source>
+        <translation>Prüfen, ob ein flacher Streifen die gewählte Kurve annehmen kann; falls nicht, Gründe und Stellen zeigen</translation>
     </message>
 </context>
 <context>
@@ -2265,8 +2265,8 @@
         <translation>Laminieren</translation>
     </message>
     <message>
-        <source>Give the selected strips an even width, with narrower glued strips that set their stiffness</source>
-        <translation>Den gewählten Streifen gleichmäßige Breite geben, mit schmaleren aufgeklebten Streifen für die Steifigkeit</translation>
+        <source>Make the selected strips of a base of even width and a narrower layer that sets the stiffness</source>
+        <translation>Die gewählten Streifen aus zwei Schichten machen: eine Grundschicht gleichmäßiger Breite und eine schmalere, die die Steifigkeit bestimmt</translation>
     </message>
 </context>
 <context>
@@ -2526,8 +2526,8 @@
         <translation>Flaches Teil</translation>
     </message>
     <message>
-        <source>Make the flat part of each selected strip that has none, such as a copy</source>
-        <translation>Das flache Teil jedes gewählten Streifens erstellen, der keines hat, etwa einer Kopie</translation>
+        <source>Make the missing flat parts of the selected strips, for example of copied strips</source>
+        <translation>Die fehlenden flachen Teile der gewählten Streifen erstellen, etwa von kopierten Streifen</translation>
     </message>
 </context>
 </TS>

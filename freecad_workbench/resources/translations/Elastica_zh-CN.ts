@@ -2199,8 +2199,8 @@
         <translation>检查曲线</translation>
     </message>
     <message>
-        <source>Check whether a flat strip can take the selected curve, and show reasons and places</source>
-        <translation>检查平条带能否弯成所选曲线，并显示原因和位置</translation>
+        <source>Check whether a flat strip can take the selected curve; if not, show why and where</source>
+        <translation>检查平条带能否弯成所选曲线；若不能，显示原因和位置</translation>
     </message>
 </context>
 <context>
@@ -2265,8 +2265,8 @@
         <translation>层压</translation>
     </message>
     <message>
-        <source>Give the selected strips an even width, with narrower glued strips that set their stiffness</source>
-        <translation>使所选条带等宽，并粘贴较窄的条带调节刚度</translation>
+        <source>Make the selected strips of a base of even width and a narrower layer that sets the stiffness</source>
+        <translation>把所选条带改为两层：等宽的基层，以及决定刚度的较窄的一层</translation>
     </message>
 </context>
 <context>
@@ -2526,8 +2526,8 @@
         <translation>平面件</translation>
     </message>
     <message>
-        <source>Make the flat part of each selected strip that has none, such as a copy</source>
-        <translation>为所选条带中没有平面件者（例如副本）创建平面件</translation>
+        <source>Make the missing flat parts of the selected strips, for example of copied strips</source>
+        <translation>创建所选条带缺少的平面件，例如复制的条带的平面件</translation>
     </message>
 </context>
 </TS>

@@ -229,7 +229,7 @@ def test_a_part_too_thin_says_how_large_it_would_have_to_be():
 
 
 def test_a_part_that_nothing_bends_asks_how_thick_it_shall_be():
-    with pytest.raises(InputError, match="give its thickness"):
+    with pytest.raises(InputError, match="no bending determines the thickness"):
         FlexureSpec(arch(24), arch(24), POM).make()
     unbent = FlexureSpec(arch(24), arch(24), POM, least_thickness=2.0).make()
     assert max(unbent.strain) < 1e-6

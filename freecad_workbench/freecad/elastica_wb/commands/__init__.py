@@ -48,7 +48,7 @@ DRAW = (
         text=QT_TRANSLATE_NOOP("Elastica_Check", "Check curve"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Check",
-            ("Check whether a flat strip can take the selected curve, and show reasons and places"),
+            ("Check whether a flat strip can take the selected curve; if not, show why and where"),
         ),
         run=actions.check,
         has_subject=actions.has_curve,
@@ -128,7 +128,7 @@ STRIPS = (
         text=QT_TRANSLATE_NOOP("Elastica_Laminate", "Laminate"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Laminate",
-            "Give the selected strips an even width, with narrower glued strips that set their stiffness",
+            "Make the selected strips of a base of even width and a narrower layer that sets the stiffness",
         ),
         run=actions.laminate,
         has_subject=HAS_STRIP,
@@ -138,7 +138,8 @@ STRIPS = (
         name="Elastica_Flat",
         text=QT_TRANSLATE_NOOP("Elastica_Flat", "Flat part"),
         tip=QT_TRANSLATE_NOOP(
-            "Elastica_Flat", "Make the flat part of each selected strip that has none, such as a copy"
+            "Elastica_Flat",
+            "Make the missing flat parts of the selected strips, for example of copied strips",
         ),
         run=actions.make_flat_parts,
         has_subject=HAS_STRIP,
