@@ -236,7 +236,7 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 
 
 def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
-    """Return the search with an equally near rod of smaller ratio, or else with other equally near results."""
+    """Return the search with an equally near rod of least ratio, or with a list of other equally near results."""
     task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.exact_distance * task.target.diagonal:

@@ -268,7 +268,7 @@ def _forwards(cut: _Cut) -> list[float]:
 
 
 def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
-    """Return the first possible positions of as many supports, from the other end of the curve."""
+    """Return the first possible positions of the supports, searched from the end of the curve to its start."""
     curve = cut.curve
     places = None if cut.places is None else cut.turned(cut.places)
     mirrored = _Cut(curve.reversed(), cut.ratio, cut.supports.reversed(), places, cut.tolerance)

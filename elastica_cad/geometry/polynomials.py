@@ -450,7 +450,7 @@ class PanelFunction:
         return panel, sample, x
 
     def combined(self, numbers: FloatArray) -> "PanelFunction":
-        """Return the sum of the functions along the last axis, multiplied by `numbers`."""
+        """Return the sum of the functions on the last axis, each multiplied by one of `numbers`."""
         return PanelFunction(self.coefficients @ numbers)
 
 

@@ -62,9 +62,9 @@ from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
 Keep = Literal["keep"]
 
-# Component of a force, as a fraction of the whole force, below which it is a rounding error.
+# Largest component of a force, as a fraction of the whole force, that counts as a rounding error.
 ROUNDED_SHARE = 1e-12
-# Travel of the ends, as a fraction of the length of the rod, below which it is a rounding error.
+# Largest travel of the ends, as a fraction of the length of the rod, that counts as a rounding error.
 STILL_SHARE = 1e-9
 TURNED_RAD = 1e-9  # Rotation of an end below which it is a rounding error.
 COARSE_DEG = 60.0  # Angle between neighbouring edges above which `bend` warns that the rod has too few nodes.

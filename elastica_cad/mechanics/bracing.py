@@ -26,7 +26,7 @@ from elastica_cad.mechanics.elements import ElementForce, Pin, Rail, Tie, edge_w
 from elastica_cad.mechanics.loads import Supports
 
 SLACK_SHARE = 0.01
-"""Force of a one-sided element, as a fraction of the largest force in the rod, below which it counts as slack."""
+"""Largest force of a slack one-sided element, as a fraction of the largest force in the rod."""
 
 # singular values below this fraction of the largest mean that constraints are linearly dependent
 _RANK = 1e-9

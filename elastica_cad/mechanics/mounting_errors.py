@@ -18,7 +18,7 @@ SMALL_STEP = 1e-6
 """Displacement of an element, as a fraction of the length, small enough for a linear response of the strip."""
 
 ROUNDING_FRACTION = 1e-6
-"""Force of an element, as a fraction of the largest force in the rod, below which it is a rounding error."""
+"""Largest force of an element, as a fraction of the largest force in the rod, that counts as a rounding error."""
 
 
 def displacements_per_mm(rod: Rod) -> tuple[float, ...]:

@@ -611,7 +611,7 @@ SEAM_SHARE = 0.01
 """Curvature at the start of a closed curve, relative to the largest, below which the start is moved."""
 
 PINNED_SHARE = 1e-6
-"""Curvature at a pinned end, relative to the largest curvature, up to which it counts as 0."""
+"""Largest curvature at a pinned end, relative to the largest of the curve, that counts as 0."""
 
 GENTLE_SHARE = 1e-5
 """Slope of the curvature at an inflection up to which it counts as 0.
@@ -631,14 +631,14 @@ ALL_BUT_UNBENT_SHARE = 1e-3
 """Curvature at an end, relative to the largest, up to which a zero of the extended curve counts as at the end."""
 
 STEP_SHARE = 1e-3
-"""Jump of the curvature, relative to the larger side, up to which it is not reported.
+"""Largest jump of the curvature, relative to the larger side, that is not reported.
 
 Such a jump changes the width of a strip of 40 mm by 0.04 mm. Arcs that were drawn to micrometres have smaller
 jumps.
 """
 
 KINK_SHARE = 0.01
-"""Jump of the slope of the curvature, times length over curvature, up to which it is not reported.
+"""Largest jump of the slope of the curvature, times length over curvature, that is not reported.
 
 Such a jump turns the edge of a strip whose width is a fifth of its length by at most 0.1 degree.
 """
