@@ -441,7 +441,10 @@ def require_bendable(curve: PlaneCurve) -> None:
     if corners:
         slight = _smoothing_change(curve)
         apart = Change("split_corners", True), Change("nearest", True)
-        raise InputError(_corner_message(curve, corners), kind="corner", changes=slight or apart)
+        sharpest = max(corners, key=lambda corner: abs(corner.angle))
+        raise InputError(
+            _corner_message(curve, corners), kind="corner", where={"at": sharpest.s}, changes=slight or apart
+        )
     if curve.has_corners:
         changes = _smoothing_change(curve) or (Change("nearest", True),)
         raise InputError(_seam_message(curve), kind="corner", changes=changes)

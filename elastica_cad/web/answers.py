@@ -181,7 +181,7 @@ def _strip(request: Mapping[str, Any]) -> Record:
     """With `hold`, a dragged control point stops at the last possible position."""
     spec, scaled = _scaled_request(request)
     if "hold" in request:
-        possible = _solve_if_possible(spec)
+        possible = _solve_if_possible(spec, request["hold"])
         return (
             _strip_of_drag(request) if possible is None else _strip_record(spec, scaled, *possible, live=True)
         )
@@ -225,26 +225,28 @@ def _strip_record(
 def _strip_of_drag(request: Mapping[str, Any]) -> Record:
     """Return the strip for a possible position of a dragged control point.
 
-    `request["hold"]` has the index of the point, its last possible position `from`, the tolerance `step`, mm,
-    and the first direction `turn` of this answer. If the point cannot move, the answer has the position
-    `from` and, unless all directions were tried, the `turn` of the next answer.
+    `request["hold"]` has the indices of the points that move together, their last possible positions `from`,
+    the tolerance `step`, mm, and the first direction `turn` of this answer. If the points cannot move, the
+    answer has the positions `from` and, unless all directions were tried, the `turn` of the next answer.
     """
     hold, design, k = request["hold"], request["design"], request.get("strip", 0)
     strip = design["strips"][k]
-    curve, index = strip["curve"], hold["point"]
+    curve, indices = strip["curve"], hold["point"]
 
     def record_with(place: FloatArray) -> Callable[[], Record] | None:
-        spline = [*curve["spline"]]
-        spline[index] = place.round(PLACE_DIGITS).tolist()
+        places = place.round(PLACE_DIGITS).tolist()
+        moved = dict(zip(indices, places, strict=True))
+        spline = [moved.get(i, point) for i, point in enumerate(curve["spline"])]
         strips = [*design["strips"]]
         strips[k] = strip | {"curve": curve | {"spline": spline}}
         with suppress(ElasticaError):
             spec, scaled = _scaled_request({**request, "design": design | {"strips": strips}})
-            if (solved := _solve_if_possible(spec)) is not None:
-                return lambda: _strip_record(spec, scaled, *solved, live=True) | {"point": spline[index]}
+            if (solved := _solve_if_possible(spec, hold)) is not None:
+                return lambda: _strip_record(spec, scaled, *solved, live=True) | {"point": places}
         return None
 
-    start, end = (np.array(xy, dtype=float) for xy in (hold["from"], curve["spline"][index]))
+    wanted = [curve["spline"][i] for i in indices]
+    start, end = (np.array(xy, dtype=float) for xy in (hold["from"], wanted))
     step, turn = max(float(hold["step"]), LEAST_STEP), int(hold.get("turn", 0))
     record_at = move_while_possible(start, end, record_with, step, HALVINGS, slice(turn, turn + DIRECTIONS))
     if record_at is not None:
@@ -253,8 +255,11 @@ def _strip_of_drag(request: Mapping[str, Any]) -> Record:
     return {"point": hold["from"]} | ({"turn": turn} if turn < ALL_DIRECTIONS.stop else {})
 
 
-def _solve_if_possible(spec: StripSpec) -> tuple[Rod | NearestRod, Strip] | None:
-    """Return the rod and the strip, or None if the strip is impossible; the reason is not computed."""
+def _solve_if_possible(spec: StripSpec, hold: Mapping[str, Any]) -> tuple[Rod | NearestRod, Strip] | None:
+    """Return the rod and the strip, or None if the strip is impossible; the reason is not computed.
+
+    With `hold["strain"]`, a strip above the strain limit of its sheet is impossible too.
+    """
     with suppress(ElasticaError):
         if _curve_breaks_strip(spec):
             return None
@@ -264,7 +269,9 @@ def _solve_if_possible(spec: StripSpec) -> tuple[Rod | NearestRod, Strip] | None
             narrowest = spec.bend(rod).width.extremes[0]
             if narrowest < (1 - SEEN_APART) * spec.shop.width_for(spec.material):
                 return None
-        return rod, spec.make(rod)
+        strip = spec.make(rod)
+        if strip.strain_verdict.allowed or not hold.get("strain"):
+            return rod, strip
     return None
 
 

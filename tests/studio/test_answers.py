@@ -336,18 +336,18 @@ def test_a_dragged_point_stops_at_the_border(between):
         drawn["strips"][0]["curve"]["degree"] = degree
         return answer({"do": "strip", "design": drawn, "live": True, **more})
 
-    hold = {"point": k, "from": list(points[k]), "step": 0.5}
+    hold = {"point": [k], "from": [list(points[k])], "step": 0.5}
     far = [points[k][0] + 1.0, points[k][1] - 300.0]
     assert "refused" in at(far)
     answers = [at(far, hold=hold)]
     while {"position", "turn"} & answers[-1].keys():  # as the page, which asks until the point stays
-        assert "refused" not in at(answers[-1]["point"])
+        assert "refused" not in at(*answers[-1]["point"])
         answers.append(
             at(far, hold=hold | {"from": answers[-1]["point"], "turn": answers[-1].get("turn", 0)})
         )
     assert 2 < len(answers) < 30
     assert answers[-1] == {"point": answers[-2]["point"]}
-    x, y = answers[-1]["point"]
+    ((x, y),) = answers[-1]["point"]
     assert y > far[1] + 1
     assert "refused" in at([x, y - 1.1])
     near = [points[k][0], points[k][1] - 0.1]
@@ -419,3 +419,23 @@ def test_an_answer_costs_little_more_than_its_strip(points):
     ratio = min(cost(told) for _ in range(40)) / min(cost(made) for _ in range(40))
     print(f"\n{ratio:.2f} of make_strip")
     assert ratio <= 1.5
+
+
+def test_the_strain_limit_is_a_border_for_a_dragged_point():
+    def at(height, **more):
+        points = [[x, height if k == 4 else y] for k, (x, y) in enumerate(ARCH)]
+        return answer({"do": "strip", "design": design(points), "live": True, **more})
+
+    hold = {"point": [4], "from": [ARCH[4]], "step": 0.5}
+    above = next(height for height in range(180, 400, 10) if max(at(height)["shares"]) > 1.02)
+    assert "point" not in at(above, hold=hold)
+    stopped = at(above, hold=hold | {"strain": True})
+    assert max(stopped["shares"]) <= 1
+    assert ARCH[4][1] < stopped["point"][0][1] < above
+
+
+def test_a_corner_has_its_place():
+    bent = design([[0, 0], [40, 40], [80, 40], [120, 0], [140, -60], [180, -60], [220, 0]])
+    bent["strips"][0]["curve"] |= {"degree": 3, "knots": [0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2]}
+    ((x, y),) = answer({"do": "strip", "design": bent})["places"]
+    assert (x, y) == pytest.approx((120, 0))

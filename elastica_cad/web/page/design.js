@@ -1,6 +1,7 @@
 // The design as the tables of a design file, every earlier state of it, and how it fits into an address.
 
 const MOST_STATES = 100;
+const SMOOTH = 1e-3; // rad: the largest turn of a joint that is kept smooth
 
 export const EMPTY = {
   schema: 1, name: "strip", sheet: "birch-plywood-0.8", max_width: 30,
@@ -121,6 +122,23 @@ const sorted = (_, value) => (value && typeof value === "object" && !Array.isArr
 
 // Equal designs, in whatever order their keys are written.
 export const same = (one, other) => JSON.stringify(one, sorted) === JSON.stringify(other, sorted);
+
+// Move control point k. At a smooth joint of Bezier pieces the handles stay in line: they follow the joint, and the opposite handle turns.
+export function movePoint({ spline, knots, degree }, k, [x, y]) {
+  const isJoint = (j) => knots?.[j + 1] === knots?.[j + degree] && spline[j - 1] && spline[j + 1], way = (a, b) => [b[0] - a[0], b[1] - a[1]];
+  const ratio = (j, one, other) => { // of the lengths of two handles; 0 at a corner
+    const [a, b] = [way(spline[j], spline[one]), way(spline[j], spline[other])], size = Math.hypot(...a), along = a[0] * b[0] + a[1] * b[1];
+    return knots && degree > 1 && isJoint(j) && along < 0 && Math.abs(a[0] * b[1] - a[1] * b[0]) < SMOOTH * -along ? Math.hypot(...b) / size : 0;
+  };
+  const step = way(spline[k], [x, y]), moved = new Map([[k, [x, y]]]), shift = (j, by) => moved.set(j, [spline[j][0] + by * step[0], spline[j][1] + by * step[1]]);
+  if (ratio(k, k - 1, k + 1)) [k - 1, k + 1].forEach((j) => shift(j, 1));
+  else for (const side of [-1, 1]) {
+    const turn = ratio(k + side, k, k + 2 * side);
+    if (turn) shift(k + 2 * side, -turn);
+  }
+  for (const [j, point] of moved) spline[j] = point;
+  return [...moved.keys()];
+}
 
 // A key of a strip may stand in its own table or, for all strips, at the top.
 export function tableOf(design, strip, key) {

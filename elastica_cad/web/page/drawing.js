@@ -230,7 +230,7 @@ export class Drawing {
     layers.line.replaceChildren(...(answer?.theorem?.line ? [drawn(this.line(answer.theorem.line))] : []),
       ...(answer?.thrust ?? []).map((side) => drawn(this.path(side))));
     layers.elements.replaceChildren(...(answer?.elements ?? []).map((element) => this.glyph(element)));
-    layers.marks.replaceChildren(...(answer?.theorem ? this.marks(answer) : []));
+    layers.marks.replaceChildren(...(answer ? this.marks(answer) : []));
   }
 
   // Control points stay the same elements while they are moved: the focus stays where it is.
@@ -317,7 +317,7 @@ export class Drawing {
     return element("g", { class: noun.replace(" ", "-") }, ...shape, element("title", {}, `${this.t(noun)} ${said}`), element("text", { x: (lx + 8).toFixed(1), y: (ly + 4).toFixed(1) }, said));
   }
 
-  marks({ theorem: { inflections, at, off, crossings }, places = [], refused }) {
+  marks({ theorem: { inflections, at, off, crossings } = { inflections: [], off: [], crossings: [] }, places = [], refused }) {
     const mark = (kind, r) => (point, k) => {
       const [cx, cy] = this.toScreen(point).map((v) => v.toFixed(1));
       const name = kind === "inflection" ? `${k + 1}` : "";

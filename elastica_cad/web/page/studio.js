@@ -1,5 +1,5 @@
 // The studio: one design, the drawing of it, and everything that the server says about it.
-import { EMPTY, History, packed, same, tableOf } from "./design.js";
+import { EMPTY, History, movePoint, packed, same, tableOf } from "./design.js";
 import { Drawing, element } from "./drawing.js";
 import { showFlat } from "./flat.js";
 import { Form, html } from "./forms.js";
@@ -153,7 +153,7 @@ class Studio {
     document.documentElement.lang = language;
     this.drawing = new Drawing(plane, t, {
       grab: () => { this.fresh = true; },
-      move: (k, point) => (this.keeps && !this.design.pair && this.answer?.position ? this.lead(k, point) : this.edit((curve) => { curve.spline[k] = point; }, this.fresh)),
+      move: (k, point) => (this.keeps && !this.design.pair && this.answer?.position ? this.lead(k, point) : this.edit((curve) => movePoint(curve, k, point), this.fresh)),
       release: () => { if (!this.leading) this.released(); },
       put: (noun, places) => this.put(noun, places),
       slide: ({ element: { key, index }, end }, { s, point }) => {
@@ -253,17 +253,20 @@ class Studio {
     if (this.leading) return;
     this.leading = true;
     let turn = 0; // direction in which the next answer searches
+    const strain = Math.max(...this.answer.shares) <= 1; // the strain limit is a border only from below
     while (this.wanted) {
-      const { design, strip, wanted } = this, from = this.curve().spline[k], length = this.length ?? this.answer?.path?.length;
+      const { design, strip, wanted } = this, { spline } = this.curve(), length = this.length ?? this.answer?.path?.length;
       this.wanted = null;
-      this.curve(design).spline[k] = wanted;
-      const answer = await this.channel.ask({ do: "strip", design, strip, length, live: true, hold: { point: k, from, step: 1 / this.drawing.view.scale, turn } });
+      const moved = movePoint(this.curve(design), k, wanted), from = moved.map((j) => spline[j]);
+      const answer = await this.channel.ask({ do: "strip", design, strip, length, live: true, hold: { point: moved, from, step: 1 / this.drawing.view.scale, turn, strain } });
       turn = answer?.turn ?? 0;
       if (turn) this.wanted ??= wanted;
+      if (answer?.point) this.tell(this.t("Stopped: the strip cannot be made beyond this place."));
+      else this.tell("");
       if (!answer?.position) continue; // the point stays at the border
       this.shown = answer.id;
       this.answered = answer;
-      this.edit((curve) => { curve.spline[k] = answer.point ?? wanted; }, this.fresh);
+      this.edit((curve) => { moved.forEach((j, i) => { curve.spline[j] = answer.point?.[i] ?? this.curve(design).spline[j]; }); }, this.fresh);
       this.answered = null;
       if (answer.point) this.wanted ??= wanted; // the border may be farther on
     }
@@ -568,7 +571,7 @@ class Studio {
     this.chosen = k;
     const input = (axis) => html("input", { value: +point()[axis].toFixed(3), inputmode: "decimal", "aria-label": "xy"[axis], onchange: (event) => {
       const value = Number(event.target.value.replace(",", "."));
-      if (Number.isFinite(value)) this.edit((curve) => { curve.spline[k][axis] = value; });
+      if (Number.isFinite(value)) this.edit((curve) => movePoint(curve, k, curve.spline[k].with(axis, value)));
     } });
     this.point.hidden = false;
     this.point.setAttribute("aria-label", `${t("Control point")} ${k + 1}`);
