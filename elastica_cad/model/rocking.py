@@ -18,7 +18,7 @@ from elastica_cad.model.held_tabs import (
 )
 from elastica_cad.model.plate_pairs import fitting_width, pair_with_tabs, with_tabs
 from elastica_cad.model.plates import GAP_MM, BasePlate, Ring, needed_length
-from elastica_cad.refusals import FieldName, Length, note, sentences
+from elastica_cad.refusals import Change, FieldName, Length, note, sentences
 from elastica_cad.strip.outline import ENDS, StripEnd
 from elastica_cad.strip.strip import Placed, distinct_names, require_placed
 from elastica_cad.strip.tab_seats import TabSeat
@@ -161,14 +161,17 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
 
 def _pair_text(gap: float, length: float, width: float) -> str:
     """Return the suggestion of two plates with tabs of a length and, if finite, a width."""
+    tab = {"length": length} | ({} if width == np.inf else {"width": width})
+    changes = (Change("two_plates", {"gap": gap, "tab": tab}),)
     if width == np.inf:
         return note(
             "two plates ({field} = {gap:g}) and tabs {length:.0f} long",
-            field=FieldName("gap"), gap=gap, length=Length(length),
+            field=FieldName("gap"), gap=gap, length=Length(length), changes=changes,
         )  # fmt: skip
     return note(
         "two plates ({field} = {gap:g}) and tabs {length:.0f} long and {width:.0f} wide",
         field=FieldName("gap"), gap=gap, length=Length(length), width=Length(width),
+        changes=changes,
     )  # fmt: skip
 
 

@@ -44,7 +44,7 @@ from elastica_cad.report_rows import Row, in_order
 from elastica_cad.strip.drawing import LAYERS, Drawing
 from elastica_cad.strip.lettering import text_strokes
 from elastica_cad.strip.solids import FlatSolid, PrismSolid
-from elastica_cad.strip.strip import Strip
+from elastica_cad.strip.strip import Placed, Strip
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.styles import Bends, Plain
 from elastica_cad.strip.suggestions import Suggestion, suggest
@@ -518,29 +518,22 @@ def _frame(strip: Strip, travel: Any, k: int, part: float) -> Record:
 
 def _model(request: Mapping[str, Any]) -> Record:
     design = _design(request)
-    kit = kit_contents(design.model(), design.kit, entries=design.entries, effects=True)
+    model = design.model()
+    try:
+        kit = kit_contents(model, design.kit, entries=design.entries, effects=True)
+    except ElasticaError as problem:
+        return _placed_strips(model.placed) | refused(problem)
     messages = list(dict.fromkeys((*kit.notes, *kit.model.reports)))
     warnings = [
         message for message in messages if isinstance(message, Refusal) and message.severity == "warning"
     ]
-    strips: dict[int, int] = {}
-    shapes: list[Record] = []
-    places = []
-    for member in kit.model.placed:
-        key = id(member.strip.rod)
-        if key not in strips:
-            strips[key] = len(shapes)
-            shapes.append(_stations(member.strip))
-        places.append([strips[key], _matrix(member.frame)])
     solids = [
         solid
         for part in assembly_parts((), (*kit.model.plates, *kit.holders))
         for solid in _plates(part.solids)
     ]
     cut_list = kit.cut_list
-    return {
-        "shapes": shapes,
-        "places": places,
+    return _placed_strips(kit.model.placed) | {
         "plates": [
             {
                 "loops": [_rounded(path.points(CHORD_MM), 2) for path in (plate.outline, *plate.holes)],
@@ -554,7 +547,7 @@ def _model(request: Mapping[str, Any]) -> Record:
             "printed blocks"
             if kit.blocks
             else "{strips} strips, {pieces} pieces on {sheets} sheets, {cuts:.1f} m of cuts, {mass:.0f} g",
-            strips=len(places),
+            strips=len(kit.model.placed),
             blocks=len(kit.blocks),
             pieces=cut_list.count,
             sheets=len(kit.nests),
@@ -562,8 +555,35 @@ def _model(request: Mapping[str, Any]) -> Record:
             mass=cut_list.mass,
         ),
         "warnings": warnings,
+        "offers": [
+            {"text": note("Use {ways}", ways=inner), **change.value}
+            for inner in dict.fromkeys(inner for warning in warnings for inner in _inner_messages(warning))
+            for change in inner.changes
+            if change.field == "two_plates"
+        ],
         "notes": [message for message in messages if message not in warnings],
     }
+
+
+def _placed_strips(placed: Iterable[Placed]) -> Record:
+    """Return the shapes of the strips of a model and, for each strip, the number of its shape and its place."""
+    strips: dict[int, int] = {}
+    shapes: list[Record] = []
+    places = []
+    for member in placed:
+        key = id(member.strip.rod)
+        if key not in strips:
+            strips[key] = len(shapes)
+            shapes.append(_stations(member.strip))
+        places.append([strips[key], _matrix(member.frame)])
+    return {"shapes": shapes, "places": places, "plates": []}
+
+
+def _inner_messages(message: Refusal) -> Iterator[Refusal]:
+    for value in message.values.values():
+        if isinstance(value, Refusal):
+            yield value
+            yield from _inner_messages(value)
 
 
 def _plates(solids: Sequence[object]) -> Iterator[FlatSolid]:
@@ -720,10 +740,10 @@ def _download(request: Mapping[str, Any], folder: FilePath) -> Download:
     kind = request.get("kind")
     if kind not in DOWNLOADS:
         raise InputError("{file!r} is not a file of this page. Load the page again.", file=kind)
-    name = (
-        "".join(c if c.isalnum() or c in "-_" else "-" for c in str(request["design"].get("name", "")))
-        or "strip"
-    )
+    tables = request["design"]
+    labels = [strip.get("label") for strip in tables.get("strips", ()) if isinstance(strip, Mapping)]
+    called = str(tables.get("name") or next(filter(None, labels[request.get("strip", 0) :]), "strip"))
+    name = "".join(c if c.isalnum() or c in "-_" else "-" for c in called)
     if "pair" in request["design"]:
         spec = _pair_spec(request)
         cutting = cutting_of(request["design"])

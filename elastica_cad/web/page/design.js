@@ -1,12 +1,19 @@
 // The design as the tables of a design file, every earlier state of it, and how it fits into an address.
 
 const MOST_STATES = 100;
+export const HOLDERS = ["rings", "base", "fixtures", "stand"];
 const SMOOTH = 1e-3; // rad: the largest turn of a joint that is kept smooth
 
 export const EMPTY = {
-  schema: 1, name: "strip", sheet: "birch-plywood-0.8", max_width: 30,
+  schema: 1, sheet: "birch-plywood-0.8", max_width: 30,
   strips: [{ label: "A1", curve: { spline: [], degree: 4 } }],
 };
+
+// An empty drawing for the same sheet and the same copies.
+export function emptied(design) {
+  const kept = ["sheet", "thickness", "max_width", "ends", "nest", ...(design.patterns?.every((one) => one.rotate) ? ["patterns", ...HOLDERS] : [])];
+  return { ...structuredClone(EMPTY), sheet: design.pair?.sheet ?? EMPTY.sheet, ...Object.fromEntries(kept.filter((key) => key in design).map((key) => [key, design[key]])) };
+}
 
 export class History {
   constructor(key, design) {

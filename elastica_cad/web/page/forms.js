@@ -19,11 +19,11 @@ export function html(name, attributes = {}, ...children) {
   return made;
 }
 
-// What was typed: a number, a length with its unit, two numbers with a semicolon between, a list or table as JSON writes it, or a text (a formula too).
+// What was typed: a number, a length with its unit, two numbers with a semicolon, a cross or a comma and a space between, a list or table as JSON writes it, or a text (a formula too).
 export function read(text, unit) {
   const typed = text.trim();
   if (!typed) return undefined;
-  const place = typed.match(/^(-?[\d.,]+)\s*;\s*(-?[\d.,]+)$/);
+  const place = typed.match(/^(-?[\d.,]*\d)(?:\s*;\s*|\s*[x×*]\s*|,\s+)(-?[\d.,]*\d)(?:\s*mm)?$/i);
   if (place) return place.slice(1).map((value) => Number(value.replace(",", ".")));
   const number = typed.match(/^(-?[\d.,]+(?:e-?\d+)?)\s*(mm|cm|m|in|inch|")?$/i);
   const value = number && Number(number[1].replace(",", "."));
@@ -110,7 +110,7 @@ export class Form {
 
   plain(field, path) {
     const { t } = this, id = idOf(path), values = valuesOf(field), [value] = values;
-    const absent = ABSENT[field.name] ? t(ABSENT[field.name]) : field.default === null || Array.isArray(field.default) ? "" : t(LABELS[field.default] ?? `${field.default}`);
+    const absent = ABSENT[field.name] ? t(ABSENT[field.name]) : field.default === null ? "" : Array.isArray(field.default) ? shown(field.default, "") : t(LABELS[field.default] ?? `${field.default}`);
     if (value.size === 2 && value.of[0].choices) return this.pair(field, path, value.of[0].choices);
     const words = (value.kind === "flag" && values.length === 1 ? ["true", "false"] : value.choices ?? []).map((one) => [one, t(LABELS[one] ?? one)]);
     const choices = field.sheets || ["sheet", "backing"].includes(field.name) ? this.sheets : words;
@@ -150,6 +150,7 @@ export class Form {
     const inner = html("div", { class: "inner" });
     const kindOf = (now) => (now == null || now === false ? "" : now === true ? "true" : typeof now !== "object" || Array.isArray(now) ? "value"
       : `${Math.max(tables.findIndex((one) => (one.word ? one.word === now.kind : Object.keys(now).every((key) => one.fields.some(({ name }) => name === key)))), 0)}`);
+    const isBegun = !others[0] || others[0].kind === "number" || (others[0].kind === "list" && !others[0].size); // else only a file has such a value
     select.addEventListener("change", () => {
       const one = tables[select.value];
       this.set(path, { "": undefined, "true": true, "value": others[0]?.kind === "number" ? 0 : [] }[select.value] ?? (one && (one.word ? { kind: one.word } : {})));
@@ -157,6 +158,7 @@ export class Form {
     let kind = null, made = [];
     this.controls.push(() => {
       select.value = kindOf(this.get(path));
+      if (!isBegun) select.lastChild.hidden = select.value !== "value";
       if (kind === select.value) return;
       kind = select.value;
       made = this.renew(inner, made, () => (kind === "value" ? [this.control({ ...field, ...(others.length > 1 ? { kind: "either", of: others } : others[0]), name: "value" }, path)]

@@ -1,5 +1,5 @@
 // The studio: one design, the drawing of it, and everything that the server says about it.
-import { EMPTY, History, movePoint, packed, same, tableOf } from "./design.js";
+import { EMPTY, emptied, HOLDERS, History, movePoint, packed, same, tableOf } from "./design.js";
 import { Drawing, element } from "./drawing.js";
 import { showFlat } from "./flat.js";
 import { Form, html } from "./forms.js";
@@ -17,8 +17,7 @@ const ICONS = { // paths in a square of 24
   fit: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5", "zoom-in": "M12 5v14M5 12h14", "zoom-out": "M5 12h14",
 };
 const LANGUAGES = { en: "English", de: "Deutsch", zh: "中文" };
-const FILES = { dxf: "DXF", svg: "SVG", pdf: "PDF at 1:1", step: "STEP", stl: "STL", kit: "Kit as zip" };
-const HOLDERS = ["rings", "base", "fixtures", "stand"];
+const FILES = { dxf: "DXF", svg: "SVG", pdf: "PDF at 1:1", step: "STEP", stl: "STL", kit: "Kit as zip", design: "Design file" };
 // What holds or loads a strip between its ends, as the records of a design; rails and pins keep their point.
 const ELEMENTS = {
   rail: ["between", ([{ point }]) => ({ kind: "rail", at: point })],
@@ -127,8 +126,8 @@ class Studio {
       this.tell(t(noun === "tie" ? "Click on both places of the curve, or drag from one to the other." : "Click on the curve."));
     }]));
     const file = html("input", { type: "file", accept: ".svg,.dxf,.csv,.txt,.json,.toml", hidden: true, onchange: () => this.open(file.files[0]) });
-    const files = [...this.hello.downloads.map((kind) => [kind, FILES[kind]]), ["design", "Design file"]], missing = Object.entries(this.hello.missing);
-    const downloads = menu("downloads", "download", "Download", ...files.map(([kind, text]) => [text, "data-kind", kind, () => this.download(kind)]));
+    const missing = Object.entries(this.hello.missing);
+    const downloads = this.downloads = menu("downloads", "download", "Download", ...[...this.hello.downloads, "design"].map((kind) => [FILES[kind], "data-kind", kind, () => this.download(kind)]));
     for (const [kind, reason] of missing) downloads.lastChild.append(html("p", {}, `${t("Not available")}: ${t(FILES[kind])}. ${t("To get it")}: `, html("code", {}, reason)));
     this.root.replaceChildren(
       html("header", {}, html("h1", {}, "elastica studio"),
@@ -186,6 +185,7 @@ class Studio {
     const { fields, pair_fields, sheets } = this.hello, all = pair ? pair_fields : [...fields, ...COPIES];
     const groups = Object.entries(GROUPS).map(([title, names]) => [title, names.flatMap((name) => all.filter((field) => field.name === name))]);
     for (const field of COPIES) if (field.held) field.when = () => Boolean(holding(this.design));
+      else if (field.many) field.when = () => isModel(this.design);
     const shown = groups.flatMap(([, of]) => of);
     this.form = new Form(this.fields, groups.filter(([, of]) => of.length), all.filter((field) => !shown.includes(field)), {
       t: this.t, sheets, begin: (table) => this.begin(table),
@@ -415,9 +415,14 @@ class Studio {
     if (!this.whole.checked) return;
     this.assembly = answer;
     if (this.answer || design.revolution) this.judge();
-    if (answer.refused) return this.alone();
-    this.space.showModel(answer);
+    if (answer.places) this.space.showModel(answer);
+    else this.alone();
     this.tabulate();
+    this.offers.append(...(answer.offers ?? []).map(({ text, gap, tab }) => html("button", { type: "button", class: "cure", onclick: () => this.history.change((one) => {
+      const longer = (ends = {}) => (Array.isArray(ends) ? ends.map(longer) : { ...ends, ...tab });
+      put(holding(one), ["gap"], gap);
+      for (const table of [one, ...one.strips.filter((strip) => strip.ends)]) table.ends = longer(table.ends);
+    }) }, text)));
   }
 
   alone() { this.space.showAll(this.answer?.position ? this.answer.states ?? [this.answer] : []); }
@@ -457,7 +462,24 @@ class Studio {
       this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), this.offers);
     }
     this.verdict.said = said;
+    this.offerFiles(title);
     this.root.classList.toggle("no-strip", !answer?.position && (!assembly || Boolean(assembly.refused)));
+  }
+
+  // The kit of all strips comes before the files of one strip; what cannot be made has no files, and one line with the reason.
+  offerFiles(title) {
+    const { t, answer, assembly, design } = this, several = isModel(design), list = this.downloads.lastChild, buttons = [...list.querySelectorAll("[data-kind]")];
+    const isMade = (kind) => kind === "design" || (kind === "kit" && assembly ? !assembly.refused : Boolean(answer?.position) || (kind === "kit" && Boolean(design.revolution)));
+    for (const button of buttons) {
+      const { kind } = button.dataset;
+      button.textContent = several && !["kit", "design"].includes(kind) ? `${t(FILES[kind])}, ${t("one strip")}` : t(FILES[kind]);
+      button.disabled = !isMade(kind);
+    }
+    const [kit, saved] = ["kit", "design"].map((kind) => buttons.find((button) => button.dataset.kind === kind));
+    if (several) list.prepend(kit);
+    else saved.before(kit);
+    list.querySelector(".reason")?.remove();
+    if (buttons.some((button) => button.disabled)) list.prepend(html("p", { class: "reason" }, `${t("Not available")}: ${t(title || "It cannot be made")}`));
   }
 
   // Only the values that change are written anew.
@@ -481,6 +503,7 @@ class Studio {
   }
 
   refuse({ message }) {
+    if (this.verdict.textContent.includes(message)) return this.tell(""); // it is printed there
     this.tell(message);
     this.say.classList.add("no");
   }
@@ -579,6 +602,11 @@ class Studio {
       html("button", { type: "button", onclick: () => this.counted({ remove: k }) }, t("Remove")));
   }
 
+  forget() {
+    this.chosen = null;
+    this.point.hidden = true;
+  }
+
   // The strip takes the nearest possible curve; the control points stay as they are drawn.
   nearest() {
     this.history.change((design) => {
@@ -624,11 +652,10 @@ class Studio {
     const cards = [{ ...EMPTY, name: t("Empty drawing") }, ...all].map((design, k) => html("button", { type: "button", class: "card", "data-name": k ? design.name : "empty", onclick: () => {
       this.strip = 0;
       this.refit = k > 0;
-      this.history.replace(k ? design : EMPTY);
-      this.whole.checked = Boolean(design.patterns || design.revolution || design.strips?.length > 1);
+      this.forget();
+      this.history.replace(k ? design : emptied(this.design));
+      this.whole.checked = isModel(this.design);
       this.dialog.close();
-      this.chosen = null;
-      this.point.hidden = true;
       this.draws(!this.points().length);
       this.changed();
       this.drawing.fit();
@@ -711,7 +738,7 @@ class Studio {
     const { design } = this;
     const answer = await this.ask(kind === "design" ? { do: "save", copy: true, design } : { do: "file", kind, design, strip: this.strip });
     if (!answer) return false;
-    const link = html("a", { href: URL.createObjectURL(new Blob([answer.content ?? answer.text])), download: answer.name ?? `${design.name}.toml` });
+    const link = html("a", { href: URL.createObjectURL(new Blob([answer.content ?? answer.text])), download: answer.name ?? `${design.name ?? design.strips?.[0]?.label ?? "strip"}.toml` });
     this.root.append(link);
     link.click();
     link.remove();
@@ -724,20 +751,22 @@ class Studio {
     if (!file) return;
     const answer = await this.ask({ do: "read", name: file.name, text: await file.text() });
     if (!answer) return;
+    const name = file.name.replace(/\.[^.]*$/, "");
+    this.forget();
     if (answer.design) this.history.replace(answer.design);
-    else if (answer.curves.length === 1) this.take(answer.curves[0]);
+    else if (answer.curves.length === 1) this.take(answer.curves[0], name);
     else this.ask1(this.t("Choose a curve"), ...answer.curves.map((one) => html("button", { type: "button", onclick: () => {
       this.dialog.close();
-      this.take(one);
+      this.take(one, name);
     } }, one.called)));
     if (answer.notes?.length) this.tell(answer.notes.join(" · "));
     this.draws(false);
     this.drawing.fit();
   }
 
-  take({ curve, read }) {
+  take({ curve, read }, name) {
     if (read) this.read = { curve, text: read };
-    this.reshape((design) => { put(design, this.place(design), curve); });
+    this.reshape((design) => { put(Object.assign(design, { name }), this.place(design), curve); });
     this.drawing.fit();
   }
 }
@@ -754,6 +783,8 @@ function thumbnail(points) {
   return svg;
 }
 
+// More than one strip: the model has a kit of all.
+const isModel = (design) => Boolean(design.patterns || design.revolution || design.strips?.length > 1);
 const reach = (table, path) => path.reduce((value, key) => value?.[key], table);
 
 function put(table, path, value) {
@@ -786,6 +817,13 @@ const COPIES = [
   copyField("Sheet of the holders", {
     kind: "choice", sheets: true, held: true, get: (design) => design[holderOf(design)]?.sheet,
     set: (design, sheet) => { if (design[holderOf(design)] && holderOf(design) !== "fixtures") design[holderOf(design)].sheet = sheet ?? "mdf-3"; },
+  }),
+  copyField("sheet_size", {
+    kind: "number", unit: "mm", many: true, help: "Width and height of the sheets that all parts are cut from, such as 1200 x 600.", default: [600, 400], get: (design) => design.nest?.sheet_size,
+    set: (design, size) => {
+      put(design, ["nest", "sheet_size"], size);
+      if (!Object.keys(design.nest).length) delete design.nest;
+    },
   }),
   copyField("gap", {
     kind: "number", unit: "mm", held: true, help: "Distance between the two plates that hold inclined tabs.", get: (design) => holding(design)?.gap,

@@ -21,8 +21,8 @@ from elastica_cad.words import Translated
 
 NAMES = {
     "style.width": "OuterWidth", "style.corner_radius": "HoleRadius", "style.sides": "HoleSides",
-    "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText", "limits": "Follow",
-    "limits.keep_out": "KeepOut", "limits.stiffness_bounds": "StiffnessBounds",
+    "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText", "nest.sheet_size": "SheetWidth",
+    "limits": "Follow", "limits.keep_out": "KeepOut", "limits.stiffness_bounds": "StiffnessBounds",
 }  # fmt: skip
 """Names of properties that are not derived from their keys, because files of users contain these names."""
 
