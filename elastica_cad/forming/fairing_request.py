@@ -35,6 +35,9 @@ LARGEST_SMOOTH = 1000.0
 LITTLE_BEND_SHARE = 0.05
 """Curvature at an end, as a fraction of the largest curvature, up to which the end counts as almost straight."""
 
+SLIGHT_MM = 0.1
+"""Largest displacement of a drawn curve by smoothing, mm, that is a note; it is below the tolerance of a cut."""
+
 SEEN = 1e-3
 """Smallest displacement by smoothing, mm, that is reported."""
 
@@ -206,7 +209,8 @@ class Smoothing:
             notes.append(note(
                 "The curvature jumped where pieces of the curve meet. Smoothing moved the curve by at most "
                 "{far:.2g}; {before}. Set {field} to limit the movement, or to 0 to keep the curve as drawn.",
-                far=Length(self.moved), before=ratio, field=FieldName("smooth"), severity="warning",
+                far=Length(self.moved), before=ratio, field=FieldName("smooth"),
+                severity="warning" if self.moved > SLIGHT_MM else "note",
             ))  # fmt: skip
         if self.fairing is not None and self.drawn.tangent_breaks:
             sharpest = max(np.degrees(abs(corner.angle)) for corner in self.drawn.tangent_breaks)

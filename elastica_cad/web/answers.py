@@ -35,7 +35,7 @@ from elastica_cad.mechanics.section_limits import judge_strain
 from elastica_cad.mechanics.sheets import Sheet, cut_sheets
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck
-from elastica_cad.mechanics.thrust_line import thrust_sides
+from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
 from elastica_cad.model.assembly import assembly_parts
 from elastica_cad.pairs.flexure_spec import FlexureSpec
 from elastica_cad.pairs.summary import pair_rows
@@ -179,7 +179,10 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 def _strip(request: Mapping[str, Any]) -> Record:
     """With `hold`, a dragged control point stops at the last possible position."""
-    spec, scaled = _scaled_request(request)
+    try:
+        spec, scaled = _scaled_request(request)
+    except ElasticaError as problem:
+        return _bare_curve(request) | refused(problem)
     if "hold" in request:
         possible = _solve_if_possible(spec, request["hold"])
         return (
@@ -194,6 +197,14 @@ def _strip(request: Mapping[str, Any]) -> Record:
         refusal = {"elements": _elements(spec), "places": places} | _drawn_points(spec) | refused(problem)
         return _check_record(spec, scaled) | refusal
     return _strip_record(spec, scaled, rod, strip, live=bool(request.get("live")))
+
+
+def _bare_curve(request: Mapping[str, Any]) -> Record:
+    """Return the drawn curve of a strip whose request cannot be read, or nothing if the curve cannot be read."""
+    with suppress(ElasticaError, LookupError, TypeError):
+        strip = {"curve": request["design"]["strips"][request.get("strip", 0)]["curve"], "max_width": 10.0}
+        return _drawn_points(requested_spec({"schema": 1, "sheet": "birch-plywood-0.8", "strips": [strip]}))
+    return {}
 
 
 def _check_record(spec: StripSpec, scaled: Record) -> Record:
@@ -213,6 +224,8 @@ def _strip_record(
     record = _check_record(spec, scaled)
     record |= {"elements": _elements(spec, strip), "thrust": _thrust_line(strip.rod)}
     near = rod if isinstance(rod, NearestRod) else None
+    if near is not None:
+        record["theorem"] = _inflections(strip.rod)
     record |= _stations(strip) | {
         "flat": _flat_loops(strip.drawings()),
         "length": round(strip.rod.length, 2),
@@ -350,6 +363,20 @@ def _theorem(check: EquilibriumCheck) -> Record:
         "line": None if line is None else [line.point, line.direction],
         "off": [] if check.realizable else places([s for s, _ in check.off_line]),
         "crossings": places((*check.crossings, *check.touches, *check.curvature_touches, *check.jumps)),
+    }
+
+
+def _inflections(rod: Rod) -> Record:
+    """Return the inflections of a rod and their line, which differ from those of the drawn curve."""
+    points = inflections_of(rod)
+    s = [rod.s[np.hypot(*(rod.position - point).T).argmin()] for point in points]
+    line = None if rod.acting or rod.gravity is not None or not len(points) else rod.thrust_line[0]
+    return {
+        "inflections": _rounded(points, 3),
+        "at": _rounded(s, 2),
+        "line": None if line is None else [line.point, line.direction],
+        "off": [],
+        "crossings": [],
     }
 
 

@@ -207,3 +207,129 @@ def test_files_that_cannot_be_written_are_explained(server, tmp_path, width):
         assert not studio.all("[data-kind=step]")
         assert "Not available: STEP. To get it: pip install build123d" in studio.text(".downloads p")
         assert is_in_view(studio, ".downloads p")
+
+
+BEZIER = """<svg xmlns="http://www.w3.org/2000/svg" width="297mm" height="210mm" viewBox="0 0 297 210">
+<path fill="none" stroke="#000" d="m 20,150 c 30,-60 90,-60 120,0 20,40 60,50 90,30"/></svg>"""
+
+
+def is_outside(studio):
+    (x, y, wide, high), count = studio.box(".plane > svg"), len(studio.all("g.points circle"))
+    places = np.array([studio.point(k + 1) for k in range(count)])
+    return bool((places < (x, y)).any() or (places > (x + wide, y + high)).any())
+
+
+def test_a_smooth_joint_of_an_opened_file_stays_smooth(server, tmp_path, width):
+    (tmp_path / "wave.svg").write_text(BEZIER)
+    with screen(server, tmp_path, width) as studio:
+        studio.start("arch")
+        studio.press(studio.point(2))
+        studio.until(lambda: studio.all(".point:not([hidden])"))
+        studio.drop(tmp_path / "wave.svg")
+        studio.until(lambda: studio.text(".numbers dd").startswith("210.0 x 85.0 mm"))
+        assert not studio.all(".point:not([hidden])")
+        assert studio.verdict() == "It can be made"  # smoothed by less than a cut is wide
+        studio.until(lambda: not is_outside(studio))
+        handle, before = studio.point(3), studio.shape("points")
+        studio.press(handle, (4, -4), (8, -8))
+        studio.until(lambda: studio.shape("points") != before and studio.shape("strip"))
+        one, joint, other = (studio.point(k) for k in (3, 4, 5))
+        a, b = one - joint, other - joint
+        assert abs(a[0] * b[1] - a[1] * b[0]) < 0.02 * np.hypot(*a) * np.hypot(*b)
+        studio.until(lambda: "…" not in studio.text(".told"))
+        assert "corner" not in studio.text(".verdict")
+        assert studio.download("dxf", "wave.dxf").stat().st_size > 1000
+
+
+def test_copies_offer_their_kit_their_sheet_and_two_plates(server, tmp_path, width):
+    points = [[150, -120], [215, -35], [248, 95], [215, 225], [150, 310]]
+    lamp = design(points, sheet="birch-plywood-3", max_width=30, patterns=[{"rotate": {"count": 10}}])
+    with screen(server, tmp_path, width, link(lamp | {"rings": {"sheet": "mdf-3"}})) as studio:
+
+        def kinds():
+            return [one.get_attribute("data-kind") for one in studio.all(".downloads button")]
+
+        studio.until(lambda: studio.verdict() == "It can be made")
+        studio.all("#whole")[0].click()
+        studio.until(lambda: studio.all(".cure"))
+        assert studio.verdict() == "Read the warnings before you cut"
+        assert kinds()[0] == "kit"
+        assert "DXF, one strip" in [
+            one.get_attribute("textContent") for one in studio.all(".downloads button")
+        ]
+        studio.type("#field-sheet_size", "300 x 200")
+        studio.until(lambda: "Use a larger sheet (“sheet size”)" in studio.text(".verdict"))
+        assert studio.text(".told").count("larger sheet") == 1
+        assert studio.all("[data-kind=kit]")[0].get_property("disabled")
+        studio.all(".downloads summary")[0].click()
+        assert studio.text(".downloads .reason") == "Not available: It cannot be made"
+        studio.type("#field-sheet_size", "1200, 600")
+        studio.until(lambda: studio.all(".cure"))
+        assert not studio.all("[data-kind=kit]")[0].get_property("disabled")
+        studio.all(".cure")[0].click()
+        studio.until(lambda: studio.verdict() == "It can be made" and "14 pieces" in studio.text(".told"))
+        studio.type("#field-gap", "60")
+        scene = studio.until(lambda: studio.verdict() == "It cannot be made" and studio.scene())
+        studio.all("#whole")[0].click()
+        studio.until(lambda: studio.scene() != scene)  # the copies were still shown
+
+
+def test_a_held_point_is_said_to_be_stopped(server, tmp_path, width):
+    with screen(server, tmp_path, width) as studio:
+        studio.start("arch")
+        studio.all("[data-do=keep]")[0].click()
+        at = studio.point(5)
+        studio.mouse("mouseMoved", at, buttons=0)
+        studio.mouse("mousePressed", at, clickCount=1)
+        for k in range(1, 9):
+            studio.mouse("mouseMoved", at + np.array([0, -10 * k]))
+        studio.until(lambda: studio.text(".said").startswith("Stopped:"))
+        assert studio.verdict() == "It can be made"
+        studio.mouse("mouseReleased", at + np.array([0, -80]), clickCount=1)
+        studio.until(lambda: not studio.text(".said") and "…" not in studio.text(".told"))
+        assert studio.verdict() == "It can be made"  # not above the strain limit
+
+
+def test_the_view_fits_again_after_undo_and_when_the_bent_strip_leaves_it(server, tmp_path, width):
+    with screen(server, tmp_path, width, link(design(SHARP))) as studio:
+        studio.until(lambda: studio.all(".cure"))
+        span = np.hypot(*(studio.point(1) - studio.point(7)))
+        (larger,) = (one for one in studio.all(".cure") if one.text.startswith("Draw the curve"))
+        larger.click()
+        studio.until(lambda: not studio.all(".verdict.no"))
+        studio.all("[data-do=undo]")[0].click()
+        studio.until(lambda: studio.all(".verdict.no"))
+        assert np.hypot(*(studio.point(1) - studio.point(7))) == pytest.approx(span, rel=0.05)
+
+        studio.start("arch")
+        studio.until(lambda: "…" not in studio.text(".told"))
+        studio.browser.execute_script("document.querySelector('.bend').scrollIntoView()")
+        x, y, wide, high = studio.box(".bend input")
+        studio.mouse("mouseMoved", (x + 0.9 * wide, y + high / 2), buttons=0)
+        studio.press((x + 0.1 * wide, y + high / 2))
+        studio.until(lambda: "does not snap" in studio.text(".bend .marks"))
+        x, _, wide, _ = studio.box(".plane > svg")
+        left, _, strip, _ = studio.box("g.strip")
+        assert left >= x
+        assert left + strip <= x + wide
+
+
+def test_an_empty_drawing_keeps_sheet_and_copies(server, tmp_path, width):
+    with screen(server, tmp_path, width) as studio:
+        studio.start("lamp")
+        studio.until(lambda: "16 pieces" in studio.text(".told"))
+        studio.start("empty")
+        assert studio.all("#field-sheet")[0].get_property("value") == "polypropylene-0.8"
+        assert studio.all("#field-Copies-around-the-axis-x-0")[0].get_property("value") == "12"
+        x, _, wide, _ = studio.box(".plane > svg")
+        assert x < studio.center("g.axis path")[0] < x + wide
+
+
+def test_the_curve_stays_when_a_setting_is_refused(server, tmp_path, width):
+    with screen(server, tmp_path, width) as studio:
+        studio.start("arch")
+        studio.type("#field-max_width", "-3")
+        studio.until(lambda: studio.verdict() == "It cannot be made")
+        assert len(studio.shape("drawn")) > 1000
+        values = studio.all("#field-ends option[value=value]")
+        assert all(one.get_property("hidden") for one in values)

@@ -72,10 +72,10 @@ def test_from_an_empty_drawing_to_the_cutting_file(server, tmp_path):
         studio.press(studio.center(".scene canvas"), (60, 20))
         studio.until(lambda: studio.scene() != scene)
 
-        design = tomllib.loads(studio.download("design", "strip.toml").read_text())
+        design = tomllib.loads(studio.download("design", "A1.toml").read_text())
         boxes = [float(one.get_attribute("value")) for one in studio.all(".point input")]
         assert boxes == pytest.approx(design["strips"][0]["curve"]["spline"][3], abs=1e-3)
-        assert studio.download("dxf", "strip.dxf").read_bytes() == by_command(design, tmp_path)
+        assert studio.download("dxf", "A1.dxf").read_bytes() == by_command(design, tmp_path)
         assert studio.logged() == []
 
 
@@ -303,7 +303,7 @@ def test_a_lamp_of_twelve_strips_from_an_empty_page(server, tmp_path):
         studio.until(
             lambda: studio.verdict() == "Read the warnings before you cut"
         )  # tabs rock in one thin ring
-        path = studio.download("kit", "strip.zip")
+        path = studio.download("kit", "A1.zip")
     print(f"a lamp within {time.monotonic() - began:.0f} s")
     with ZipFile(path) as packed:
         names = packed.namelist()

@@ -51,11 +51,11 @@ export class Drawing {
 
   fit() {
     const [width, height] = this.size;
-    const all = [...this.points, ...(this.answer?.position ?? []), ...(this.ghost ?? [])];
+    const all = [...this.points, ...(this.isOld ? [] : this.answer?.position ?? []), ...(this.ghost ?? [])];
     if (this.axis && all.length) all.push([0, all[0][1]]);
     const [x0, x1] = range(all.map((p) => p[0])), [y0, y1] = range(all.map((p) => p[1]));
     const scale = all.length > 1 ? 0.75 * Math.min(width / Math.max(x1 - x0, 1), height / Math.max(y1 - y0, 1)) : 1.5;
-    const middle = all.length > 1 ? [(x0 + x1) / 2, (y0 + y1) / 2] : [width / 3, height / 4];
+    const middle = all.length > 1 ? [(x0 + x1) / 2, (y0 + y1) / 2] : [width / 3.5, height / 4];
     this.view = { scale, x: width / 2 - middle[0] * scale, y: height / 2 + middle[1] * scale };
     this.fitted = true;
     this.paint();
@@ -201,12 +201,22 @@ export class Drawing {
 
   // What is given changes; the rest of the picture stays.
   show(given) {
-    const before = this.points, [width, height] = this.size;
+    const before = this.points, size = this.size, wasInside = this.isInside();
+    const isOutside = (point) => this.toScreen(point).some((v, i) => v < 0 || v > size[i]), isNew = (point, k) => `${point}` !== `${before[k]}`;
     Object.assign(this, given);
-    const isNewOutside = (point, k) => `${point}` !== `${before[k]}` && this.toScreen(point).some((v, i) => v < 0 || v > [width, height][i]);
-    if (given.points?.some(isNewOutside) && !this.fingers.size) return this.fit();
+    const isSet = this.mode === "draw" && this.setPoints !== this.points.length; // a view that moves while points are set would misplace them
+    if ("answer" in given) this.setPoints = this.points.length;
+    const isOther = given.points?.length > 1 && before.length && given.points.every(isNew); // as after Undo of an enlargement
+    const isNews = this.isOld && "answer" in given;
+    this.isOld = isOther || (this.isOld && !isNews); // the answer is about other points
+    if (!this.fingers.size && !isSet && (isOther || isNews || given.points?.some((point, k) => isNew(point, k) && isOutside(point)) || (wasInside && !this.isInside()))) return this.fit();
     if (given.points) this.paintPoints();
     if ("answer" in given || "ghost" in given) this.paintAnswer();
+  }
+
+  isInside() {
+    const size = this.size;
+    return [...this.points, ...(this.answer?.position ?? [])].every((point) => this.toScreen(point).every((v, i) => v >= 0 && v <= size[i]));
   }
 
   path(points, closed = false) {

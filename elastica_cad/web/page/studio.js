@@ -261,17 +261,26 @@ class Studio {
       const answer = await this.channel.ask({ do: "strip", design, strip, length, live: true, hold: { point: moved, from, step: 1 / this.drawing.view.scale, turn, strain } });
       turn = answer?.turn ?? 0;
       if (turn) this.wanted ??= wanted;
-      if (answer?.point) this.tell(this.t("Stopped: the strip cannot be made beyond this place."));
-      else this.tell("");
-      if (!answer?.position) continue; // the point stays at the border
+      if (!answer?.position) { // the point stays at the border
+        this.held(answer);
+        continue;
+      }
       this.shown = answer.id;
       this.answered = answer;
       this.edit((curve) => { moved.forEach((j, i) => { curve.spline[j] = answer.point?.[i] ?? this.curve(design).spline[j]; }); }, this.fresh);
       this.answered = null;
+      this.held(answer);
       if (answer.point) this.wanted ??= wanted; // the border may be farther on
     }
     this.leading = false;
     if (this.drawing.grabbed == null) this.released();
+  }
+
+  // Until the next change.
+  held(answer) {
+    if (!answer?.point) return;
+    this.tell(this.t("Stopped: the strip cannot be made beyond this place."));
+    this.say.classList.add("held");
   }
 
   // The last change of a drag: what is left out while the pointer moves is computed.
@@ -320,10 +329,10 @@ class Studio {
     this.before = null;
     Object.assign(this.bar, { max: FURTHEST, value: 1 });
     this.scale();
-    if (this.say.matches(".no")) this.tell(""); // it was about the design before
+    if (this.say.matches(".no, .held")) this.tell(""); // it was about the design before
     this.nearing.setAttribute("aria-pressed", Boolean(design.strips?.length && "limits" in tableOf(design, this.strip, "limits")));
     this.nearing.disabled = !design.strips?.length;
-    const axis = Boolean(design.patterns?.some((pattern) => pattern.rotate));
+    const axis = Boolean(design.revolution || design.patterns?.some((pattern) => pattern.rotate));
     this.drawing.show({ points: this.points(design) });
     const at = this.points(design)[this.chosen]; // its boxes follow the pointer and the keys
     if (at) this.point.querySelectorAll("input").forEach((input, axis) => { input.value = +at[axis].toFixed(3); });
@@ -459,7 +468,7 @@ class Studio {
     const said = [title, ...texts].join();
     if (said !== this.verdict.said) { // a reader of the screen hears what is new
       this.verdict.className = `verdict ${state}`;
-      this.verdict.replaceChildren(html("strong", {}, t(title)), ...texts.map((text) => html("p", {}, text)), this.offers);
+      this.verdict.replaceChildren(html("strong", {}, t(title)), ...(state === "care" ? [this.offers] : []), ...texts.map((text) => html("p", {}, text)), ...(state === "care" ? [] : [this.offers]));
     }
     this.verdict.said = said;
     this.offerFiles(title);
@@ -498,7 +507,7 @@ class Studio {
   }
 
   tell(text, ...more) {
-    this.say.classList.remove("no");
+    this.say.classList.remove("no", "held");
     this.say.replaceChildren(text, ...more);
   }
 
@@ -634,7 +643,8 @@ class Studio {
         } }, title)), html("td", {}, `${percent(row)} ${t("of the sheet's limit")}, ${row.mass} g`)));
       }
     }
-    progress.textContent = fitting.children.length ? "" : t("No sheet fits. Change the curve first.");
+    const suits = [...others].some(([kind, rows]) => kind !== "strain" && (others.size > 1 || new Set(rows.map(([, text]) => text)).size > 1)); // with a change that depends on the sheet
+    progress.textContent = fitting.children.length ? "" : t(suits ? "No sheet fits as it is. Some fit with the change that is named above them." : "No sheet fits. Change the curve first.");
     if (others.size) this.dialog.append(html("details", { open: !fitting.children.length }, html("summary", {}, t("Sheets that do not fit")), ...[...others.values()].map((rows) => { // each reason once
       const texts = new Set(rows.map(([, text]) => text));
       return html("p", {}, html("b", {}, `${texts.size > 1 ? `${t("For example")}: ` : ""}${[...texts][0]}`), html("br"), rows.map(([name]) => name).join(", "));
@@ -693,6 +703,8 @@ class Studio {
       html("p", {}, mark(0, t("flat")), mark(1, t("as drawn")), ...(this.bar.max > 1 && frames.length ? [mark(+this.bar.max, t("pressed"))] : [])),
       ...(snap ? [html("span", { class: "snaps" }, t("it snaps"))] : []));
     if (snap) this.marks.lastChild.style.left = `${Math.min(left(snap.part), 75)}%`;
+    else this.marks.append(html("p", { class: "caption" }, frames.length ? t("does not snap on the way") : ""));
+    if (frames.length) this.marks.append(html("span", { class: "force" }, t("Force")));
   }
 
   async bent() {
