@@ -51,11 +51,11 @@ from elastica_cad.mechanics.mounted_elements import mounted
 from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.sections import WidthLaw
 from elastica_cad.mechanics.stability import Stability, stability
-from elastica_cad.refusals import ENGLISH
+from elastica_cad.refusals import ENGLISH, Point, note
 from elastica_cad.refusals import Length as MmLength
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
-from elastica_cad.strip.summary import SMALLEST_MOVE_MM, between_rows, direction_in_drawing
+from elastica_cad.strip.summary import SMALLEST_MOVE_MM, bar_direction, between_rows, direction_in_drawing
 from elastica_cad.strip.travel import Travel, bend_strip
 
 OF_A_CURVE = {
@@ -284,8 +284,8 @@ def _gravity(chosen: dict[str, Any]) -> Gravity | None:
 
 
 def _solve(spec: RodSpec) -> Rod | NearestRod:
-    for note in spec.smoothing.notes:
-        say(note)
+    for text in spec.smoothing.notes:
+        say(text)
     result = solve_rod(spec)
     if isinstance(result, NearestRod):
         say(f"the strip is {result.deviation:.2g} mm off the drawn curve at most")
@@ -403,7 +403,10 @@ def _print_shapes(
         limit = f"safety {_rounded(moved.safety[worst])}"
         say_row(Row("Strain", f"at most {_rounded(100 * moved.strain[worst])} %, {limit}"))
     say_row(_stability_row(states, shapes, moved, change))
-    for warning in dict.fromkeys(text for shape in shapes for text in shape.warnings):
+    side_warnings = (
+        text for action in shapes[-1].between for text in _warnings_on_side(action, rod, shapes[-1])
+    )
+    for warning in dict.fromkeys([*(text for shape in shapes for text in shape.warnings), *side_warnings]):
         say_row(warning_row(warning))
     if moved is None:
         return
@@ -422,6 +425,20 @@ def _print_shapes(
         say_row(warning_row(f"{where}{moved.sideways[k].meaning}", "Stability"))
     for warning in moved.warnings:
         say_row(warning_row(warning))
+
+
+def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[str]:
+    """Yield a warning on a bar above a straight strip if its point is below, where a maker expects a gap."""
+    at, direction = getattr(action.element, "at", None), bar_direction(action, shape)
+    gravity = shape.gravity
+    if rod.shape is not None or not isinstance(at, tuple) or direction is None or gravity is None:
+        return
+    if direction @ gravity.direction < 0:
+        yield note(
+            "The point {point} of the rail is below the straight strip, so its bar is above the strip and pushes "
+            "it down. For a bar below a gap, make a drawn line with {command}, and bend its report.",
+            point=Point(at), command=f"`elastica strip LINE.svg --rail {action.s[0]:.0f}`",
+        )  # fmt: skip
 
 
 def _load_rows(loads: Sequence[PointMass | PointForce]) -> Iterator[Row]:

@@ -32,7 +32,7 @@ def _unknown(strip: str, path: Path, strips: Sequence[str]) -> InputError:
 @click.argument("report", type=click.Path(path_type=Path, exists=True, dir_okay=False))
 @click.argument("measured", type=click.Path(path_type=Path, exists=True, dir_okay=False), required=False)
 @click.option("--reading-error", type=LENGTH, metavar="MM",
-              help="Typical error of measured lengths  [default: reading_error in MEASURED, or 1].")  # fmt: skip
+              help="Typical error of measured lengths  [default: reading_error in MEASURED, or 2].")  # fmt: skip
 @click.option("--force", is_flag=True, help="Overwrite files.")
 def compare(report: Path, measured: Path | None, reading_error: float | None, force: bool) -> None:
     """Compare the measurements in MEASURED with the REPORT of a strip or a model (NAME.json by `elastica strip` or

@@ -115,7 +115,8 @@ OPTIONS = _names_of_common_keys()
 """Names of the options that are generated from declarations, by the path of the key that they set."""
 
 DEFAULTS = {
-    "label": "the file's name", "ends.length": "10", "style.kind": "plain", "cut.kerf": f"{KERF:g}",
+    "label": "the file's name", "ends.length": "10, 0 at a free end", "style.kind": "plain",
+    "cut.kerf": f"{KERF:g}",
 }  # fmt: skip
 """Descriptions of defaults in help."""
 

@@ -21,6 +21,7 @@ from elastica_cad.strip.measuring import (
     LENGTHS,
     MARKS,
     MEANINGS,
+    READING_ERROR_MM,
     UNITS,
     Measuring,
     heights_of_marks,
@@ -59,6 +60,7 @@ def measuring_record(measuring: Measuring) -> dict[str, Any]:
             cause: [dict(change) for change in changes] for cause, changes in measuring.causes.items()
         },
         "shape": [list(point) for point in measuring.shape],
+        "tips": measuring.tips,
     }
 
 
@@ -70,6 +72,7 @@ def read_measuring(path: FilePath) -> dict[str, Measuring]:
     dict of str to Measuring
         By the names of the parts of a model; "" is the name in the report of a strip.
     """
+    has_elements = False
     try:
         report = json.loads(path.read_text(encoding="utf-8"))
         records = (
@@ -77,11 +80,18 @@ def read_measuring(path: FilePath) -> dict[str, Measuring]:
             if "parts" in report
             else {"": report["measuring"]}
         )
+        has_elements = [*records.values()] == [None] and bool(report.get("between"))
         measured = {name: measuring_of(record) for name, record in records.items() if record is not None}
         if not measured:
             raise ValueError
         return measured
     except (OSError, ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
+        if has_elements:
+            raise InputError(
+                "{path} is the report of a strip with rails, pins, ties or point forces, which cannot be compared "
+                "yet. Use the report of a strip without them.",
+                path=path,
+            ) from error
         raise InputError(
             "{path} is not a report with quantities to measure. Use the .json file of `elastica strip` for an open "
             "strip, or of `elastica model` without --no-effects.",
@@ -98,6 +108,7 @@ def measuring_of(record: Mapping[str, Any]) -> Measuring:
         _measures(record["uncertain"]),
         causes,
         tuple((_number(x), _number(y)) for x, y in record["shape"]),
+        None if record.get("tips") is None else _number(record["tips"]),
     )
     if not (
         causes.keys() <= MEANINGS.keys() and all(causes.values()) and min(measuring.uncertain.values()) > 0
@@ -162,7 +173,7 @@ def blank_readings(measured: Mapping[str, Measuring]) -> str:
     lines = [
         "# Replace the expected values by your readings, and delete the # at the start of these lines.",
         "# Lengths in mm, angles in degrees.",
-        "# reading_error = 1.0  # typical error of your ruler, mm",
+        f"# reading_error = {READING_ERROR_MM}  # typical error of your ruler, mm",
         "# angle_error = 1.0  # typical error of your protractor, degrees",
     ]
     for strip, measuring in measured.items():

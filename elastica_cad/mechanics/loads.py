@@ -259,6 +259,11 @@ class End:
                     "is free"
                 )
 
+    @property
+    def is_free(self) -> bool:
+        """True if the support holds nothing."""
+        return not (self.x or self.y or self.angle)
+
     @classmethod
     def named(cls, name: EndName) -> "End":
         """Return an end: clamped, pinned, slide-x, slide-y (clamped sliders), guided (only angle held), free."""
@@ -319,7 +324,7 @@ class Supports:
     @property
     def is_free(self) -> bool:
         """True if both ends are free, as in a bow."""
-        return self.ends == (End.named("free"), End.named("free"))
+        return all(end.is_free for end in self.ends)
 
     def require_held(self, *, between: bool = False) -> None:
         """Refuse two free ends, unless elements between the ends support the rod."""

@@ -82,7 +82,7 @@ def find_free_tails(
     flats = [zero for zero in curve.curvature_zeros if zero.kind == "flat"]
     for end, support in enumerate(supports.ends):
         free_end, station = (curve.length, max(stations)) if end else (0.0, min(stations))
-        if support.x or support.y or support.angle or abs(station - free_end) <= near:
+        if not support.is_free or abs(station - free_end) <= near:
             continue
         joints = [(knot.s, knot.t) for knot in curve.breaks if knot.continuity <= 2]
         straight = None

@@ -18,6 +18,7 @@ from elastica_cad.mechanics.sheets import sheet_color
 from elastica_cad.mechanics.thrust_line import inflections_of, thrust_sides
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 from elastica_cad.strip.drawing import Drawing
+from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.holding_template import HeldEnd, distance_between, held_ends
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.travel import Travel
@@ -206,9 +207,11 @@ def _paint_bent(
     tabs = [np.array([end.position, end.tip]) for end in ends]
     for end, tab in zip(ends, tabs, strict=True):
         axes.plot(*tab.T, color=FAINT, linewidth=2.2)
-        angle_text = f"{end.tilt:.1f}°" if end.support.angle else "free to turn"
+        angle_text = f"{end.tilt:.1f}°" if end.support.angle else end.unheld_text
         beside = 22 * np.sign(end.outward[0]) * end.outward[1]  # away from a steep tab
-        below = {"xytext": (beside, -6), "textcoords": "offset points", "ha": "center", "va": "top"}
+        inward = "left" if end.outward[0] < 0 else "right"  # a long text stays inside the axes
+        align = inward if end.support.is_free else "center"
+        below = {"xytext": (beside, -6), "textcoords": "offset points", "ha": align, "va": "top"}
         axes.annotate(angle_text, tuple(end.position), fontsize=9, color=INK, **below)
     low, high = box_about(np.concatenate([position, tips, *wished, *tabs, turns]))
     at_rest, shown = None if design else _inflection_line(rod), [low, high]
@@ -263,13 +266,18 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
     unit = 0.012 * length
     axes.plot([0, 0, np.nan, free, free],
               [bottom, top, np.nan, bottom, top], color=FAINT, linewidth=0.8, linestyle=":")  # fmt: skip
-    above, below = top + 1.6 * unit, bottom - 1.2 * unit
+    cuts = element_cuts(strip.rod)
+    above, below = top + (2.4 if cuts else 1.6) * unit, bottom - 1.2 * unit
     _dimension(axes, (left, above), (right, above), f"{length:.2f} mm in all, {free:.2f} mm free")
     called, size = next(iter(strip.tapered.items()), ("width", strip.width))
     for x in _stations_of(size):
         half = float(strip.width(x)) / 2
         axes.plot([x, x], [-half, half], color=LINE, linewidth=0.9)
         axes.text(x, below, f"{float(size(x)):.2f}", ha="center", va="top", fontsize=9, color=LINE)
+    for cut in cuts:
+        axes.text(
+            cut.at, top + 0.2 * unit, f"{cut.at - left:.1f}", ha="center", va="bottom", fontsize=9, color=INK
+        )
     axes.set_xlim(left - MARGIN_FRACTION * length, right + MARGIN_FRACTION * length)
     axes.set_ylim(bottom - 5.0 * unit, top + 5.2 * unit)
     axes.set_aspect("equal")
@@ -279,7 +287,8 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
         side.set_visible(False)
     called = "widths" if called == "width" else called
     then = "; to be bent beforehand" if np.any(strip.rod.natural_curvature) else ""
-    title = f"Flat: {strip.breadth()}, {called} in mm below{then}"
+    places = "; above, places of the cord and pin cuts from the left end" if cuts else ""
+    title = f"Flat: {strip.breadth()}, {called} in mm below{places}{then}"
     if strip.backing_side:
         title += f"\n{fill(strip.backing_side, 100)}"
     _set_title(axes, title)

@@ -69,6 +69,11 @@ class HeldEnd:
         """End point of the tab (2,), mm."""
         return self.position + self.tab * self.outward
 
+    @property
+    def unheld_text(self) -> str:
+        """Description of an end that may turn, for pictures and the template."""
+        return "free: nothing holds it" if self.support.is_free else "free to turn"
+
 
 def held_ends(strip: Strip) -> tuple[HeldEnd, HeldEnd]:
     """Return the positions and directions of both ends of an open strip, in the plane of its curve.
@@ -278,6 +283,10 @@ def ends_message(strip: Strip) -> Refusal:
             end=ends[1].tilt,
             **far,
         )
+    if strip.rod.supports.is_free:
+        return note(
+            "nothing holds the free ends; they rest {apart:.1f} apart ({tips:.1f} from tip to tip)", **far
+        )
     return note("hold the ends {apart:.1f} apart where the bend begins ({tips:.1f} from tip to tip)", **far)
 
 
@@ -313,7 +322,7 @@ def holding_template(strip: Strip) -> Drawing:
         f"bend lines {distance_between(ends):.1f} mm apart, tips {distance_of_tips(ends):.1f} mm",
         *(
             f"{name}: "
-            + f"{abs(end.tilt):.1f} degrees from the line{'' if end.support.angle else ', free to turn'}"
+            + f"{abs(end.tilt):.1f} degrees from the line{'' if end.support.angle else f', {end.unheld_text}'}"
             + "".join(f", hole at x {x:z.1f}, y {y:z.1f}" for x, y in holes)
             for name, end, holes in zip(("start (1)", "end (2)"), ends, hole_places(ends), strict=True)
         ),

@@ -18,6 +18,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.geometry.segments import Arc, Line, Segment, Spline
 from elastica_cad.geometry.splines import greville, knot_runs
+from elastica_cad.mechanics.loads import Supports
 from elastica_cad.refusals import Length
 
 StripEnd: TypeAlias = Literal["start", "end"]
@@ -290,8 +291,11 @@ def lines_through(points: Sequence[tuple[float, float] | FloatArray]) -> tuple[L
     return tuple(Line(p, q) for p, q in pairwise(rows) if np.any(p != q))
 
 
-def pair_of_tabs(tabs: object) -> tuple[Tab, Tab]:
-    """Return the tabs of both ends. A single tab is used for both ends."""
+def pair_of_tabs(tabs: object, supports: Supports | None = None) -> tuple[Tab, Tab]:
+    """Return the tabs of both ends. A single tab is used for both ends. By default, a free end has no tab."""
+    if tabs is USUAL_TABS and supports is not None:
+        first, last = (Tab(0) if end.is_free else Tab() for end in supports.ends)
+        return first, last
     both = several("ends", tabs, Tab, "Tab") * (2 if isinstance(tabs, Tab) else 1)
     if len(both) != 2:
         raise InputError(

@@ -457,7 +457,7 @@ class Strip:
         require_record(self.tolerance, MakingTolerance, "the tolerance", "a MakingTolerance")
         if self.correction is not None:
             require_record(self.correction, Profile, "the correction", "a Profile, or None")
-        object.__setattr__(self, "ends", pair_of_tabs(self.ends))
+        object.__setattr__(self, "ends", pair_of_tabs(self.ends, self.rod.supports))
         object.__setattr__(self, "slots", several("slots", self.slots, Slot, "Slot"))
         for slot in self.slots:
             slot.require_rad()

@@ -452,7 +452,7 @@ class StripSpec(EqualByValue):
     ends: Annotated[
         Takes[tuple[Tab, Tab], Tab | Sequence[Tab]],
         Option(
-            "Tab for both ends, or one for the start and one for the end.",
+            "Tab for both ends, or one for the start and one for the end; by default, a free end has no tab.",
             group="ends",
             common=True,
             written=Tab | tuple[Tab, Tab],
@@ -538,7 +538,7 @@ class StripSpec(EqualByValue):
         if self.frame is not None:
             require_record(self.frame, Frame, "the frame", "a Frame, the plane of the curve, or None")
         require_style(self.style)
-        ends, slots = pair_of_tabs(self.ends), several("slots", self.slots, Slot, "Slot")
+        ends, slots = pair_of_tabs(self.ends, supports), several("slots", self.slots, Slot, "Slot")
         sized = bool(self.max_width or self.min_width)
         if self.law is not None:
             _check_section_law(self.law, self.material, self.style, ends, slots, sized=sized)

@@ -1,10 +1,11 @@
 """Report on a strip as labelled rows, for text, notebooks, FreeCAD and the web page."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 
 import numpy as np
 
+from elastica_cad._types import FloatArray
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.forming.nearest_record import NearestRod
@@ -16,8 +17,9 @@ from elastica_cad.mechanics.sideways import SAFE_LOAD
 from elastica_cad.mechanics.stability import Stability, stability
 from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, sentences
 from elastica_cad.report_rows import Row, in_order, warning_row
+from elastica_cad.strip.element_cuts import element_cuts
 from elastica_cad.strip.held_shape import HeldShape, about
-from elastica_cad.strip.holding_template import distance_between, distance_of_tips, held_ends
+from elastica_cad.strip.holding_template import HeldEnd, distance_between, distance_of_tips, held_ends
 from elastica_cad.strip.strip import Strip
 
 LATER = "…"
@@ -59,6 +61,7 @@ def strip_rows(
         rows += [
             Row(note("Stability"), LATER),
             hold_row(strip),
+            *_cut_rows(strip),
             *between_rows(strip.rod, strip.bending_stiffness),
         ]
         rows += [Row(note("Accuracy"), LATER)]
@@ -67,6 +70,7 @@ def strip_rows(
         rows += [
             stability_row(strip, verdict),
             hold_row(strip),
+            *_cut_rows(strip),
             *between_rows(strip.rod, strip.bending_stiffness),
             *_mounting_rows(strip),
         ]
@@ -187,6 +191,14 @@ def hold_row(strip: Strip) -> Row:
         else "ends {apart:.1f} apart; they turn freely and rest at {start:.1f} and {end:.1f} degrees",
         apart=Length(distance_between(ends)), start=ends[0].tilt, end=ends[1].tilt,
     )  # fmt: skip
+    if strip.rod.supports.is_free:
+        apart = note(
+            "both ends are free: nothing holds them; they rest {apart:.1f} apart", apart=apart.values["apart"]
+        )
+        return Row(note("Hold"), apart, (_distance_details(ends),))
+    for held, name in zip(ends, ("start", "end"), strict=True):
+        if held.support.is_free:
+            apart = note("{ends}; the {end} is free: nothing holds it", ends=apart, end=note(name))
     forces = strip.reactions()
     start, end = (
         note("{force:.2g} N and {moment:.2g} N mm", force=np.hypot(*force), moment=abs(moment))
@@ -208,12 +220,35 @@ def hold_row(strip: Strip) -> Row:
             else "{load}; set the ends {change:.2f} farther apart, because the force stretches this shallow strip",
             load=load, change=Length(abs(shorter)),
         )  # fmt: skip
-    details = note(
+    return Row(note("Hold"), load, (_distance_details(ends),))
+
+
+def _distance_details(ends: Sequence[HeldEnd]) -> Refusal:
+    return note(
         "This distance is measured between the places where the bend begins; the tips of the tabs are "
         "{tips:.1f} apart. Angles are measured from the line between the ends.",
         tips=Length(distance_of_tips(ends)),
     )
-    return Row(note("Hold"), load, (details,))
+
+
+def _cut_rows(strip: Strip) -> Iterator[Row]:
+    """Yield a row on the places of the holes and notches for pins and cords in the flat strip."""
+    cuts, first = element_cuts(strip.rod), strip.ends[0].length
+    if not cuts:
+        return
+    sizes = {(cut.hole, cut.notch): [Length(round(first + c.at, 1)) for c in cuts if
+                                     (c.hole, c.notch) == (cut.hole, cut.notch)] for cut in cuts}  # fmt: skip
+    texts = [
+        note(
+            "holes of {size:g} at {places}" if hole else "notches of {size:g} at {places}",
+            size=Length(hole or notch), places=Listed(places),
+        )
+        for (hole, notch), places in sizes.items()
+    ]  # fmt: skip
+    yield Row(
+        note("Holes"),
+        note("{cuts}; measured along the flat strip from its start", cuts=sentences(texts, ", ")),
+    )
 
 
 def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
@@ -222,8 +257,13 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
         return
     largest = float(np.hypot(*rod.force.T).max())
     texts = [
-        _element_text(
-            action, rod, bending_stiffness * action.size if action.size > ROUNDING_FRACTION * largest else 0.0
+        _with_side_of_bar(
+            _element_text(
+                action,
+                rod,
+                bending_stiffness * action.size if action.size > ROUNDING_FRACTION * largest else 0.0,
+            ),
+            bar_direction(action, rod),
         )
         for action in rod.between
     ]
@@ -232,6 +272,27 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
         "measured from the x axis."
     )
     yield Row(note("Between"), sentences(texts, "; "), (details,))
+
+
+def bar_direction(action: ElementForce, rod: Rod) -> FloatArray | None:
+    """Return the unit vector (2,) from the strip to the bar of a one-sided rail, or None if the side is unknown."""
+    if not (isinstance(action.element, Rail) and action.is_one_sided):
+        return None
+    angle = float(rod.curve.at(action.s).angle[0])
+    normal = np.array([-np.sin(angle), np.cos(angle)])
+    side = action.mounting.side or int(np.sign(action.force[0] @ normal))
+    return -side * normal if side else None
+
+
+def _with_side_of_bar(text: Refusal, direction: FloatArray | None) -> Refusal:
+    if direction is None:
+        return text
+    quarter = round(float(np.arctan2(direction[1], direction[0])) / (np.pi / 2)) % 4
+    sides = (
+        "{text} (bar on the right of the strip)", "{text} (bar above the strip)",
+        "{text} (bar on the left of the strip)", "{text} (bar below the strip)",
+    )  # fmt: skip
+    return note(sides[quarter], text=text)
 
 
 SMALLEST_MOVE_MM = 0.01

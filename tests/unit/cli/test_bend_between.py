@@ -106,6 +106,25 @@ def test_the_distance_of_a_slack_rail(desk, strip):
     assert float(slack[1]) == pytest.approx(gap, rel=0.05)
 
 
+SLAT = "bend --straight 850 --hold-start clamped --hold-end slide-x --sheet birch-plywood-6 --max-width 100"
+
+
+@pytest.mark.parametrize(
+    ("options", "side", "warns"),
+    [
+        ("--rail 290,-3 --point-mass 570 10kg", "above", True),  # slack: the slat sags away from its bar
+        ("--rail 290,-30 --point-mass 570 10kg", "above", True),
+        ("--rail 290,11 --point-mass 570 10kg", "below", False),
+        ("--rail 290,-3", "above", False),
+    ],
+)
+def test_the_side_of_a_bar_is_stated_taut_and_slack(tmp_path, options, side, warns):
+    result = run(f"{SLAT} {options}", cwd=tmp_path)
+    assert re.search(rf"Between .*rail at 29\d mm .*\(bar {side} the strip\)", result.stdout)
+    warning = "of the rail is below the straight strip, so its bar is above the strip"
+    assert (warning in result.stderr) == warns
+
+
 def test_the_rows_on_a_mass_in_kilograms_without_elements(desk):
     printed = run("bend out/wave.json --release --point-mass 250 0.02kg --side left --force", cwd=desk).stdout
     assert re.search(r"Load +20 g at 250 mm \(0.196 N\)", printed)

@@ -75,7 +75,7 @@ def test_errors_of_the_readings_are_typed_or_stand_in_the_file(report, tmp_path)
     readings = tmp_path / "measured.toml"
     text = f"height_2 = {expected['height_2'] - 2.0}\nheight_1 = {expected['height_1'] + 2.0}\n"
     readings.write_text(text)
-    assert "Assumed right to 1 mm and 1 degree." in run("compare", report, readings).output
+    assert "Assumed right to 2 mm and 1 degree." in run("compare", report, readings).output
     readings.write_text("reading_error = 0.1\nangle_error = 0.5\n" + text)
     output = run("compare", report, readings).output
     assert output.startswith("! Verdict")
@@ -113,6 +113,14 @@ def test_a_file_that_is_no_report(tmp_path):
     assert "is not a report with quantities to measure" in told.output
 
 
+def test_a_strip_with_a_rail_names_the_reason(tmp_path):
+    (tmp_path / "bow.csv").write_text("0,0\n100,14\n200,20\n300,14\n400,0\n")
+    options = "--sheet birch-plywood-1.5 --max-width 40 --rail 200 --no-step --no-pictures"
+    run("strip", tmp_path / "bow.csv", *options.split(), "-o", tmp_path)
+    refused = run("compare", tmp_path / "bow.json", code=2)
+    assert "is the report of a strip with rails, pins, ties or point forces" in refused.output
+
+
 def changed_records():
     """What is wrong in the record of a report: its path of keys, and the value there."""
     yield ("causes", "a clamp of none"), [dict.fromkeys(("chord",), 1.0)]
@@ -127,6 +135,7 @@ def changed_records():
         yield ("uncertain", "height_1"), wrong
         yield ("causes", "ends apart", 0, "chord"), wrong
     yield ("uncertain", "chord"), 0
+    yield ("tips",), "far"
 
 
 @pytest.mark.parametrize(("keys", "value"), list(changed_records()))
@@ -213,7 +222,7 @@ def test_strips_of_a_model_are_compared_by_name(lesson):
         "Strip       rainbow 2",
     ]
     assert lines[1].startswith("Verdict     All differences are within")
-    assert lines[5].startswith("! Verdict   The distance between the ends is 4 mm off.")
+    assert lines[6].startswith("! Verdict   The distance between the ends is 4 mm off.")
     assert set(json.loads(run("compare", lesson, measured, "--json").output)["expected"]) == {*parts}
 
 

@@ -11,6 +11,7 @@ from elastica_cad.design.reports import report_strip
 from elastica_cad.design.strip_request import FinishedStrip, request_record
 from elastica_cad.errors import InputError
 from elastica_cad.mechanics.stiffness_law import ThicknessLaw
+from elastica_cad.strip.holding_template import ends_message, holding_template
 from elastica_cad.strip.summary import strip_rows
 
 WAVE = ec.PlaneCurve.spline(
@@ -30,7 +31,7 @@ def test_the_report_has_each_force_and_says_what_is_not_checked():
     chord = np.hypot(*np.diff(WAVE.at([40.0, 310.0]).position, axis=0)[0])
     assert abs(rail[0]) < -rail[1], "the rail is above the strip"
     assert rows["Between"].text == (
-        f"rail at 200 mm pushes the strip downward with {np.hypot(*rail):.2g} N; "
+        f"rail at 200 mm pushes the strip downward with {np.hypot(*rail):.2g} N (bar above the strip); "
         f"tie from 40 mm to 310 mm, {chord:.1f} mm long, pulls {np.hypot(*tie):.2g} N"
     )
     assert rows["Stability"].text == "stable, in its plane and sideways"
@@ -165,3 +166,38 @@ def test_a_high_strip_has_no_advice_on_its_compression():
     strip = ec.make_strip(arch, "birch-plywood-0.8", max_width=40)
     (row,) = (row for row in strip_rows(strip) if row.label == "Hold")
     assert "closer" not in row.text
+
+
+def bow_with_cord(**options):
+    ends = ec.Supports("free", "free")
+    straight = ec.Rod.straight(600.0, samples=241)
+    bent = ec.bend(straight, between=ec.Tie(100, 500, length=330), side=1, supports=ends)
+    return ec.make_strip(
+        bent.curve, "gfrp-1", max_width=20, between=ec.Tie(100, 500, hole=3), supports=ends, **options
+    )
+
+
+def test_a_free_end_has_no_tab_by_default():
+    assert [tab.length for tab in bow_with_cord().ends] == [0.0, 0.0]
+    assert [tab.length for tab in bow_with_cord(ends=ec.Tab(10)).ends] == [10.0, 10.0]
+    cantilever = ec.make_strip(WAVE, SHEET, max_width=40, between=ec.Rail(200))
+    assert [tab.length for tab in cantilever.ends] == [10.0, 10.0]
+
+
+@pytest.mark.parametrize(("tab", "first"), [(0, 100.0), (25, 125.0)])
+def test_the_holes_of_cords_are_listed_from_the_cut_end(tab, first):
+    strip = bow_with_cord(ends=ec.Tab(tab))
+    (row,) = [row for row in strip_rows(strip) if row.label == "Holes"]
+    assert f"holes of 3 mm at {first:g} and {first + 400:g} mm" in row.text
+    left = strip.outline.bounds[0][0]
+    middles = sorted(float(np.mean(hole.bounds[:, 0])) - left for hole in strip.layers[0].holes)
+    assert middles == pytest.approx([first, first + 400], abs=0.05)
+
+
+def test_nothing_holds_free_ends():
+    strip = bow_with_cord()
+    (row,) = [row for row in strip_rows(strip) if row.label == "Hold"]
+    assert row.text.startswith("both ends are free: nothing holds them; they rest ")
+    texts = [text.text for text in holding_template(strip).texts]
+    assert "start (1): free: nothing holds it" in texts
+    assert str(ends_message(strip)).startswith("nothing holds the free ends")
