@@ -20,6 +20,7 @@ from elastica_cad.geometry.control_point_constraints import (
     least_norm_newton,
 )
 from elastica_cad.geometry.plane_curve import PlaneCurve, clamp_ends
+from elastica_cad.geometry.splines import elevate_degree
 from elastica_cad.mechanics.elements import AT_JOINT_SHARE
 from elastica_cad.mechanics.loads import ExcessCurvature, NaturalCurvature, Supports
 from elastica_cad.mechanics.theorem1 import AT_END_SHARE
@@ -27,8 +28,16 @@ from elastica_cad.refusals import Length, Refusal, note
 
 MEANT_SHARE = 0.01
 """An end without moment is unbent if a curvature zero is at most this fraction of the length away, because
-drawings are not more accurate.
+drawings are not more accurate. A straight tail begins without moment if the curvature there is at most this
+fraction of the largest curvature.
 """
+
+
+LOCAL_SHARE = 0.05
+"""Distance, as a fraction of the parameters, from an end to the knot that keeps a small change local."""
+
+LOCAL_DEGREE = 4
+"""Least degree with such knots, so that the slope of the curvature is continuous there."""
 
 
 def without_bend_at(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
@@ -124,11 +133,19 @@ class StraightenedTails:
         bent = drawn.trimmed(low, high)
         excess, joints = ExcessCurvature(bent, 0.0), np.array([bent.domain[tail.end] for tail in tails])
         reach = MEANT_SHARE * drawn.length
-        almost = joints[np.abs(excess.at(joints)) <= reach * np.abs(excess.slope_at(joints))]
-        with suppress(NotConvergedError):
-            bent = without_bend_at(excess, almost) if almost.size else bent
+        noise = MEANT_SHARE * float(np.abs(bent.survey.curvature).max())
+        almost = joints[
+            np.abs(excess.at(joints)) <= np.maximum(reach * np.abs(excess.slope_at(joints)), noise)
+        ]
         t = np.linspace(low, high, 1001)
-        moved = float(np.hypot(*(np.asarray(bent.evaluate(t)) - drawn.evaluate(t)).T).max())
+        moved = 0.0
+        for start in (bent, _with_knots_near(bent, almost)) if almost.size else ():
+            with suppress(NotConvergedError):
+                unbent = without_bend_at(ExcessCurvature(start, 0.0), almost)
+                moved = float(np.hypot(*(np.asarray(unbent.evaluate(t)) - drawn.evaluate(t)).T).max())
+                bent = unbent
+                if moved <= allowed:
+                    break
         curve, reasons = bent, list[Refusal]()
         for tail in tails:
             curve = _with_tail(curve, tail)
@@ -140,6 +157,25 @@ class StraightenedTails:
         if moved > allowed and not reasons:
             return cls(drawn, 0.0, ())
         return cls(curve.drawn_as(drawn.provenance), moved, tuple(reasons))
+
+
+def _with_knots_near(curve: PlaneCurve, ends: FloatArray) -> PlaneCurve:
+    """Return the same curve with a knot near each of its `ends`, so that a small change there stays local."""
+    p, (low, high) = curve.degree, curve.domain
+    knots, control_points, weights = curve.knots, curve.control_points, curve.weights
+    while p < LOCAL_DEGREE:
+        knots, control_points, weights = elevate_degree(knots, control_points, p, weights)
+        p += 1
+    homogeneous = np.ones(len(control_points)) if weights is None else weights
+    points = np.column_stack([control_points * homogeneous[:, None], homogeneous])
+    for end in ends:
+        x = end + LOCAL_SHARE * ((high if end == low else low) - end)
+        k = int(np.searchsorted(knots, x, side="right")) - 1
+        u = ((x - knots[k - p + 1 : k + 1]) / (knots[k + 1 : k + p + 1] - knots[k - p + 1 : k + 1]))[:, None]
+        mixed = (1 - u) * points[k - p : k] + u * points[k - p + 1 : k + 1]  # Boehm's knot insertion
+        knots = np.insert(knots, k + 1, x)
+        points = np.concatenate([points[: k - p + 1], mixed, points[k:]])
+    return PlaneCurve(knots, points[:, :2] / points[:, 2:], p, None if weights is None else points[:, 2])
 
 
 def _with_tail(curve: PlaneCurve, tail: FreeTail) -> PlaneCurve:
