@@ -406,7 +406,8 @@ def _print_shapes(
     side_warnings = (
         text for action in shapes[-1].between for text in _warnings_on_side(action, rod, shapes[-1])
     )
-    for warning in dict.fromkeys([*(text for shape in shapes for text in shape.warnings), *side_warnings]):
+    texts = [*(text for shape in shapes for text in shape.warnings), *side_warnings]
+    for warning in dict.fromkeys([*texts, *_warnings_on_stretch(shapes[-1])]):
         say_row(warning_row(warning))
     if moved is None:
         return
@@ -425,6 +426,20 @@ def _print_shapes(
         say_row(warning_row(f"{where}{moved.sideways[k].meaning}", "Stability"))
     for warning in moved.warnings:
         say_row(warning_row(warning))
+
+
+STRETCHED_SHARE = 1e-4
+"""Stretch of a strip between its ends, as a fraction of its length, above which there is a warning."""
+
+
+def _warnings_on_stretch(shape: Rod) -> Iterator[str]:
+    stretch = float(np.hypot(*np.diff(shape.position, axis=0).T).sum()) - shape.length
+    if stretch > STRETCHED_SHARE * shape.length:
+        yield note(
+            "The strip is stretched by {stretch:.2g} between its ends, because they cannot approach each other. "
+            "Let an end slide, with --hold-end slide-x.",
+            stretch=MmLength(stretch),
+        )
 
 
 def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[str]:

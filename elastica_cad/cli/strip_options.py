@@ -213,9 +213,10 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
     if chosen["keep_ends"] is not None:
         ends = BOTH_ENDS[chosen["keep_ends"]]
         put(table, "keep.ends", ends if isinstance(ends, bool) else list(ends))
+    gravity = True if chosen["down"] is None else list(chosen["down"])
     if chosen["gravity"]:
-        table["gravity"] = True if chosen["down"] is None else list(chosen["down"])
-    elif chosen["down"] is not None:
+        table["gravity"] = gravity
+    elif chosen["down"] is not None and not chosen["point_mass"]:
         raise InputError(IDLE_DOWN)
     if chosen["start"] or chosen["end"]:
         table["supports"] = [chosen["start"] or "clamped", chosen["end"] or "clamped"]
@@ -223,6 +224,8 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
         table["natural_curvature"] = chosen["natural_curvature"]
     table |= element_table(chosen)
     table = with_settings(table, parsed_settings(chosen["settings"], CommandKeys))
+    if chosen["point_mass"]:
+        table.setdefault("gravity", gravity)
     if "keep" in table and "limits" not in table:
         raise InputError(
             "The keys of `keep` limit how the curve may change, and it may not change here. Add --nearest."

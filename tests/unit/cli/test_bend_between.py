@@ -125,6 +125,15 @@ def test_the_side_of_a_bar_is_stated_taut_and_slack(tmp_path, options, side, war
     assert (warning in result.stderr) == warns
 
 
+def test_a_slat_that_is_stretched_between_fixed_ends_names_the_sliding_end(tmp_path):
+    message = "Let an end slide, with --hold-end slide-x."
+    fixed = run(f"{SLAT.replace('slide-x', 'clamped')} --rail 290,18", cwd=tmp_path)
+    assert message in fixed.stderr
+    stretch = float(re.search(r"stretched by ([\d.]+) mm", fixed.stderr)[1])
+    assert stretch > 2 * 18**2 / 850 * 0.9  # two straight pieces would be longer by about this
+    assert message not in run(f"{SLAT} --rail 290,18 --force", cwd=tmp_path).stderr
+
+
 def test_the_rows_on_a_mass_in_kilograms_without_elements(desk):
     printed = run("bend out/wave.json --release --point-mass 250 0.02kg --side left --force", cwd=desk).stdout
     assert re.search(r"Load +20 g at 250 mm \(0.196 N\)", printed)

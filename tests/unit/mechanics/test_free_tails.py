@@ -139,6 +139,25 @@ def test_a_bend_that_jumps_at_the_tie_is_refused():
         ec.optimal_rod(curve, supports=FREE, between=ec.Tie(tail, curve.length))
 
 
+def drawn_bow(third):
+    """Return straight tails of 200 mm and two cubics, whose third control point is at the height `third`."""
+    left = np.array([(0, 0), (57, 35), (113, 70), (170, 105), (340, 210), (420, third), (520, third)], float)
+    right = left[-2::-1] * (-1, 1) + (1040, 0)
+    knots = np.repeat([-1.0, 0.0, 0.5, 1.0, 2.0], [4, 3, 3, 3, 4])
+    return ec.PlaneCurve(knots, np.concatenate([left, right]), 3)
+
+
+def test_a_small_bend_at_the_tie_is_noise_of_the_drawing():
+    tail = float(np.hypot(170, 105))
+    for third in (260.0, 259.5, 259.0):  # 259.41 is collinear with the tail
+        curve = drawn_bow(third)
+        rod = ec.optimal_rod(curve, supports=FREE, between=ec.Tie(tail, curve.length - tail))
+        assert rod.moved < 1e-4 * curve.length
+        assert np.abs(rod.curvature[[0, -1]]).max() < 1e-12
+        far = [np.hypot(*(curve.sample(4001).position - place).T).min() for place in rod.position]
+        assert max(far) < 1.1e-4 * curve.length + 0.01
+
+
 @pytest.mark.parametrize("samples", [201, 601])
 def test_a_bent_batten_that_is_written_and_read_needs_one_width(samples, tmp_path):
     flat = ec.Rod.straight(1200.0, samples=samples)

@@ -176,7 +176,7 @@ def test_a_chord_between_the_tips_of_the_tabs_is_named(strip):
 def test_readings_without_angles_ask_for_the_angles(strip):
     measuring = Measuring.of(strip)
     rows = measuring.compare({"chord": measuring.expected["chord"]})
-    assert [row.text for row in rows if row.label == "Angles"][0].startswith("Not read. Read the angles")
+    assert next(row.text for row in rows if row.label == "Angles").startswith("Not read. Read the angles")
     assert all(row.label != "Angles" for row in measuring.compare(measuring.expected))
 
 
