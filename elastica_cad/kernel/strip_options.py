@@ -54,7 +54,10 @@ class StripOptions(TypedDict, total=False):
         "Curvature before bending: a number, stations, or the curve of a pre-bent strip (1/mm).",
     ]
     samples: Annotated["int | None", "Number of nodes of the rod; chosen automatically by default."]
-    ends: Annotated["Tab | Sequence[Tab]", "Tab for both ends, or one for the start and one for the end."]
+    ends: Annotated[
+        "Tab | Sequence[Tab]",
+        "Tab for both ends, or one for the start and one for the end; by default, a free end has no tab.",
+    ]
     seam_position: Annotated[
         "float | None",
         "Place of the joint of a closed strip along its curve; by default where it is bent least (mm).",
