@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 import numpy as np
 
 from elastica_cad._types import FloatArray
+from elastica_cad._values import require_record
 from elastica_cad.declared import Option, require_declared
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.path import Path
@@ -72,6 +73,7 @@ class PlateHoles:
 
     def is_in(self, name: str) -> bool:
         """Return True if the plate of this name has the holes."""
+        require_record(name, str, "the name of a plate", "a text")
         for ending in PAIR_SUFFIXES:
             name = name.removesuffix(ending)
         return self.side is None or name.endswith(f"-{self.side}")

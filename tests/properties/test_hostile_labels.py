@@ -92,7 +92,7 @@ def read(path, name, label):
     elif path.suffix == ".csv":
         with path.open(newline="", encoding="utf-8") as file:
             rows = list(csv.reader(file))
-        assert {len(row) for row in rows} == {11}
+        assert {len(row) for row in rows} == {len(rows[0])}
         assert not any(cell[:1] in tuple("=+-@\t\r") for row in rows for cell in row if cell)
         assert rows[1][0].removeprefix("'") == (label or rows[1][0])
     elif path.suffix == ".html":

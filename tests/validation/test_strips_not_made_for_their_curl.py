@@ -73,7 +73,7 @@ def test_a_strip_whose_end_is_led_elsewhere(curve, share, sheet, width, laminate
     assert B * bent.moment == pytest.approx(shape.moment, abs=AGREES * np.abs(shape.moment).max())
     margin = own.margin(bent.s, shape, B)
     assert stability(bent).margin == pytest.approx(margin, rel=2e-3, abs=0.02)
-    fine = bend_strip(made, start + np.linspace(1, share, 40)[:, None] * (last - start))
+    fine = bend_strip(made, start + np.linspace(1, share, 80)[:, None] * (last - start))
     work = np.sum((fine.force_along[1:] + fine.force_along[:-1]) / 2 * np.diff(fine.travel))
     assert fine.energy[-1] - fine.energy[0] == pytest.approx(work, rel=1e-3)
 

@@ -103,7 +103,7 @@ def test_quiet_says_nothing_and_verbose_every_step(folder):
     assert (folder / "a" / "bow.dxf").exists()
     wordy = run("model", "arch.toml", "-o", "b", "--no-step", "--no-pictures", "-v", cwd=folder)
     assert re.search(r"^ +[0-9.]+ s  made strip ARCH$", wordy.stderr, re.MULTILINE)
-    assert re.search(r"s  wrote \S+ \(1 of \d+\)$", wordy.stderr, re.MULTILINE)
+    assert re.search(r"s  writing \S+ \(1 of \d+\)$", wordy.stderr, re.MULTILINE)
 
 
 @pytest.mark.campaign
