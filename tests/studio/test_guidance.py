@@ -333,3 +333,13 @@ def test_the_curve_stays_when_a_setting_is_refused(server, tmp_path, width):
         assert len(studio.shape("drawn")) > 1000
         values = studio.all("#field-ends option[value=value]")
         assert all(one.get_property("hidden") for one in values)
+
+
+def test_every_point_of_a_curve_can_be_dragged(server, tmp_path, width):
+    with screen(server, tmp_path, width) as studio:
+        studio.start("bow")
+        for k in range(1, 6):
+            before = studio.shape("points")
+            studio.press(studio.point(k), (0, -3))
+            studio.until(lambda before=before: studio.shape("points") != before)
+        assert not studio.logged()

@@ -132,10 +132,11 @@ export const same = (one, other) => JSON.stringify(one, sorted) === JSON.stringi
 
 // Move control point k. At a smooth joint of Bezier pieces the handles stay in line: they follow the joint, and the opposite handle turns.
 export function movePoint({ spline, knots, degree }, k, [x, y]) {
-  const isJoint = (j) => knots?.[j + 1] === knots?.[j + degree] && spline[j - 1] && spline[j + 1], way = (a, b) => [b[0] - a[0], b[1] - a[1]];
+  const isJoint = (j) => knots && degree > 1 && spline[j - 1] && spline[j + 1] && knots[j + 1] === knots[j + degree], way = (a, b) => [b[0] - a[0], b[1] - a[1]];
   const ratio = (j, one, other) => { // of the lengths of two handles; 0 at a corner
+    if (!isJoint(j)) return 0;
     const [a, b] = [way(spline[j], spline[one]), way(spline[j], spline[other])], size = Math.hypot(...a), along = a[0] * b[0] + a[1] * b[1];
-    return knots && degree > 1 && isJoint(j) && along < 0 && Math.abs(a[0] * b[1] - a[1] * b[0]) < SMOOTH * -along ? Math.hypot(...b) / size : 0;
+    return along < 0 && Math.abs(a[0] * b[1] - a[1] * b[0]) < SMOOTH * -along ? Math.hypot(...b) / size : 0;
   };
   const step = way(spline[k], [x, y]), moved = new Map([[k, [x, y]]]), shift = (j, by) => moved.set(j, [spline[j][0] + by * step[0], spline[j][1] + by * step[1]]);
   if (ratio(k, k - 1, k + 1)) [k - 1, k + 1].forEach((j) => shift(j, 1));
