@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any, Literal
+from typing import Any, Literal, TypeGuard
 
 import numpy as np
 
@@ -445,10 +445,12 @@ def has_snapped(rod: Rod) -> bool:
 def snap_percent(rod: Rod) -> float | None:
     """Return the fraction of the path in percent at which `bend` warned that the rod snapped, or None."""
     return next(
-        (float(warning.values["percent"]) for warning in rod.warnings
-         if isinstance(warning, Refusal) and warning.startswith("the rod snaps ")),
-        None,
-    )  # fmt: skip
+        (float(warning.values["percent"]) for warning in rod.warnings if _is_snap_warning(warning)), None
+    )
+
+
+def _is_snap_warning(message: str) -> TypeGuard[Refusal]:
+    return isinstance(message, Refusal) and "percent" in message.values
 
 
 def _too_coarse(state: RodState) -> tuple[str, ...]:
@@ -516,7 +518,7 @@ def _with_rescaled_snap(rod: Rod, start: float, end: float) -> Rod:
     """Convert the fraction in the snap warning from one step to the whole movement."""
     if (percent := snap_percent(rod)) is None:
         return rod
-    others = [message for message in rod.warnings if not message.startswith("the rod snaps ")]
+    others = [message for message in rod.warnings if not _is_snap_warning(message)]
     return replace(rod, warnings=(_snap_warning(100 * start + (end - start) * percent), *others))
 
 
