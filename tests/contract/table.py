@@ -262,8 +262,8 @@ least_ligament = 0.4, least_hole = 1.2, corner_radius = 0.1, sides = "arc" }
            gravity = true
            limits = { ratio = 3 }
            keep = { tangents = [true, false] }""",
-        {"MaxWidth": 20.0, "StartSupport": "clamped", "EndSupport": "free", **DOWN_IN_FREECAD, **NEAREST_IN_FREECAD,
-         "RatioLimit": 3.0, "KeepTangents": True, "TangentEnds": "start"},
+        {"MaxWidth": 20.0, "StartSupport": "clamped", "EndSupport": "free", "EndTab": 0, **DOWN_IN_FREECAD,
+         **NEAREST_IN_FREECAD, "RatioLimit": 3.0, "KeepTangents": True, "TangentEnds": "start"},
         WAVE,
     ),
     "near a curve, above the ground and beside a box": Request(

@@ -356,7 +356,9 @@ def suggested(made):
     spec, found = strip.valid_request(made), {}
     if spec is not None and "Invalid" in made.State:
         tried = changes_that_help(spec, strip.changeable(made))
-        found = {str(one.title): strip.values_of(made, one.change) for one in tried}
+        for one in tried:
+            changes = [one.change] if one.width is None else [one.change, one.width]
+            found[str(one.title)] = {k: v for each in changes for k, v in strip.values_of(made, each).items()}
     return found | {str(words): values for words, values in strip.suggestions(made).items()}
 
 
@@ -365,9 +367,8 @@ def test_suggestions_carry_numbers_that_give_a_strip(document, sketch):
     assert suggested(made) == {}
     change(made, MaxWidth=2)
     offered = suggested(made)
-    assert [*offered][1:] == ["Make it all the same"]
-    ((name, width),) = offered[next(iter(offered))].items()
-    assert name == "MaxWidth"
+    assert [*offered][-1] == "Make it all the same"
+    (width,) = (values["MaxWidth"] for values in offered.values() if [*values] == ["MaxWidth"])
     change(made, MaxWidth=0.98 * width)
     assert "Invalid" in made.State, "it is the least width"
     change(made, MaxWidth=width)
