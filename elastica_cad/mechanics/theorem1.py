@@ -979,7 +979,8 @@ def curvature_jumps(curve: PlaneCurve, breaks: Sequence[Break]) -> tuple[FloatAr
     kappa = curve.curvature_at(before, left=True), curve.curvature_at(after)
     slope = curve.curvature_slope_at(before, left=True), curve.curvature_slope_at(after)
     size = np.maximum(np.abs(kappa).max(axis=0), TINY)
-    return np.abs(kappa[1] - kappa[0]) / size, np.abs(slope[1] - slope[0]) * curve.length / size
+    with np.errstate(over="ignore"):  # where the curvature is 0, any jump is infinitely larger
+        return np.abs(kappa[1] - kappa[0]) / size, np.abs(slope[1] - slope[0]) * curve.length / size
 
 
 def _warn_of_crossing(curve: PlaneCurve) -> tuple[str, ...]:

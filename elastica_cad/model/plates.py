@@ -200,6 +200,7 @@ class BasePlate:
     def checked(self, options: PlateOptions, *, moved: bool = False) -> Self:
         """Return the plate with its warnings. The width of slots that were moved against a load is not checked."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
+        require_flag(moved, "moved")
         _refuse_meetings(self.slots, self.name)
         called = [note("the slot of {name}", name=slot.name) for slot in self.slots]
         called += [] if self.opening is None else [note("the opening")]
