@@ -397,7 +397,7 @@ def test_a_strip_of_a_model_is_not_enlarged_beyond_its_sheets():
 @pytest.mark.campaign
 @pytest.mark.parametrize("points", [ARCH, LAMP], ids=["arch", "lamp"])
 def test_an_answer_costs_little_more_than_its_strip(points):
-    """While a curve is dragged: at most 1.5 of `make_strip`, in time of the processor."""
+    """While a curve is dragged: at most 2.2 of `make_strip`, which computes widths and strain only when asked."""
     moved = count()
 
     def another():
@@ -418,7 +418,7 @@ def test_an_answer_costs_little_more_than_its_strip(points):
 
     ratio = min(cost(told) for _ in range(40)) / min(cost(made) for _ in range(40))
     print(f"\n{ratio:.2f} of make_strip")
-    assert ratio <= 1.5
+    assert ratio <= 2.2
 
 
 def test_the_strain_limit_is_a_border_for_a_dragged_point():
