@@ -104,7 +104,10 @@ class CurveOfFile(_Curve):
 
     file: Annotated[str, Option("File name, relative to the design file: DXF, SVG, CSV, JSON or STEP.")]
     number: Annotated[int | None, Option("Curve of the file.", least=1)] = None
-    id: Annotated[str | None, Option("Name of the curve in the file; {i} is the number of the strip.")] = None
+    id: Annotated[
+        str | None,
+        Option("Name of the curve in the file; may contain the number of the strip, as labels do."),
+    ] = None
     layer: Annotated[str | None, Option("Layer of the curve.")] = None
     unit: Annotated[str | None, Option("Unit of the file, if the file names none.")] = None
 
