@@ -16,9 +16,10 @@ from elastica_cad.strip.pieces import DistinctShapes, FlatShape, Piece, distinct
 
 CSV_COLUMNS = {
     "part": "{0.part}", "sheet": "{0.sheet}", "thickness_mm": "{0.thickness:g}", "length_mm": "{0.length:.2f}",
-    "width_mm": "{0.width:.2f}", "height_mm": "{0.thickness:.2f}", "count": "{0.count}", "file": "{0.file}",
+    "width_mm": "{0.width:.2f}", "count": "{0.count}", "file": "{0.file}",
     "cut_length_mm": "{0.cut_length:.1f}",
     "mass_g": "{0.mass:.3f}", "grain": "{0.grain}", "same_shape_as": "{0.like}", "color": "{0.color}",
+    "height_mm": "{0.thickness:.2f}",
 }  # fmt: skip
 """Columns of the list in a file, with the format of each value."""
 

@@ -182,7 +182,7 @@ def test_rails_ties_and_loads_by_mouse(tmp_path):
         for length, between, loads in found["kept fractions"]
     ]
     assert found["kept fractions"][0][0] != found["kept fractions"][1][0]
-    assert shares[0][:3] == pytest.approx(shares[1][:3], abs=1e-6)
+    assert shares[0][:3] == pytest.approx(shares[1][:3], abs=1e-5)  # places have four digits
     assert found["live"]["stations"] == 4
     assert found["live"]["thrust"] >= 4
     assert "line" not in found["live"]
