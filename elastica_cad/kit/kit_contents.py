@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any
 
 from elastica_cad._values import and_more, counted
@@ -208,8 +208,9 @@ def _instability_notes(model: Model) -> list[str]:
 def changed_curves(model: Model, entries: Sequence[StripEntry]) -> dict[str, float]:
     """Return the largest distance, mm, of each part from its drawn curve, by name, where the curve may change."""
     curves = {entry.label: entry.curve for entry in entries if entry.spec.may_change}
+    deviation = cache(largest_deviation)  # equal strips share their curves
     return {
-        part.name: largest_deviation(curves[part.strip.label], part.strip.rod.curve)
+        part.name: deviation(curves[part.strip.label], part.strip.rod.curve)
         for part in model.parts
         if part.strip.label in curves
     }

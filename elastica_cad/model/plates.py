@@ -197,6 +197,12 @@ class BasePlate:
         opening = () if self.opening is None else (self.opening,)
         return (*(slot.path for slot in self.slots), *opening, *self.holes)
 
+    @cached_property
+    def _hole_points(self) -> list[FloatArray]:
+        """Points (n, 2) on the opening and on each hole, mm."""
+        opening = () if self.opening is None else (self.opening,)
+        return [loop.points(FLAT_MM) for loop in (*opening, *self.holes)]
+
     def checked(self, options: PlateOptions, *, moved: bool = False) -> Self:
         """Return the plate with its warnings. The width of slots that were moved against a load is not checked."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
@@ -264,7 +270,7 @@ class BasePlate:
         if others.size:
             labels = np.concatenate([boxes, boxes[:, ::-1] + height * off], axis=1)
             room = _least_distances(labels[:, None], others).min(axis=1).tolist()
-        cuts = [loop.points(FLAT_MM) for loop in self._inner_loops[len(self.slots) :]]
+        cuts = self._hole_points
         room = [
             min(free, *(_distance_to(cut, box, height * off) for cut in cuts)) if cuts else free
             for free, box in zip(room, boxes, strict=True)
