@@ -3,7 +3,7 @@
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property
+from functools import cached_property
 from typing import Any
 
 from elastica_cad._values import and_more, counted
@@ -15,6 +15,7 @@ from elastica_cad.design.strip_table import StripEntry
 from elastica_cad.errors import NotConvergedError
 from elastica_cad.forming.limits import FAR_SHARE
 from elastica_cad.geometry.path import largest_deviation
+from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.mechanics.stability import stability
 from elastica_cad.model.assembly import Holder, unheld_ends
@@ -208,12 +209,12 @@ def _instability_notes(model: Model) -> list[str]:
 def changed_curves(model: Model, entries: Sequence[StripEntry]) -> dict[str, float]:
     """Return the largest distance, mm, of each part from its drawn curve, by name, where the curve may change."""
     curves = {entry.label: entry.curve for entry in entries if entry.spec.may_change}
-    deviation = cache(largest_deviation)  # equal strips share their curves
-    return {
-        part.name: deviation(curves[part.strip.label], part.strip.rod.curve)
-        for part in model.parts
-        if part.strip.label in curves
-    }
+    deviations = dict[PlaneCurve, float]()  # equal strips share the curve of their rod
+    for part in model.parts:
+        curve = part.strip.rod.curve
+        if part.strip.label in curves and curve not in deviations:
+            deviations[curve] = largest_deviation(curves[part.strip.label], curve)
+    return {part.name: deviations[part.strip.rod.curve] for part in model.parts if part.strip.label in curves}
 
 
 def far_parts(model: Model, deviations: Mapping[str, float]) -> list[EqualStrips]:

@@ -1,11 +1,12 @@
 """Flat strip with the stiffness of a rod: outline, strain, mass, reactions, warnings, and position in space."""
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from elastica_cad._values import (
     require_record,
     several,
     three,
+    value_key,
 )
 from elastica_cad.errors import InputError, NotConvergedError, rounded_up
 from elastica_cad.geometry.frame import Frame
@@ -347,6 +349,10 @@ def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Cre
             "sheet, or support the strip.",
             factor=factor, severity="warning",
         )  # fmt: skip
+
+
+_sideways: WeakKeyDictionary[Rod, dict[Hashable, SidewaysStability]] = WeakKeyDictionary()
+"""Stability against leaving the plane, by rod and then by the fields of a strip that set its cross sections."""
 
 
 def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
@@ -807,8 +813,12 @@ class Strip:
 
     @cached_property
     def sideways(self) -> SidewaysStability:
-        """Stability against leaving the plane of the curve."""
-        return strip_sideways(self.rod, self.layout)
+        """Stability against leaving the plane of the curve; strips that differ in their slots only share it."""
+        section = value_key((self.style, self.sheet, self.correction, self.max_width, self.min_width))
+        known = _sideways.setdefault(self.rod, {})
+        if section not in known:
+            known[section] = strip_sideways(self.rod, self.layout)
+        return known[section]
 
     def reactions(self) -> Reactions:
         """Return the forces (N) and moments (N mm) that the supports exert on the strip.
