@@ -21,7 +21,7 @@ from elastica_cad.files import read_curves, read_surface
 from elastica_cad.formats.drawn_file import CurveList
 from elastica_cad.forming.nearest_record import Status
 from elastica_cad.kit.kit import Kit, left_out
-from elastica_cad.kit.kit_contents import KitContents, changed_curves, count_strips, far_parts, kit_contents
+from elastica_cad.kit.kit_contents import KitContents, count_strips, far_parts, kit_contents
 from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
 from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.plot.drawing_process import DrawingProcess
@@ -207,7 +207,7 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
 
 
 def _row_of_largest_deviation(contents: KitContents) -> Row | None:
-    deviations = changed_curves(contents.model, contents.entries)
+    deviations = contents.deviations
     if not deviations:
         return None
     name = max(deviations, key=lambda name: deviations[name])
@@ -233,7 +233,7 @@ def _print_notes(contents: KitContents, kit: Kit, output: Path) -> None:
 
 def _warnings(contents: KitContents) -> Iterator[Refusal]:
     model = contents.model
-    far = far_parts(model, changed_curves(model, contents.entries))
+    far = far_parts(model, contents.deviations)
     for part in model.parts:
         for text in part.strip.warnings:
             if text == Status.FAR.value and part in far:

@@ -54,6 +54,8 @@ class KitContents:
     """Shape of each finished strip in its holders, by name; empty if it was not requested."""
     notes: tuple[str, ...] = ()
     """Notes on holders, on strips that rock or have no rest shape, and on parts that cannot be cut."""
+    deviations: dict[str, float] = field(default_factory=dict)
+    """Largest distance, mm, of each part from its drawn curve, by name, where the curve may change."""
 
     @cached_property
     def cut_list(self) -> CutList:
@@ -103,8 +105,9 @@ def kit_contents(
     spec = spec or KitSpec()
     requests = {entry.label: entry.spec for entry in entries}
     model = _with_plates_over_joints(model, spec, requests)
+    deviations = _deviations(model, entries)
     messages = [
-        *_departure_notes(model, entries), *_instability_notes(model), *_pre_bend_notes(model),
+        *_departure_notes(model, entries, deviations), *_instability_notes(model), *_pre_bend_notes(model),
         *_strip_faults(model, spec, requests),
     ]  # fmt: skip
     holders = list[Holder]()
@@ -136,7 +139,9 @@ def kit_contents(
     messages += [text for plate in (*model.plates, *holders) for text in getattr(plate, "warnings", ())]
     messages += [*_bar_messages(spec), *_rod_notes(pieces, spec)]
     messages += [*(f"{name}: {splice}" for name, splice in joined.items()), *notes]
-    return KitContents(model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(messages))
+    return KitContents(
+        model, spec, pieces, nests, tuple(holders), tuple(entries), held, tuple(messages), deviations
+    )
 
 
 def _with_plates_over_joints(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> Model:
@@ -206,8 +211,7 @@ def _instability_notes(model: Model) -> list[str]:
     return [warning.at(strip=part.name) for part, warning in warnings if warning is not None]
 
 
-def changed_curves(model: Model, entries: Sequence[StripEntry]) -> dict[str, float]:
-    """Return the largest distance, mm, of each part from its drawn curve, by name, where the curve may change."""
+def _deviations(model: Model, entries: Sequence[StripEntry]) -> dict[str, float]:
     curves = {entry.label: entry.curve for entry in entries if entry.spec.may_change}
     deviations = dict[PlaneCurve, float]()  # equal strips share the curve of their rod
     for part in model.parts:
@@ -224,9 +228,10 @@ def far_parts(model: Model, deviations: Mapping[str, float]) -> list[EqualStrips
     ]
 
 
-def _departure_notes(model: Model, entries: Sequence[StripEntry]) -> list[str]:
+def _departure_notes(
+    model: Model, entries: Sequence[StripEntry], deviations: Mapping[str, float]
+) -> list[str]:
     """Return a warning for each sheet of which strips are far from their drawn curves."""
-    deviations = changed_curves(model, entries)
     specs = {entry.label: entry.spec for entry in entries}
     far = dict[Sheet, list[EqualStrips]]()
     for part in far_parts(model, deviations):
