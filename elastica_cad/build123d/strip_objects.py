@@ -413,8 +413,9 @@ class StripOutline(_StripShape, bd.BaseSketchObject):
         mode: bd.Mode = bd.Mode.ADD,
         **options: Unpack[StripOptions],
     ) -> None:
+        degrees = require_number(rotation, "rotation", "degrees")
         made_strip = make_strip_on(path, sheet, max_width=max_width, **options)
-        super().__init__(bd.Face(made_strip.face), rotation, align, mode)
+        super().__init__(bd.Face(made_strip.face), degrees, align, mode)
         _set_strip(self, made_strip)
 
 

@@ -214,6 +214,10 @@ class TestBadInput:
         with pytest.raises(InputError, match="flat, bent, outline"):
             elastic_strip(edge, sheet=SHEET, max_width=10, form="rolled")
 
+    def test_rotation_that_is_not_a_number(self, edge):
+        with pytest.raises(InputError, match="rotation is .*, in degrees"):
+            StripOutline(edge, SHEET, max_width=10, rotation=np.array(90.0))
+
     def test_closed_with_a_corner(self):
         with pytest.raises(ValueError, match="corner"):
             StripOutline(bd.Wire.make_polygon([(0, 0), (90, 0), (40, 60)]), SHEET, max_width=10)
