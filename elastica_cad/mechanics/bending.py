@@ -62,12 +62,12 @@ from elastica_cad.refusals import FieldName, Length, Point, Refusal, note
 
 Keep = Literal["keep"]
 
-# Largest component of a force, as a fraction of the whole force, that counts as a rounding error.
+# Largest component of a force, as a fraction of the force, that counts as a rounding error.
 ROUNDED_SHARE = 1e-12
-# Largest travel of the ends, as a fraction of the length of the rod, that counts as a rounding error.
+# Largest travel of the ends, as a fraction of the length, that counts as a rounding error.
 STILL_SHARE = 1e-9
-TURNED_RAD = 1e-9  # Rotation of an end below which it is a rounding error.
-COARSE_DEG = 60.0  # Angle between neighbouring edges above which `bend` warns that the rod has too few nodes.
+TURNED_RAD = 1e-9  # largest rotation of an end, rad, that counts as a rounding error
+COARSE_DEG = 60.0  # angle between neighbouring edges above which `bend` warns that the rod has too few nodes
 
 
 def bend(
@@ -90,16 +90,15 @@ def bend(
 ) -> Rod:
     """Return the rest shape of a rod after its ends, loads, supports or elements have changed.
 
-    The method is Newton's, with a line search, on the discrete rod of the paper (section 7.1, with weight
-    added). A step takes O(n) operations. If the requested shape is far from the present shape, ends, angles and
-    loads are changed in adaptive steps, starting from the present shape (or `guess`). The result is therefore
-    on the same branch of equilibria. The result may be unstable; see `stability`. If that branch ends on the
-    way, the rod snaps. The result is then a stable shape that minimises the energy locally, and its `warnings`
-    contain a message.
+    The method is Newton's with a line search, on the paper's discrete rod (section 7.1) with weight. If the
+    requested shape is far from the present shape, ends, angles and loads are changed in adaptive steps,
+    starting from the present shape (or `guess`). The result is therefore on the same branch of equilibria.
+    The result may be unstable; see `stability`. If that branch ends before the requested shape, the rod
+    snaps. The result is then another stable shape, and its `warnings` contain a message.
 
-    The stiffness of a strip that bends as a plate (`section`) is updated at every step. The `law` of the result
-    contains the updated stiffness. The relative stiffness K of the design does not change, because the units of
-    force and moment depend on it.
+    The stiffness of a strip that bends as a plate (`section`) is updated at every step. The `law` of the
+    result contains the updated stiffness. The relative stiffness K of the design does not change, because
+    force and moment are scaled by it.
 
     Parameters
     ----------
@@ -109,8 +108,8 @@ def bend(
         Positions of the ends, mm; by default the present positions. A coordinate that the support leaves free is
         ignored.
     angles : pair of float, optional
-        Angles of the tangent at the start and the end, rad, counted continuously along the rod (a full
-        turn adds 2 pi); None, also as one value of the pair, keeps the present angle.
+        Angles of the tangent at the start and the end, rad, counted continuously along the rod (a full turn
+        adds 2 pi). None keeps the present angle.
     gravity : Gravity, None or "keep"
     supports : Supports, optional
         New supports; by default the supports of the rod.
@@ -132,7 +131,7 @@ def bend(
     samples : int, optional
         Number of nodes; by default the number of the rod.
     settle : bool
-        If True, an unstable result is replaced by the stable shape that is found by minimising the energy from it.
+        If True, an unstable result is replaced by the stable shape to which the rod moves from it.
     between : sequence of Rail, Pin and Tie, or "keep"
         New elements between the ends; they replace the present elements. Arc lengths are measured along the present
         shape. A pin or rail at a point away from the present shape moves the strip to this point. A pin with the
@@ -145,8 +144,9 @@ def bend(
     Returns
     -------
     Rod
-        The moments balance to 1e-10 of the largest moment, and the positions of the ends are exact to 1e-10 of the
-        length. The reactions at the ends are `force[0]` and `force[-1]` (minus the internal force) and `moment`.
+        The moments balance to 1e-10 of the largest moment, and the positions of the ends are exact to 1e-10
+        of the length. The reactions at the ends are `force[0]` and `force[-1]` (the negative internal force)
+        and `moment`.
 
     Raises
     ------
@@ -200,9 +200,7 @@ def bend(
 
 
 def _rest_or_snapped_state(reached: Reached, *, settle: bool) -> tuple[RodState, float | None]:
-    """Return the rest state, and the completed fraction of the continuation at a snap, or None without a
-    snap.
-    """
+    """Return the rest state, and the fraction of the change at which the rod snapped, or None without a snap."""
     balanced = reached.arrived and is_balanced(reached.state)
     if balanced and not (settle and reached.state.discrete.unstable_modes):
         return reached.state, None
@@ -239,10 +237,10 @@ def _with_loads(rod: Rod, loads: object) -> Rod:
 def part_of_change(rod: Rod, step: Mapping[str, Any], part: float) -> dict[str, Any]:
     """Return the arguments `loads` and `between` of `bend` for an intermediate state of a path.
 
-    The state is reached after the fraction `part` of the change from `rod` to the next `step` of the path.
-    The present loads decrease to zero while the loads of the step increase from zero. Points of rails and pins,
-    and lengths of ties, are interpolated linearly. An element that differs in kind from the present element with
-    the same index replaces it at once.
+    The state is reached after the fraction `part` of the change from `rod` to the next `step`. The present
+    loads fade out while the loads of the step grow. Points of rails and pins, and lengths of ties, are
+    interpolated linearly. An element that differs in kind from the present element with the same index
+    replaces it at once.
     """
     entry: dict[str, Any] = {}
     if "loads" in step:
@@ -307,9 +305,10 @@ def _refuse_pins_out_of_reach(elements: Sequence[ElementForce], system: RodSyste
 
 
 def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> FloatArray | None:
-    """Return edge angles of an arc under a cord that becomes shorter, or None if the rod is not straight.
+    """Return the edge angles (n,), rad, of a straight rod that a shortened tie bends into an arc.
 
-    The rod may bend to either side, so `side` must be given.
+    Return None if the rod is not straight or no tie is shorter. The rod could bend to either side, so `side`
+    is required.
     """
     shape, angles = ShapeOfRod.of(rod), rod.discrete.angles
     shorter = [
@@ -325,19 +324,20 @@ def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> Flo
             field=FieldName("side"),
         )
     start, end = np.sort(shorter[0].s)
-    half = float(np.sqrt(6 * (1 - shorter[0].mounting.length / (end - start))))  # sin(x) / x = 1 - x^2 / 6
+    # cord / arc length = sin(x) / x = 1 - x^2 / 6 for the half angle x of the arc
+    half = float(np.sqrt(6 * (1 - shorter[0].mounting.length / (end - start))))
     s = (np.arange(angles.size) + 0.5) * shape.edge_length
     return np.asarray(angles + side * half * (1 - 2 * np.clip((s - start) / (end - start), 0.0, 1.0)))
 
 
 ROUNDS = 12
-"""Largest number of changes of the set of taut elements, per one-sided element."""
+"""Largest number of times that an element becomes slack or taut, per one-sided element (tie or one-sided rail)."""
 
 
 def _bent_on_elements(
     wanted: Rod, present: Rod, system: RodSystem, guess: "Rod | ArrayLike | None", *, settle: bool
 ) -> Rod:
-    """One-sided elements become slack or taut until the force or gap of every element agrees with its state."""
+    """Bend the rod; switch one-sided elements between slack and taut until their forces and gaps agree."""
     elements = list(wanted.between)
     shape = ShapeOfRod.of(present)
     reach_of_rail = MEETS_SHARE * shape.length
@@ -362,12 +362,13 @@ def _bent_on_elements(
             state = _guess_state(guess, system)
         else:
             state = state_of(present, system, before)
-        # after a change of the set, the branch may end at a fold nearby, which a long step would miss
+        # after an element became slack or taut, the equilibria may end nearby, which a long step would miss
         turn = LARGEST_TURN_RAD if last is None else SMALL_TURN_RAD
         reached = reach(state, None, 1, lambda *at: changed_set(*at) is not None, turn=turn, before=before)
         state = reached.state
         changed = None if reached.arrived else changed_set(state, reached.fraction)
-        # if the strip lifts off and returns at once, it is unstable without the element, so it snaps away
+        # the element was released and at once touched again: without it the strip is unstable, so let it snap
+        # away
         leaps = changed == last and changed is not None and sum(taut) < sum(changed)
         if changed is None or (leaps and reached.fraction <= STOP_SHARE):
             state, at = _rest_or_snapped_state(reached, settle=settle)
@@ -410,7 +411,7 @@ def _with_present_forces(
 def _changed_taut_set(
     elements: Sequence[ElementForce], taut: Sequence[bool], state: RodState, ahead: FloatArray
 ) -> list[bool] | None:
-    """Return the taut flags after the most necessary change, or None if no change is needed."""
+    """Switch the one-sided element that contradicts its state most; return the new states, or None if all agree."""
     shape, acting = shape_of(state), iter(state.actions)
     largest = float(np.abs(state.discrete.force).max(initial=0.0))
     wrong, through = np.zeros(len(elements)), np.zeros(len(elements))
@@ -515,7 +516,6 @@ def bend_path(
 
 
 def _with_rescaled_snap(rod: Rod, start: float, end: float) -> Rod:
-    """Convert the fraction in the snap warning from one step to the whole movement."""
     if (percent := snap_percent(rod)) is None:
         return rod
     others = [message for message in rod.warnings if not _is_snap_warning(message)]
@@ -539,7 +539,7 @@ class Movement:
 
     @classmethod
     def of(cls, rods: Sequence[Rod]) -> "Movement":
-        """Return the movement of the ends over a sequence of rods."""
+        """Return the movement of the ends over successive shapes of a rod."""
         steps = np.diff([rod.position[-1] - rod.position[0] for rod in rods], axis=0)
         held = [end.angle for end in rods[-1].supports.ends]
         turns = np.abs(np.diff([rod.angle[[0, -1]] for rod in rods], axis=0)) * held
@@ -560,9 +560,7 @@ class Movement:
 
     @property
     def progress(self) -> FloatArray:
-        """Completed fraction (k,) of the movement at each rod: of the travel, else of the rotation, else of
-        the steps.
-        """
+        """Completed fraction (k,) of the movement at each rod, from 0 to 1."""
         amount = self.turn if self.is_turn else self.travel
         return amount / amount[-1] if amount[-1] > 0 else np.linspace(0.0, 1.0, amount.size)
 
@@ -600,7 +598,7 @@ def system_of(
     force: ArrayLike | None = None,
     moment: float | tuple[float, float] | None = None,
 ) -> RodSystem:
-    """Return the equations of `rod` with its stiffness, weight and supports; other defaults are from `present`."""
+    """Return the equilibrium equations of `rod`; omitted values are taken from `present`."""
     if rod.s.size < 4:
         raise InputError(f"a rod of {rod.s.size} nodes cannot be bent: use samples=4 or more")
     system = RodSystem(
@@ -632,8 +630,8 @@ def dead_loads(rod: Rod, times: float = 1.0) -> tuple[FloatArray, tuple[float, f
 
 
 def state_of(rod: Rod, system: RodSystem, before: RodSystem | None = None) -> RodState:
-    """Return the present shape of a rod as a state of `system`, from which a continuation starts."""
-    # start from the reactions to the present loads, because the loads then change along the path
+    """Return the present shape of a rod as a state of `system`, from which it can be bent."""
+    # start with the reactions to the present loads; the loads are then changed gradually
     present = between_loads(before or _under_present_loads(rod, system), system, 0.0)
     if system.elements is not None:
         return _with_reactions(present.state(rod.discrete.angles)).under(system)
@@ -642,7 +640,7 @@ def state_of(rod: Rod, system: RodSystem, before: RodSystem | None = None) -> Ro
 
 
 def _under_present_loads(rod: Rod, system: RodSystem) -> RodSystem:
-    """Return the system under the present loads of a rod. The reactions of released supports are loads of it."""
+    """Return the system under the present loads of a rod; reactions of released supports become loads."""
     released = replace(rod, supports=system.supports)
     return replace(
         system,
@@ -685,7 +683,7 @@ def reach(
     if straight and system.compression is not None:
         bent = reach(state.under(replace(system, compression=None)), side, mode).state
         reached = follow(bent.under(system))
-        # ends that are only a little closer than the length compress the rod, but do not bend it
+        # ends only a little closer than the length compress an elastic rod without bending it
         return reached if reached.arrived else follow(state)
     return leave_straight(state, side, mode) if straight else follow(state, stop, turn=turn, before=before)
 
@@ -740,7 +738,7 @@ def _end_angles(
 
 
 def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> FloatArray:
-    """Return the dead force on the ends that are free along x or y."""
+    """Return the constant force (2,) on ends that are free along x or y."""
     both = np.array(supports.transmits_force)
     if force is not None:
         components = pair(force, "force")
@@ -760,8 +758,8 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
         load = present.nodal_load + lumped(acting, present.s.size, present.length)
         at_ends = present.discrete.force[[0, -1]] + (-load[0], load[-1])
     for i, axis in enumerate("xy"):
-        # lambda, minus the internal force, is the applied force at the first node and minus that at the
-        # last node
+        # the applied force is lambda at the first node and -lambda at the last, because lambda is the
+        # negative internal force
         for node, sign in ((0, 1.0), (-1, -1.0)):
             if not getattr(now[node], axis) and not getattr(before[node], axis):
                 forces[i] = sign * at_ends[node, i]

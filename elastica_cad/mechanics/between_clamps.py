@@ -24,7 +24,7 @@ FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
     0.25,
     8.0,
     1.3,
-)  # values of force * length^2 / stiffness at which the load is increased; a free strip buckles at 2.5
+)  # steps of force * length^2 / stiffness: 0.25, then growing by 1.3 above 8; buckling is at 2.5
 SAMPLES = 901  # number of nodes; the error of their positions is 1e-6 of the length of the strip
 
 
@@ -200,12 +200,12 @@ def _bent_by_loads(
     angles = (None, None if far is None else _nearest_turn(far, float(rod.angle[0])))
     bent = rod
     for share in _load_fractions(float(np.hypot(*load)) * rod.length**2):
-        # a straight rod is not settled, because minimising the energy could bend it to either side
+        # do not minimise the energy of a straight rod, because that could bend it to either side
         settle = is_one_of(mode, [1]) and bool(np.ptp(bent.angle) > 0)
         step = partial(bend, bent, angles=angles, gravity=gravity, force=share * load, settle=settle)
         next_rod = step()
         if _side(next_rod) * _side(bent) < 0:
-            # at the buckling load of a straight strip, the shape may change its side; it is then mirrored
+            # a straight strip may buckle to the wrong side; its mirror image is then the next shape
             next_rod = step(guess=2 * next_rod.angle[0] - next_rod.angle)
         bent = next_rod
     if np.ptp(bent.angle) > 0:
@@ -216,7 +216,7 @@ def _bent_by_loads(
 
 
 def _load_fractions(load: float) -> list[float]:
-    """Return increasing fractions of a load, in small steps near buckling; `load` is force length^2 / stiffness."""
+    """Return fractions of a load, up to 1, for steps that are small near buckling."""
     steps = list(np.arange(FIRST_LOAD, min(load, LAST_EVEN_LOAD), FIRST_LOAD))
     grown = LAST_EVEN_LOAD
     while grown < load:
@@ -233,7 +233,7 @@ def _point(point: object, name: str) -> FloatArray:
 
 
 def _plane_point(point: object) -> FloatArray | None:
-    """Return the coordinates of a pair, or of a point of a CAD library with z = 0, else None."""
+    """Return the coordinates of a pair, or of a point of a CAD library with z = 0; None for other objects."""
     coordinates = point.toTuple() if hasattr(point, "toTuple") else point
     try:
         place = np.array(list(coordinates) if is_series(coordinates) else (), dtype=float)
@@ -263,7 +263,7 @@ def _pair_of_angles(angles: object) -> tuple[float | None, float | None]:
 
 
 def _nearest_turn(angle: float, near: float) -> float:
-    """Return `angle` plus the number of whole turns that brings it within half a turn of `near`."""
+    """Return `angle` plus whole turns, within half a turn of `near`, rad."""
     return near + float(np.remainder(angle - near + np.pi, 2 * np.pi) - np.pi)
 
 

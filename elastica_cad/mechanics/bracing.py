@@ -1,7 +1,7 @@
 """Second variation of a rod with elements between its ends: constraints and added terms.
 
-The energy of a rod gamma(s) with bending stiffness K and force lambda, minus the internal force, changes in second
-order by
+The energy of a rod gamma(s) with bending stiffness K and force lambda (the negative internal force) changes
+in second order by
 
     Q = int K h'^2 - <lambda, gamma'> h^2 ds + sum over ties (T / l) (int from p to q of <u, gamma'> h ds)^2
         - sum over rails (2 t h sigma + t kappa sigma^2),    sigma = -<gamma', v> at the station,
@@ -28,7 +28,7 @@ from elastica_cad.mechanics.loads import Supports
 SLACK_SHARE = 0.01
 """Largest force of a slack one-sided element, as a fraction of the largest force in the rod."""
 
-# singular values below this fraction of the largest mean that constraints are linearly dependent
+# singular values below this fraction of the largest count as 0, so that constraints are linearly dependent
 _RANK = 1e-9
 
 
@@ -95,7 +95,6 @@ class _Edges:
 
     @property
     def unknowns(self) -> int:
-        """Number of changes of angles, and of strains of an axially elastic rod."""
         return self.count if self.directions is None else 2 * self.count
 
     def covered(self, s: float, order: int = 0) -> FloatArray:
@@ -103,7 +102,7 @@ class _Edges:
         return edge_weights(s, self.edge_length, self.count, order)
 
     def moves_with(self, weights: FloatArray) -> FloatArray:
-        """Return the derivatives (2, unknowns) of the edge vectors times `weights` (n,) or (2, n)."""
+        """Return the derivatives (2, unknowns) of the edge vectors, summed with `weights` (n,) or (2, n)."""
         moves = self.edge_length * left_of(self.tangents).T * weights
         if self.directions is None:
             return moves
@@ -198,7 +197,7 @@ def bracing_of(
         rank = int(np.count_nonzero(sigma > _RANK))
         if any(isinstance(action.element, Rail) and action.size for action in between) and rank < free.sum():
             raise InputError("The strip can slide off its rails. Hold an end, or pin it at a place between.")
-        # use the translation v of the rod for which row_shifts @ v = -rows @ h
+        # eliminate the translation v of the rod, which satisfies row_shifts @ v = -rows @ h
         terms = terms + term_shifts @ (-(vt[:rank].T / sigma[:rank]) @ u[:, :rank].T @ rows)
         rows = u[:, rank:].T @ rows
     ties = [action for action in between if isinstance(action.element, Tie)]

@@ -242,24 +242,24 @@ def _readings(overhang: ArrayLike, droop: ArrayLike) -> tuple[FloatArray, FloatA
 
 
 def _fit(overhang: float, droop: float) -> tuple[float, float]:
-    """Return the elasto-gravity length, mm, and the norm of its gradient with respect to overhang and droop."""
+    """Return the elasto-gravity length, mm, and the norm of its gradient by overhang and droop."""
     part = droop / overhang
     value = overhang * _length_for(part)
     step = 1e-3 * min(part, 1 - part)
-    # l_eg = L G(d / L) for overhang L and droop d
+    # l_eg / L is a function G of d / L alone, for overhang L and droop d
     G1 = (_length_for(part + step) - _length_for(part - step)) / (2 * step)
     return value, float(np.hypot(G1, value / overhang - part * G1))
 
 
 def _length_for(part: float) -> float:
-    """Return elasto-gravity length / overhang of a strip whose ratio of droop to overhang is `part`."""
+    """Return the elasto-gravity length over the overhang for a ratio `part` of droop to overhang."""
     from scipy.optimize import brentq
 
     def excess(log_load: float) -> float:
         return cantilever_droop(1.0, float(np.exp(-log_load / 3))) - part
 
-    # a nearly straight strip droops by w L^4 / (8 EI) and a bent strip by less, so this load is a lower
-    # bound
+    # a nearly straight strip droops by w L^4 / (8 EI) under the weight w per length, a bent strip by less: a
+    # lower bound
     low = float(np.log(8 * part)) - 0.05
     high = low + 1.0
     while excess(high) < 0:
@@ -268,9 +268,7 @@ def _length_for(part: float) -> float:
 
 
 def _weighted_mean(values: FloatArray, errors: FloatArray) -> tuple[float, float]:
-    """Return the mean with weights 1/error^2, and the larger of its standard deviations from errors and
-    scatter.
-    """
+    """Return the mean with weights 1/error^2, and its standard deviation."""
     weights = np.ones(values.shape) if np.any(errors == 0) else errors**-2
     mean = float(np.average(values, weights=weights))
     inner = 0.0 if np.any(errors == 0) else float(weights.sum() ** -0.5)

@@ -175,12 +175,11 @@ def require_creep(factor: object) -> float:
 
 
 def _is_linear(law: MaterialLaw | None) -> bool:
-    """A law for the curl of the cross-section alone counts as linear."""
+    """Return True for Hooke's law, also if the cross-section curls."""
     return law is None or (isinstance(law, CurlingLaw) and law.below is None)
 
 
 def _softened(rod: Rod, times: float) -> Rod:
-    """Return the rod with its modulus divided by `times` = 1 + phi and with the same weight."""
     softer = rod if rod.gravity is None else replace(rod, gravity=rod.gravity.scaled(times))
     if rod.bending_stiffness is None:
         return softer

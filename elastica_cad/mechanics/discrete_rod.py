@@ -17,13 +17,13 @@ from elastica_cad.mechanics.bracing import Bracing
 from elastica_cad.mechanics.loads import Supports, whole_number
 
 RANK_TOLERANCE = 1e-9
-"""Relative tolerance for linearly dependent rows; for a straight rod, the rows for x and y are dependent."""
+"""Relative tolerance for dependent constraints; on a straight rod, the constraints of x and y are dependent."""
 
 _FEW = 40
-"""Least number of edges for an iterative search of the lowest mode; dense algebra is used for shorter rods."""
+"""Least number of edges for an iterative search of the lowest mode; shorter rods use dense matrices."""
 
 _SMOOTH = 10
-"""Number of polynomials from which the compiled code starts its search for the lowest mode."""
+"""Number of smooth trial modes from which the compiled search for the lowest mode starts."""
 
 _EPS = float(np.finfo(float).eps)
 
@@ -120,8 +120,8 @@ def count_negative(diagonal: FloatArray, off: FloatArray, shift: float = 0.0) ->
 class Terms(NamedTuple):
     """Matrix -G^t D^-1 G that is added to a matrix A (n, n), as rows and a corner [[A, G^t], [G, D]] beside it.
 
-    For terms G^t C G with coefficients C, the corner is D = -C^-1. For constraints of an axially elastic rod, the
-    corner is minus their compliance, so that 0 would be a constraint G h = 0.
+    For terms G^t C G with coefficients C, the corner is D = -C^-1. For a constraint of an axially elastic
+    rod, D is its negative compliance; D = 0 would be the rigid constraint G h = 0.
 
     Attributes
     ----------
@@ -149,7 +149,7 @@ class Terms(NamedTuple):
 
 
 def _border_of(basis: FloatArray, terms: Terms | None) -> tuple[FloatArray, FloatArray]:
-    """Return constraints and terms as rows (k + r, n) beside a matrix, and the block in the corner between them."""
+    """Return the rows (k + r, n) that border a matrix, for constraints and terms, and their corner block."""
     k = len(basis)
     if terms is None:
         return basis, np.zeros((k, k))
@@ -164,8 +164,8 @@ def constrained_inertia(
     """Count the eigenvalues below `shift` of the tridiagonal matrix A on the null space of `rows` (k, n).
 
     By Sylvester's law for the bordered matrix their number is neg(A - shift) + pos(S) - rank. Here S = C (A -
-    shift)^-1 C^t with C = `rows`, and neg and pos are numbers of negative and positive eigenvalues. Terms that
-    are added to A become more rows of the border.
+    shift)^-1 C^t with C = `rows`, and neg and pos are numbers of negative and positive eigenvalues. The
+    `terms` added to A are further rows of the border.
     """
     constraints = orthonormal_rows(rows)
     basis, corner = _border_of(constraints, terms)
@@ -174,7 +174,7 @@ def constrained_inertia(
     solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
     reach = _reach(diagonal, off)
     if not np.abs(solved).max() * 16 * _EPS * reach < 1:
-        # for a straight rod between hinges, A is singular; this shift makes the count agree with the
+        # a straight rod between hinges has the eigenvalue 0; a lower shift makes the count agree with the
         # solution
         shift -= 64 * _EPS * reach
         solved = solve_tridiagonal(diagonal - shift, off, basis.T).T
@@ -206,7 +206,7 @@ def lowest_constrained(
     if n < _FEW and (rank or terms is None):
         return _dense(diagonal, off, basis, count, terms)
     d, e, shift = _factored_below(diagonal, off, min(n, rank + count))
-    if terms is not None:  # because terms may lower the lowest eigenvalue
+    if terms is not None:  # terms may lower the lowest eigenvalue
         step = _reach(diagonal, off) / n**2
         while constrained_inertia(diagonal, off, rows, shift, terms):
             shift, step = shift - step, 2 * step
@@ -222,11 +222,11 @@ def largest_of_inverse(
     count: int = 1,
     terms: Terms | None = None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the largest eigenvalues (count,) and eigenvectors (count, n) of the inverse of a matrix by Lanczos
-    iteration.
+    """Return the largest eigenvalues (count,) and eigenvectors (count, n) of the inverse of a matrix.
 
-    `solve` applies the inverse of the positive definite matrix (n, n) to arrays (n,) or (n, k). `terms` are added
-    to the matrix, which is restricted to the null space of the orthonormal rows `basis` (r, n).
+    The method is Lanczos iteration. `solve` applies the inverse of the positive definite matrix (n, n) to
+    arrays (n,) or (n, k). `terms` are added to the matrix, which is restricted to the null space of the
+    orthonormal rows `basis` (r, n).
     """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
@@ -246,9 +246,7 @@ def largest_of_inverse(
 
 
 def _factored_below(diagonal: FloatArray, off: FloatArray, last: int) -> tuple[FloatArray, FloatArray, float]:
-    """Return D, L and the shift of the factors L D L^T of a tridiagonal matrix minus a shift below its
-    eigenvalues.
-    """
+    """Factor a tridiagonal matrix, shifted below its eigenvalues, as L D L^T; return D, L and the shift."""
     reach = _reach(diagonal, off)
     tolerance = 0.01 * reach / diagonal.size**2
     lowest = lapack().dstebz(diagonal, off, 2, 0.0, 0.0, 1, last, tolerance, b"E")[1]
@@ -312,7 +310,6 @@ def lowest_weighted(
 
 @lru_cache(maxsize=4)
 def _polynomials(n: int) -> FloatArray:
-    """Return orthonormal polynomials (n, _SMOOTH) on n equal steps, cached because their computation is slow."""
     powers = np.polynomial.legendre.legvander(np.linspace(-1, 1, n), _SMOOTH - 1)
     return np.asarray(np.linalg.qr(powers)[0])
 
@@ -351,17 +348,16 @@ def shoot(
     """Return the angles and moments of a discrete rod in equilibrium that starts with `moment` and `angle`.
 
     The recursion is alpha_{i+1} = alpha_i + w_i (M_i / K_i + kappa_0), M_{i+1} = M_i + l <b_{i+1},
-    T(alpha_{i+1})>. The recursion contains the equations for a stationary discrete energy (paper, section 7.1)
-    in the order of the nodes. The result of `DiscreteRod.moment_imbalance` is therefore zero except for
-    rounding errors.
+    T(alpha_{i+1})>. T is the unit tangent. The angles make the discrete energy stationary (paper, section
+    7.1), so `DiscreteRod.moment_imbalance` is zero except for rounding errors.
 
     Parameters
     ----------
     stiffness, w : (n+1,) arrays
         Stiffness K and Voronoi lengths (mm) of the nodes.
     force : (n, 2) array
-        Force lambda of the edges: minus the internal force over the least bending stiffness, 1/mm2. The vector b
-        is lambda turned by -90 degrees.
+        Force lambda of the edges: the negative internal force over the least bending stiffness, 1/mm2. The
+        vector b is lambda turned by -90 degrees.
     edge_length : float
         Edge length l, mm.
     moment, angle : float
@@ -431,7 +427,7 @@ def edge_positions(start: FloatArray, tangents: FloatArray, edge_length: float |
 def edge_forces(first: FloatArray, load: FloatArray) -> FloatArray:
     """Return the force lambda of all edges (n, 2), 1/mm2, from its first value and the nodal loads (n+1, 2).
 
-    Lambda is minus the internal force: lambda_{i+1} = lambda_i + q_i. The weight is q_i = -w_i K_i e, with
+    Lambda is the negative internal force: lambda_{i+1} = lambda_i + q_i. The weight is q_i = -w_i K_i e, with
     Voronoi lengths w_i, stiffness K_i and a vector e against gravity.
     """
     force = np.empty((load.shape[0] - 1, 2))
@@ -480,9 +476,9 @@ def bending_moments(
 class Compression:
     """Axial elasticity of the n edges of a rod.
 
-    An edge has its nominal length under the force of the designed shape. Under another force, its length is the
-    nominal length times 1 - c (<lambda, T> - p), with the force lambda, minus the internal force, and the
-    direction T of the edge.
+    An edge has its nominal length under the force of the designed shape. Under another force, its length is
+    the nominal length times 1 - c (<lambda, T> - p), with the force lambda (the negative internal force) and
+    the direction T of the edge.
 
     Attributes
     ----------
@@ -517,8 +513,9 @@ class Margin:
     Attributes
     ----------
     value : float
-        Lowest value of int (K h'^2 - <lambda, gamma'> h^2) ds / int h^2 ds over the changes h of the tangent's
-        angle, times length^2. K is the stiffness, lambda minus the internal force, and gamma' the tangent.
+        Lowest value of int (K h'^2 - <lambda, gamma'> h^2) ds / int h^2 ds over the changes h of the
+        tangent's angle, times length^2. K is the stiffness, lambda the negative internal force, and gamma'
+        the tangent.
     mode : (n,) array
         Lowest mode h at the edges, scaled to int h^2 ds = 1; unit 1/sqrt(mm).
     multipliers : (2,) array
@@ -540,7 +537,7 @@ class MarginDerivatives:
     stiffness : (n+1,) array
         Derivatives with respect to the nodal stiffness.
     force : (n, 2) array
-        Derivatives with respect to minus the internal force of each edge, mm2.
+        Derivatives with respect to the force lambda of each edge, mm2.
     angles : (n,) array
         Derivatives with respect to the angle of each edge.
     length : float
@@ -565,7 +562,7 @@ class DiscreteRod:
     angles : (n,) array
         Edge angles, rad.
     force : (n, 2) or (2,) array
-        Force lambda of the edges: minus the internal force over the least bending stiffness, 1/mm2.
+        Force lambda of the edges: the negative internal force over the least bending stiffness, 1/mm2.
     edge_length : float or (n,) array
         Length of the edges, mm.
     supports : Supports
@@ -624,7 +621,7 @@ class DiscreteRod:
 
     @cached_property
     def pull(self) -> FloatArray:
-        """Component of the force lambda along each edge (n,), 1/mm2: minus the tension."""
+        """Component of the force lambda along each edge (n,), 1/mm2: the negative tension."""
         return np.asarray(self.force[..., 0] * self.tangents[:, 0] + self.force[..., 1] * self.tangents[:, 1])
 
     @cached_property
@@ -640,7 +637,7 @@ class DiscreteRod:
 
     @cached_property
     def sideways_pull(self) -> FloatArray:
-        """Derivative (n,), 1/mm2, of the component <lambda, T> of the force along each edge by the edge angle."""
+        """Derivative (n,), 1/mm2, of the axial force component <lambda, T> of each edge by the edge angle."""
         return np.asarray(np.einsum("nk,nk->n", self.force, left_of(self.directions)))
 
     @cached_property
@@ -757,11 +754,11 @@ class DiscreteRod:
         return np.concatenate([rows, bracing.rows]), terms
 
     def _elastic_terms(self, rows: FloatArray) -> Terms | None:
-        """Return the constraints and terms of an axially elastic rod, without the strains of its edges.
+        """Return the constraints and terms of an axially elastic rod, with eliminated strains.
 
-        Let h be the changes of the angles of the edges and e those of their strains. The energy changes by h^t H h
-        + 2 h^t X e + e^t Y e with diagonal matrices X = l <lambda, R T> and Y = l / c. Constraints and terms are
-        rows @ h + more @ e.
+        Let h be the changes of the edge angles, and e the changes of the edge strains. The energy changes by
+        h^t H h + 2 h^t X e + e^t Y e with diagonal matrices X = l <lambda, R T> and Y = l / c. Constraints
+        and terms are rows @ h + more @ e.
         """
         n = self.angles.size
         terms = Terms.of(np.zeros((0, 2 * n)), np.zeros((0, 0)))

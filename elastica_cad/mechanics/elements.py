@@ -4,9 +4,9 @@ A force f_j on the strip gamma(s) at the point p_j = gamma(s_j) changes the bend
 
     M(s) = a + <b, gamma(s)> - sum over s_j < s of det(f_j, gamma(s) - p_j),
 
-where a and b are constants. M is continuous, its slope jumps, and lambda (minus the internal force) jumps by f_j.
-Each element has one or two unknown numbers. M is linear in these numbers and in a and b. A tie acts at two points
-with opposite forces. The page "Forces between the ends" of the manual has a short derivation.
+where a and b are constants. M is continuous, its slope jumps, and lambda (the negative internal force) jumps
+by f_j. Each element has one or two unknown numbers, in which M is linear, as in a and b. A tie acts at two
+points with opposite forces. The page "Forces between the ends" of the manual has the derivation.
 """
 
 from collections.abc import Iterable, Sequence
@@ -191,18 +191,18 @@ def weight_with_loads(
 
 
 NEAR_SHARE = 0.05
-"""A point is moved to the curve if it is at most this fraction of the length away from the curve."""
+"""Largest distance, as a fraction of the length, by which a point is moved to the curve."""
 
 AT_END_SHARE = 1e-6
 """Distance from an end, as a fraction of the length, below which a position counts as at the end."""
 
 AT_JOINT_SHARE = 2e-3
-"""Distance, as a fraction of the length, below which an element is moved to the joint of a straight free end.
+"""Distance, as a fraction of the length, below which an element is moved to the start of a straight free end.
 
 Positions are often given to a millimetre.
 """
 
-_NEWTON_STEPS = 20  # largest number of Newton steps from the nearest sample of a curve to its nearest point
+_NEWTON_STEPS = 20  # largest number of Newton steps to the nearest point of a curve
 
 
 @dataclass(frozen=True, eq=False)
@@ -229,8 +229,8 @@ class PlacedElement:
     ) -> "PlacedElement":
         """Convert the position of an element from the `drawn` curve to the realizable `curve`.
 
-        Rails and pins keep their point in the plane. Ties and loads keep their fraction of the length. Positions
-        near one of the `joints`, mm, where straight free ends begin, are moved to it.
+        Rails and pins keep their point in the plane. Ties and loads keep their fraction of the length.
+        Positions near the start of a straight free end (`joints`, mm) are moved there.
         """
         assert isinstance(element, Rail | Pin | Tie | PointForce)
         places = (element.start, element.end) if isinstance(element, Tie) else (element.at,)
@@ -330,7 +330,7 @@ def _nearest_arc_length(curve: PlaneCurve, point: FloatArray) -> float:
     for _ in range(_NEWTON_STEPS):
         here = curve.at(np.array([s]))
         off, tangent = point - here.position[0], np.array([np.cos(here.angle[0]), np.sin(here.angle[0])])
-        # at least 0.3, because Newton steps diverge near the evolute
+        # at least 0.3, because Newton steps diverge near the centre of curvature
         spread = max(1 - float(here.curvature[0] * (off @ left_of(tangent))), 0.3)
         before, s = s, float(np.clip(s + off @ tangent / spread, 0.0, curve.length))
         if abs(s - before) <= 1e-12 * curve.length:
@@ -347,7 +347,7 @@ class Mount:
     point : (float, float)
         Point at which a rail or pin holds the strip, mm; not used for ties.
     side : int
-        Direction in which a rail pushes the strip: 1 for left, -1 for right, 0 if unknown or both.
+        Direction in which a rail pushes the strip: 1 left, -1 right, 0 both or unknown.
     length : float
         Length of the cord of a tie, mm; not used for rails and pins.
     """
@@ -411,7 +411,7 @@ class ElementForce:
 
 
 def forces_of(placed: Sequence[PlacedElement], numbers: FloatArray) -> tuple[ElementForce, ...]:
-    """Return the elements with the forces for their unknown numbers (u,), in the order of the elements."""
+    """Return the elements with the forces for given values (u,) of their unknown numbers."""
     ends = np.cumsum([placed_element.unknowns for placed_element in placed], dtype=int)
     return tuple(
         ElementForce(

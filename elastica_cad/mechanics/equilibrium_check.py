@@ -50,10 +50,10 @@ from elastica_cad.mechanics.unbent_ends import (
 from elastica_cad.refusals import Length, Listed, note
 
 MOST_POINTS = 400
-"""Largest number of measured points to which other curves are fitted; the points are thinned to this number."""
+"""Largest number of measured points to which other curves are fitted; more points are thinned out."""
 
 MOST_ON_LINE = 2
-"""Largest number of inflections that are on a common line for every curve."""
+"""Largest number of inflections that are always on a common line."""
 
 ADDED_INFLECTIONS = 2
 """Number of inflections that one oscillation adds to a fitted curve."""
@@ -124,10 +124,10 @@ def examine(
 ) -> EquilibriumCheck:
     """Check the conditions of Theorem 1: curvature, ends without bending, and a line through the inflections.
 
-    With weight (`heavy`) no line is needed (paper, section 5), but the other conditions remain. A curve that was
-    fitted to points is compared with other fits; if their results differ, the result is `undecided`. `stations`
-    are the arc lengths, mm, of elements and forces on a strip without weight. Between a free end and the first of
-    them the strip carries no moment, so its tail there must be straight.
+    With weight (`heavy`) no line is needed (paper, section 5), but the other conditions remain. A curve that
+    was fitted to points is compared with other fits; if their results differ, the result is `undecided`.
+    `stations` are the arc lengths, mm, of elements and forces on a strip without weight. Between a free end
+    and the next of these stations the strip carries no moment, so it must be straight.
     """
     judge = partial(
         _examine_curve,
@@ -171,10 +171,9 @@ UNBENT_SHARE = 1e-12
 def _with_unbent_ends(
     check: EquilibriumCheck, supports: Supports, natural_curvature: NaturalCurvature, tolerance: float
 ) -> EquilibriumCheck:
-    """Check the curve again with almost unbent ends made exactly unbent, at the same end positions and
-    tangents.
+    """Make almost unbent ends exactly unbent, with the same positions and tangents, and check the curve again.
 
-    The original result is returned if the curve would move farther than `tolerance` times its length.
+    Return the original result if the curve would move farther than `tolerance` times its length.
     """
     if check.curve.is_closed or check.any_stiffness:
         return check
@@ -196,7 +195,6 @@ def _with_unbent_ends(
 
 
 def _ends_keep_bend(check: EquilibriumCheck, natural_curvature: NaturalCurvature) -> bool:
-    """Return True if the curvature at an end is above rounding errors although the end counts as a zero."""
     return bool(list(_ends_with_small_curvature(ExcessCurvature(check.curve, natural_curvature), check)))
 
 
@@ -207,7 +205,7 @@ def largest_move(before: PlaneCurve, after: PlaneCurve) -> float:
 
 
 def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck) -> Iterable[float]:
-    """Yield the parameters of ends that count as zeros although their curvature is above rounding errors."""
+    """Yield the parameters of ends that count as unbent although their curvature is above rounding errors."""
     ends = np.array([z.t for z in check.zeros if z.kind == "end"])
     if ends.size:
         size = float(np.abs(excess.survey).max())
@@ -242,7 +240,8 @@ _WIDEST_RATIO = 1e4
 _TANGENT_RAD = 1e-6
 """Sine of the angle between line and curve below which they count as tangent."""
 
-# distance from a zero of the curvature, as a fraction of the length, within which K is the limit of 0 / 0
+# distance from a zero of the curvature, as a fraction of the length, within which K = 0 / 0 is replaced by
+# its limit
 _AT_ZERO_SHARE = 1e-4
 _LINES = {
     "": ("one line", "The line through its inflections"),
@@ -323,7 +322,7 @@ def _with_line(
     natural_curvature: NaturalCurvature,
     tolerance: float,
 ) -> EquilibriumCheck:
-    """Check the only possible line, which has a given direction or passes through two or more zeros."""
+    """Check the only possible line of zero moment: it has the given normal, or passes through two or more zeros."""
     line = fit_inflection_line(_positions(check), normal)
     distance = line.distance(_positions(check))
     off_line = tuple((z.s, float(d)) for z, d in zip(check.zeros, distance, strict=True))
@@ -460,9 +459,9 @@ def _place_of_extreme_ratio(
 ) -> float | None:
     """Return the arc length, mm, at which the stiffness ratio would exceed `_WIDEST_RATIO`, or None.
 
-    The stiffness is K = distance from the line / (kappa - kappa_0), with curvature kappa and natural curvature
-    kappa_0. At a zero of kappa - kappa_0 its limit is the sine of the angle between curve and line over the slope
-    of the curvature. With a single zero the line may turn about this zero by up to `spare` rad in both
+    The stiffness is K = distance from the line / (kappa - kappa_0), with curvature kappa and natural
+    curvature kappa_0. At a zero of kappa - kappa_0 its limit is the sine of the angle between curve and line
+    over the slope of the curvature. A line through a single zero may turn by up to `spare` rad in both
     directions.
     """
     curve, kappa = excess.curve, excess.survey
@@ -539,7 +538,7 @@ ON_LINE_SHARE = 1e-12
 """Distance of an inflection from the line below which it is on the line, as a fraction of the size of the curve."""
 
 LARGEST_MOVE_SHARE = 0.05
-"""Largest move of a control point, as a fraction of the length of the curve."""
+"""Largest displacement of a control point, as a fraction of the length of the curve."""
 
 
 def project_inflections(
@@ -590,7 +589,7 @@ def _line_constraints(
 
 
 def _end_constraints(curve: PlaneCurve, zeros: Sequence[CurvatureZero]) -> list[list[Constraint]]:
-    """Return sets of constraints on ends that are not on the line, strictest set first."""
+    """Return sets of constraints that hold the ends, strictest first; an end with an inflection is not held."""
     pinned = {z.t for z in zeros if z.kind == "end"}
     place, turn = EndPositions.of(curve), EndTangents.of(curve)
     start, end = (t not in pinned for t in curve.domain)

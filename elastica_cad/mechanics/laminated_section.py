@@ -19,7 +19,7 @@ from elastica_cad.mechanics.stiffness_law import FixedLaw, at_stations
 from elastica_cad.refusals import Length
 
 _TOUCH_SHARE = 1e-5
-"""Relative tolerance of the limits on stiffness, because the stiffness between the nodes has an error of 1e-6."""
+"""Relative tolerance of the limits on stiffness; between nodes the stiffness has an error of 1e-6."""
 
 
 @dataclass(frozen=True)
@@ -150,7 +150,7 @@ class LaminatedSection:
         )
 
     def weight_per_length(self, base_width: ArrayLike, backing_width: ArrayLike) -> FloatArray:
-        """Return the weights per length (n,), N/mm, for widths (n,), mm; linear in both widths, but not in E I."""
+        """Return the weights per length (n,), N/mm, for widths (n,), mm; they are linear in both widths."""
         w1, w2 = self._widths(base_width, backing_width)
         return np.asarray(areal_weight(self.base) * w1 + areal_weight(self.backing) * w2)
 
@@ -329,7 +329,7 @@ class BoundedBacking(BackingLaw, FixedLaw):
         return "backing"
 
     def parameter(self, bending_stiffness: ArrayLike) -> FloatArray:
-        """Return the backing widths (n,), mm, for E I (n,), N mm2; they are clipped to the limits."""
+        """Return the backing widths (n,), mm, for E I (n,), N mm2, clipped to the limits."""
         least, most = self.bending_stiffness(np.array(self.limits))
         return np.clip(super().parameter(np.clip(bending_stiffness, least, most)), *self.limits)
 
@@ -368,9 +368,9 @@ LARGEST_STRAIN = 0.05
 """Largest surface strain for which `laminate_factor` is computed; no sheet withstands it."""
 
 FINE_SEARLE = 3.0
-"""Limit of w^2 kappa / h, for width w, curvature kappa and thickness h, between two ways of sampling.
+"""Value of w^2 kappa / h, for width w, curvature kappa and thickness h, where the sampling changes.
 
-Samples of the curvature are uniform below it and logarithmic above it.
+Samples are uniform below this value and logarithmic above it.
 """
 
 
@@ -411,8 +411,7 @@ def laminate_factor(
     b2 = np.clip(b2, LEAST_SHARE * b1, (1 - LEAST_SHARE) * b1)
     h1, h2 = section.base.thickness, section.backing.thickness
     base, backing = (section.base, -h1 / 2, h1 / 2), (section.backing, h1 / 2, h1 / 2 + h2)
-    # w, its slopes and eps_0 are divided by kappa - kappa_0, so that they are finite where kappa - kappa_0
-    # is zero
+    # divide w, its slopes and eps_0 by kappa - kappa_0, so that they are finite where kappa - kappa_0 is zero
     unknowns = 4 * PIECES + 3
     columns = np.column_stack(
         [2 * np.arange(2 * PIECES)[:, None] + np.arange(4), np.full(2 * PIECES, unknowns - 1)]
@@ -462,7 +461,7 @@ def _energy(layers: list[tuple[Sheet, float, float]]) -> FloatArray:
         along, coupled = along + moments, coupled + nu * moments
     (A, B, D), (An, Bn, Dn) = along, coupled
     rows = [[A, B, -Bn], [B, D, -Dn], [-Bn, -Dn, D]]
-    across = np.array([An, Bn, -B])  # the strain across the strip minimises the energy
+    across = np.array([An, Bn, -B])  # at fixed curvatures, the strain across the strip minimises the energy
     return np.asarray(rows - np.outer(across, across) / A)
 
 

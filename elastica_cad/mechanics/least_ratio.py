@@ -62,7 +62,7 @@ This occurs under much weight, or with an inflection near an end.
 """
 
 NOISE_TIMES = 4
-"""Tolerance of the fitted stiffness, in multiples of its rounding errors under much weight."""
+"""Tolerance of the fitted stiffness as a multiple of its rounding errors under large weight."""
 
 SAME_PLACE_SHARE = 1e-9
 """Distance, as a fraction of the length, below which a knot is moved to a zero of the curvature."""
@@ -73,7 +73,7 @@ CELLS = 8
 _CELL_ENDS = legendre_basis(np.linspace(-1, 1, CELLS + 1))
 
 _FOURTH_IN_CELLS = legendre_basis((2 * np.arange(CELLS) + 1) / CELLS - 1) @ np.linalg.matrix_power(SLOPES, 4)
-"""Matrix from Legendre coefficients to fourth derivatives by the panel coordinate x at the midpoints of parts."""
+"""Matrix from Legendre coefficients on a panel to fourth derivatives at the midpoints of its parts."""
 
 BEST_CUBIC = 1 / 720
 """Error of the best cubic spline, divided by h^4 times the fourth derivative, for knot spacing h.
@@ -106,7 +106,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
     K = _AlongArc.of(curve, balance, scale)
     half = STEP_LENGTH * length / 2
     feet = [s + side * half for s in steps for side in (-1, 1)]
-    # fit ramps separately, because a short ramp would absorb the errors of neighbouring parts
+    # fit each ramp separately, because a short ramp would spoil the fit beside it
     breaks += [(s, -1) for s in feet]
 
     def stiffness(s: FloatArray) -> FloatArray:
@@ -129,7 +129,7 @@ def stiffness_profile(check: EquilibriumCheck, balance: BalancedStiffness, scale
 
 @dataclass(frozen=True, eq=False)
 class _AlongArc:
-    """Stiffness K as Legendre series in arc length on panels; `edges` (N + 1,) of the panels are in mm."""
+    """Stiffness K as Legendre series of arc length on panels; `edges` (N + 1,) are the ends of the panels, mm."""
 
     edges: FloatArray
     series: PanelFunction
@@ -152,11 +152,9 @@ class _AlongArc:
         return float(self.series.in_every_panel(_CELL_ENDS).max())
 
     def noise(self, steps: Sequence[float]) -> float:
-        """Return the largest jump of the stiffness between panels where it is continuous, a rounding error
-        under weight.
-        """
+        """Return the rounding error of the stiffness: its largest jump between panels where it is continuous."""
         before, after = self.series.where_panels_meet
-        # omit jumps within the length of a ramp that replaces a step
+        # omit jumps near steps, because ramps replace the steps
         jumps = np.abs(after - before)
         if len(steps):
             apart = np.abs(self.edges[1:-1, None] - np.array(steps)) > STEP_LENGTH * self.edges[-1]
@@ -164,12 +162,11 @@ class _AlongArc:
         return float(jumps.max(initial=0.0))
 
     def knots(self, breaks: Sequence[float], tolerance: float) -> FloatArray:
-        """Return knots at which a cubic spline has the error `tolerance`: their spacing h solves `BEST_CUBIC`
-        h^4 K'''' = tolerance.
-        """
+        """Return the knots of a cubic spline with the error `tolerance`."""
         width = self.edges[1:] - self.edges[:-1]
         fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
-        # error and spacing are functions of the coordinate x of the panel, from -1 to 1
+        # functions of the panel coordinate x from -1 to 1: number of knots for the error, in each part of the
+        # panel
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
         reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
         np.cumsum(count, out=reached[1:])
@@ -177,7 +174,7 @@ class _AlongArc:
         s[-1] = self.edges[-1]
         stops = sorted({float(self.edges[0]), *breaks, float(self.edges[-1])})
         at = np.interp(stops, s, reached).tolist()
-        # no knot is needed where the stiffness is uniform
+        # one interval is enough where the stiffness is uniform
         parts = [max(1, ceil(b - a)) for a, b in pairwise(at)]
         inner_knots = [
             a + (b - a) / n * np.arange(1, n) for (a, b), n in zip(pairwise(at), parts, strict=True)
@@ -194,7 +191,7 @@ def _with_extremes(profile: Profile, exact: FloatArray, tolerance: float) -> Pro
 
 
 def _without_jump(profile: Profile, place: float, *, keep_left: bool) -> Profile:
-    """Return the profile with the left (`keep_left`) or right value on both sides of its jump at `place`."""
+    """Remove the jump at `place`; the value on the left (`keep_left`) or on the right remains."""
     first = int(np.searchsorted(profile.knots, place - 1e-9 * profile.length))
     coefficients = np.delete(profile.coefficients, first if keep_left else first - 1)
     return Profile(np.delete(profile.knots, first), coefficients, profile.degree)
@@ -242,12 +239,12 @@ def optimal_rod(
         Number of nodes of the rod. Without `largest_stiffness` the ratio is then evaluated at these nodes only.
         By default the ratio is evaluated on the continuous curve and the rod has 601 nodes.
     weight : Weight, optional
-        Weight in newtons instead of a proportional weight. With `own=True` the weight of the strip is added.
-        The weight of the strip is B / gravity.length^3 per length and relative stiffness.
+        Weight in newtons instead of a proportional weight. `own=True` adds the weight of the strip, B /
+        gravity.length^3 per length and relative stiffness.
     bending_stiffness : float, optional
-        Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default B is the value
-        for which the ratio is least. If the ratio decreases with every increase of B, the default is the least B
-        whose ratio is within 1 % of the ratio without weight.
+        Lower bound B of the bending stiffness E I, N mm2, under a weight in newtons. By default the B of
+        least ratio. If the ratio always decreases with B, the least B whose ratio is within 1 % of the ratio
+        without weight.
     largest_stiffness : float, optional
         Largest E I of the rod, N mm2, under a weight in newtons. For example, the E I of the widest strip that
         fits. The result has the least ratio of all rods with this largest E I. If the curve is not the rest
@@ -268,10 +265,9 @@ def optimal_rod(
     check : EquilibriumCheck, optional
         Result of an earlier check of the same curve with the same options.
     between : sequence of Rail, Pin and Tie
-        Elements that support the strip between its ends. The forces of the elements are unknowns of the linear
-        program. The ratio is therefore at most that without elements, except for the 1 % of section 5.3. An
-        element at an inflection exerts no force normal to the strip, because the width would jump there.
-        `Rod.between_forces` contains the forces.
+        Elements that support the strip between its ends. The forces of the elements are unknowns of the
+        linear program. An element at an inflection exerts no force normal to the strip, because the width
+        would jump there. `Rod.between_forces` contains the forces.
     loads : sequence of PointMass and PointForce
         Masses (g) that hang on the strip in the direction of `gravity`, and forces (N). The weight of the strip is
         added. Like a `weight` in newtons, they determine the bending stiffness.
@@ -443,7 +439,7 @@ def _rod_of(
 
 
 def _unbent_rod(request: RodRequest) -> Rod:
-    """Under weight, the moments are zero only if the curve is vertical."""
+    """Return the rod of a curve without bending; under weight, the curve must be vertical."""
     check, nodes = request.check, request.nodes
     n = nodes.s.size
     B, weight = request.bending_stiffness or request.largest_stiffness, request.weight
@@ -473,8 +469,7 @@ def _unbent_rod(request: RodRequest) -> Rod:
         raise InputError(
             "a vertical straight strip can have any stiffness: give bending_stiffness for its weight"
         )
-    # lambda, minus the internal force, increases by each load; the end that is held carries the whole
-    # weight
+    # lambda, the negative internal force, increases by each load; the held end carries the whole weight
     load = rod.nodal_load
     force = np.cumsum(load, axis=0) - load / 2
     force[0], force[-1] = 0.0, load.sum(axis=0)
@@ -520,7 +515,7 @@ def _bent_rod(request: RodRequest, balance: BalancedStiffness) -> Rod:
     if request.needs_line and check.zeros and np.hypot(*b[0]) > 0:
         check = replace(check, line=InflectionLine.of_moment(float(moment[0]), b[0], nodes.position[0]))
     weight = balance.weight
-    if weight is not None:  # the weight beta K must not change when K is divided by its least value
+    if weight is not None:  # keep the weight beta K when K is divided by its least value
         weight = weight.scaled(beta=least)
     return _rod_of(
         request, check, moment, left_of(b), stiffness=K,
@@ -543,7 +538,7 @@ def _without_kinks_at(actions: Sequence[ElementForce], check: EquilibriumCheck) 
     """Return the warnings about a curve, except those about kinks that the forces of elements cause."""
     near = KINK_SHARE * check.curve.length
     stations = [s for action in actions for s in action.s]
-    jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]  # the width jumps there
+    jumps = [knot.s for knot in check.curve.breaks if knot.continuity < 2]  # there the width jumps
 
     def expected(warning: str) -> bool:
         if not (isinstance(warning, Refusal) and warning.kind == "kinks"):
@@ -767,17 +762,17 @@ class _Base:
 
 
 def _by_tangent_laws(request: RodRequest, base: _Base, rod: Rod) -> tuple[Laminate | None, float]:
-    """Return the laminate, or None if the iteration does not converge, and the last relative change of K."""
+    """Return the laminate (None if the iteration does not converge) and the last relative change of K."""
     section = base.layers.section
     stations = np.linspace(0.0, rod.length, _STATIONS)
     w1 = _along(base.layers.base_width, stations)
     bounds = section.bending_stiffness(w1, 0.0 * w1), section.bending_stiffness(w1, w1)
     scale = base.scale(rod)
     history: list[float] = []
-    change, least = np.inf, 1.0  # a smoothed stiffness may have a least value above 1
+    change, least = np.inf, 1.0  # the smoothest stiffness may have a least value above 1
     for rounds in range(2, _MOST_ROUNDS):
         target = scale / least
-        # an extrapolated scale may require E I above the E I of two full layers, or below the E I of the base
+        # clip, because an extrapolated scale may need more than two full layers or less than the base alone
         EI = np.clip(scale * _stiffness(rod, stations), *bounds)
         weight = section.weight(stations, w1, EI / target, target)
         weight = replace(weight, masses=request.masses)
@@ -818,12 +813,12 @@ def _along(width: float | Profile, s: FloatArray) -> FloatArray:
 
 
 def _stiffness(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return the relative stiffness at arc lengths `s`, at least 1 in spite of errors of the profile."""
+    """Return the relative stiffness at arc lengths `s`; errors of the profile below 1 are clipped."""
     return np.maximum(rod.profile(s), 1.0)
 
 
 def filled_gravity(section: LaminatedSection, direction: ArrayLike) -> Gravity:
-    """Return the gravity of a laminate with two layers of full width, as a first approximation."""
+    """Return the gravity of a laminate of two full layers, as a first approximation."""
     length = section.bending_stiffness(1.0, 1.0) / section.weight_per_length(1.0, 1.0)
     x, y = point(direction, "direction")
     return Gravity(float(length ** (1 / 3)), (float(x), float(y)))

@@ -89,7 +89,7 @@ class Gravity:
 
     @property
     def e(self) -> FloatArray:
-        """Vector e of the paper's Eq. 5, 1/mm3, opposite to gravity (its sign is misprinted in the paper)."""
+        """Vector e of the paper's Eq. 5, 1/mm3, opposite to gravity (the paper has the wrong sign)."""
         return -np.asarray(self.direction) / self.length**3
 
     def scaled(self, factor: float) -> "Gravity":
@@ -98,14 +98,14 @@ class Gravity:
         return Gravity(self.length / factor ** (1 / 3), self.direction)
 
 
-STANDARD_GRAVITY_M_S2 = 9.80665  # m/s2
+STANDARD_GRAVITY_M_S2 = 9.80665
 
 Place: TypeAlias = float | tuple[float, float]
 """Arc length along the drawn curve, mm, or a point (x, y) near the curve, mm."""
 
 
 def require_place(at: object, owner: str) -> Place:
-    """Return an arc length or a point as plain numbers; refuse other values."""
+    """Return an arc length as a number or a point as two numbers; refuse other values."""
     if is_number(at):
         return float(at)
     try:
@@ -177,8 +177,7 @@ class Weight:
         object.__setattr__(self, "masses", several("masses", self.masses, PointMass, "PointMass"))
         for name in ("alpha", "beta"):
             value = getattr(self, name)
-            # alpha may be negative in a profile, because the tangent to a nonlinear weight law may have a
-            # negative alpha
+            # alpha may be negative in a profile, such as the tangent to a nonlinear weight law
             if not isinstance(value, Profile) and not (is_number(value) and value >= 0):
                 raise InputError(f"weight {name} is {value!r}: give 0 or more, in N/mm")
 
@@ -327,7 +326,7 @@ class Supports:
         return all(end.is_free for end in self.ends)
 
     def require_held(self, *, between: bool = False) -> None:
-        """Refuse two free ends, unless elements between the ends support the rod."""
+        """Refuse two free ends, unless elements between them support the rod."""
         if self.is_free and not between:
             raise _unheld("x")
 
@@ -433,7 +432,7 @@ LENGTHS_APART = 0.01
 """Relative difference of length up to which a pre-bent strip is scaled to the length of the curve."""
 
 BLANK_TOLERANCE = 1e-9
-"""Error of the natural curvature, relative to its largest value."""
+"""Largest error of the natural curvature, relative to its largest value."""
 
 _CURVATURE_SAMPLES = 401
 # distance from a break, as a fraction of the length, below which a position is at the break
@@ -518,7 +517,7 @@ class RestCurvature(EqualByValue):
         return self.profile(s, derivative)
 
     def stretch_to(self, length: float) -> float:
-        """Return the factor from arc lengths of a curve of `length` mm to arc lengths of the pre-bent strip.
+        """Return the length of the pre-bent strip divided by the `length` of a curve, mm.
 
         Refuse lengths that differ by more than `LENGTHS_APART`.
         """
@@ -569,7 +568,7 @@ def nodal_curvature(rest: NaturalCurvature, s: FloatArray) -> float | FloatArray
 
 
 def require_natural_curvature(value: object) -> None:
-    """Refuse objects other than a finite number or a `RestCurvature`."""
+    """Refuse values other than a finite number or a `RestCurvature`."""
     if not (isinstance(value, RestCurvature) or is_number(value)):
         raise InputError(
             f"natural_curvature is {value!r}: give a finite number, in 1/mm, or a RestCurvature for a "
@@ -643,6 +642,6 @@ class ExcessCurvature:
 
     @cached_property
     def _size(self) -> float:
-        """Largest sum of both absolute curvatures, 1/mm; it determines the rounding error of their difference."""
+        """Largest sum of both absolute curvatures, 1/mm; the rounding error of their difference depends on it."""
         t = np.linspace(*self.curve.domain, _CURVATURE_SAMPLES)
         return float((np.abs(self.curve.curvature_at(t)) + np.abs(self.rest_at(t))).max())

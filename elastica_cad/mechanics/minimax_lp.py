@@ -22,18 +22,18 @@ class Exchange(NamedTuple):
     first_step : int
         Spacing, in samples of the curve, of the rows of the first program for a smooth stiffness.
     box : float
-        Bound of the scaled unknowns, which are of order 1; the bounds define the first vertex.
+        Bound of the scaled unknowns, which are of order 1. The first vertex is at these bounds.
     feasible : float
         Largest violation of a condition that counts as a rounding error. The violation is relative to 1, or to
         the ratio R if the condition contains R.
     pivot : float
-        Least coefficient, as a fraction of the largest, of a condition that may become inactive.
+        Least coefficient of a condition that may become inactive, as a fraction of the largest coefficient.
     most : int
         Largest number of exchanges, several times the usual number for four unknowns.
     most_steps : int
         Largest number of steps along edges, several times the largest number seen.
     tilt : float
-        Size of the small shifts of planes, so that no more planes meet in a point than there are unknowns.
+        Size of small shifts of planes, so that at most as many planes as unknowns meet in a point.
     """
 
     first_rows: int = 500
@@ -127,7 +127,7 @@ def minimax_ratio(
 
 
 def unsettled(ratio: float) -> NotConvergedError:
-    """Return the error for a linear program that needs too many rounds of additional rows."""
+    """Return the error for a linear program that needs too many rounds."""
     return NotConvergedError(
         f"the linear program for the stiffness ratio did not converge in {METHOD.most_rounds} "
         f"rounds (ratio {ratio:.6g}): the curve has almost straight places; move its control "
@@ -139,9 +139,9 @@ class MinimaxProgram:
     """Linear program: minimise R subject to bounds on rows @ x + offset.
 
     Bounds can be added between solutions. The method is Stiefel's exchange method, which is the dual simplex
-    method for few unknowns and many rows. The current vertex has the least R under its active conditions. In each
-    step the most violated condition becomes active, and the condition whose multiplier would become negative
-    first becomes inactive. If this fails, HiGHS solves the program or finds it infeasible.
+    method for few unknowns and many rows. The current vertex has the least R under its active conditions. In
+    each step the most violated condition becomes active, and the condition whose multiplier would become
+    negative first becomes inactive. If this fails, HiGHS is used.
 
     Sources: Stiefel, "Uber diskrete und lineare Tschebyscheff-Approximationen", Numer. Math. 1 (1959); Lemke, "The
     dual method of solving the linear programming problem", Naval Res. Logist. Q. 1 (1954).
@@ -153,8 +153,7 @@ class MinimaxProgram:
     side_rows, side_offset : (k, m), (k,) arrays, optional
         Further conditions side_rows @ x + side_offset >= 0.
     most : float
-        Largest useful R. The search ends as soon as R must be larger, and if the exchange method finds no
-        solution.
+        Largest useful R. The search ends as soon as R must be larger. With a finite limit, HiGHS is not used.
     """
 
     def __init__(
@@ -168,8 +167,7 @@ class MinimaxProgram:
         self.most = most
         self.basis = _conditioned(samples)
         unknowns = self.basis.shape[1]
-        # the conditions are rows @ (x, R) >= limits; R >= 0 and -box <= x define the first vertex, and the
-        # rows after them are x <= box
+        # rows @ (x, R) >= limits: first R >= 0 and x >= -box, which define the first vertex, then x <= box
         box = np.eye(unknowns + 1)
         self.rows = np.concatenate([box, -box[:-1]])
         self.limits = np.full(2 * unknowns + 1, -METHOD.box)
@@ -250,7 +248,7 @@ def _solution_of_one_unknown(row: FloatArray) -> MinimaxSolution | None:
 
 
 def _conditioned(rows: FloatArray) -> FloatArray:
-    """Return columns (m, k) that scale the unknowns: coefficients of order 1 then give stiffnesses of order 1."""
+    """Return columns (m, k) that scale the unknowns: coefficients of order 1 give stiffnesses of order 1."""
     thinned = rows[:: max(1, len(rows) // 64)]
     _, size, vt = svd(thinned, full_matrices=False)
     keep = size > 1e-13 * size[0] if size[0] > 0 else np.ones(size.size, dtype=bool)
@@ -258,9 +256,7 @@ def _conditioned(rows: FloatArray) -> FloatArray:
 
 
 def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
-    """Return (x, R) with the least R subject to rows @ (x, R) >= limits, or None if there is none; HiGHS is
-    the solver.
-    """
+    """Minimise R subject to rows @ (x, R) >= limits by HiGHS; return (x, R), or None if infeasible."""
     tolerances = {"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10}
     count, columns = rows.shape
     try:
@@ -277,7 +273,7 @@ def _by_highs(rows: FloatArray, limits: FloatArray) -> FloatArray | None:
             if result.status == 2:
                 return None
     else:
-        # use the base class of Highs, because Highs prints a banner before output can be switched off
+        # the base class does not print the banner that Highs prints
         highs = highspy.Highs.__bases__[0]()
         silent = {"output_flag": False, "solver": "simplex", "parallel": "off"}
         for name, value in {**silent, **tolerances}.items():
@@ -315,9 +311,10 @@ def least_variation(
 ) -> FloatArray:
     """Return the x that minimises sum |bends @ x + bend_offset| subject to 1 <= rows @ x + offset <= largest.
 
-    If `bends` contain the second derivative K'' of the stiffness times the length of each sample, the sum is the
-    total variation of K' (paper, section 5.3). A term is 0 on a plane, and a condition is an equation on a plane;
-    m of these planes meet in a vertex. Each step follows the steepest edge of the vertex while the sum decreases.
+    If `bends` contain the second derivative K'' of the stiffness times the length of each sample, the sum is
+    the total variation of K' (paper, section 5.3). Each term is 0, and each condition an equation, on a
+    plane; m of these planes meet in a vertex. Each step follows the steepest edge of the vertex while the sum
+    decreases.
 
     Parameters
     ----------
@@ -344,12 +341,11 @@ def least_variation(
     size[size == 0] = 1.0
     planes, limits = planes / size[:, None], limits / size
     x = np.linalg.lstsq(basis, start, rcond=None)[0]
-    # shift the conditions so that they hold at the start, and the planes of terms and stiffness so that no more
-    # than m meet in a point
+    # shift the conditions to hold at the start; shift all planes so that at most m of them meet in a point
     limits[terms:] += np.maximum(-(planes[terms:] @ x + limits[terms:]), 0.0)
     shifted = limits.size - len(side_rows)
     limits[:shifted] += METHOD.tilt * np.random.default_rng(0).uniform(1.0, 2.0, shifted)
-    # the m planes of the start belong to no term and no condition
+    # start in a vertex of m auxiliary planes, which are neither terms nor conditions
     active, normals = np.full(x.size, -1), np.eye(x.size)
     for _ in range(METHOD.most_steps):
         values = planes @ x + limits

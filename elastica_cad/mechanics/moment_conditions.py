@@ -5,11 +5,11 @@ On a drawn curve gamma the equations of the rod (paper, Eqs. 3 and 5)
     M' = <b, gamma'>,   b' = -(q K + p tau) R^t e,   K (kappa - kappa_0) = M
 
 are linear in the state (M, b) at the end of the curve. One integration for each of these three numbers is
-therefore enough. M is the moment, b minus the internal force after a quarter turn R^t, and K the stiffness. Kappa
-and kappa_0 are the curvature and the natural curvature. Here q is the weight per stiffness (1/l_eg^3), and p a
+therefore enough. M is the moment, b the negative internal force after a quarter turn R^t, K the stiffness,
+kappa the curvature and kappa_0 the natural curvature. Here q is the weight per stiffness (1/l_eg^3), and p a
 weight per length that does not depend on K (N/mm). Tau is the inverse of the least bending stiffness, and e a
-unit vector upwards. Rods without weight have constant b, and M = a + <b, gamma>. A force f on the strip between
-its ends is a jump of R b by f, so each unknown force is one more number (`elements`).
+unit vector upwards. Without weight, b is constant and M = a + <b, gamma> with a constant a. A force f on the
+strip between its ends is a jump of R b by f, so each unknown force is one more number (`elements`).
 """
 
 from collections.abc import Callable, Sequence
@@ -96,8 +96,9 @@ class LineLoad:
 class MomentRows:
     """Stiffness, force and moment along a rod as linear functions of m numbers.
 
-    The numbers are (M, b_x, b_y) at the end of the curve, tau if `loaded`, and the unknown forces. M is the bending
-    moment, b minus the internal force after a quarter turn, and tau the inverse of the least bending stiffness.
+    The numbers are (M, b_x, b_y) at the end of the curve, tau if `loaded`, and the unknown forces. M is the
+    bending moment, b the negative internal force after a quarter turn, and tau the inverse of the least
+    bending stiffness.
 
     Attributes
     ----------
@@ -147,7 +148,7 @@ def moment_rows(panels: Panels, load: LineLoad | None = None, units: FloatArray 
         units = np.zeros((panels.count + 1, 2, 0))
     if load is None:
         return _weightless(panels, units)
-    # a weight that is far too large causes an overflow; the caller checks the result
+    # a far too large weight causes an overflow, which the caller checks
     with np.errstate(over="ignore", invalid="ignore"):
         return _weighted(panels, load, units)
 
@@ -161,11 +162,11 @@ def _weightless(panels: Panels, units: FloatArray) -> MomentRows:
     b = np.zeros((count + 2, 2, size))  # b before the start of the curve, in each panel, and after its end
     b[:] = np.eye(2, size, 1)
     for k in np.flatnonzero(units.any(axis=(1, 2))):
-        # jump of b at the force, from the side of the curve's end to the side of its start
+        # jump of b at an element, from the end of the curve towards its start
         step = left_of(units[k].T).T
         b[: k + 1, :, 3:] += step
         edge_moment[: k + 1, 3:] += (panels.edge_position[: k + 1] - panels.edge_position[k]) @ step
-    # M at a node is M at the near end of the panel plus <b, distance>; beside a zero the first term is 0
+    # M at a node is M at the near end of the panel, 0 beside a zero, plus <b, distance>
     from_left = panels.zero_left
     vanishing = vanishing_at_zeros(panels, edge_moment)
     base = np.where(from_left[:, None], vanishing[:-1], vanishing[1:])
@@ -207,15 +208,15 @@ def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
 
 def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     count, order = panels.t.shape
-    # number of unknowns at an end of a panel: moment, two components of b, and tau if needed
+    # unknowns at an end of a panel: moment, two components of b, and tau if needed
     size = 3 if load.is_proportional else 4
     total = size + units.shape[2]
-    # jumps of b at the forces, from the side of the curve's end to the side of its start
+    # jumps of b at elements, from the end of the curve towards its start
     steps = np.zeros((count + 1, 2, total))
     steps[:, :, size:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
     if size == 4:
         steps[:, :, 3] = left_of(load.points)
-    G = np.array([load.up[1], -load.up[0]])  # R^t e
+    G = np.array([load.up[1], -load.up[0]])  # upward unit vector e after a quarter turn: R^t e
     left, zero = panels.zero_left, panels.zero_left | panels.zero_right
     local = np.where(left[:, None, None], panels.from_left, panels.from_right)
     integral = np.where(left[:, None, None], -LEFT, RIGHT) * panels.stretch[:, None, :]
@@ -268,16 +269,16 @@ _SLOPES_AT_NODES = VANDER @ SLOPES
 _SETTLED = 1e-9  # largest relative excess of K over its bounds in the program of least ratio
 
 _SAME = 4 * float(np.finfo(float).eps)
-"""Relative difference of two solutions of a linear program that were reached by different exchanges."""
+"""Relative difference up to which two solutions of a linear program count as equal."""
 
-# rounding error of a sum relative to its terms, each a product of three factors and a series
+# rounding error of a sum, relative to the sum of the absolute values of its terms
 _ROUNDING = 16 * float(np.finfo(float).eps)
 
 BOUNDED = 1e-7
-"""Largest relative excess of a smooth stiffness over its bounds; it is the accuracy of the linear program."""
+"""Largest relative excess of a smooth stiffness over its bounds: the accuracy of the linear program."""
 
 CHOSEN = 1e-5
-"""Largest relative excess of a smooth stiffness over a ratio limit that is widened by `SMOOTHING_SHARE`."""
+"""Largest relative excess of a smooth stiffness over a ratio limit that `SMOOTHING_SHARE` has widened."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -311,7 +312,7 @@ class StiffnessFamily:
 
     @property
     def side_conditions(self) -> tuple[FloatArray, FloatArray]:
-        """Rows (k, d) and offsets (k,) of the side conditions; k may be 0."""
+        """Rows (k, d) and offsets (k,) of the side conditions."""
         rows = np.zeros((0, self.freedom)) if self.side_rows is None else self.side_rows
         return rows, np.zeros(len(rows)) if self.side_offset is None else self.side_offset
 
@@ -359,7 +360,7 @@ def least_ratio(
     if places is not None:
         solution = _sampled(family, *family.at(*places))
     elif family.freedom == 0 or (family.freedom == 1 and family.offset is None and not family.sides):
-        # without a free number, or with a number that only scales K, the extremes are at fixed positions
+        # without a free number, or with one that only scales K, the extremes have fixed positions
         rows, offset = family.dense
         more, more_offset = family.extremes(np.ones(family.freedom))
         solution = _sampled(family, np.concatenate([rows, more]), np.concatenate([offset, more_offset]))
@@ -375,7 +376,7 @@ def _sampled(family: StiffnessFamily, rows: FloatArray, offset: FloatArray) -> M
 def _continuous_ratio(
     family: StiffnessFamily, tolerance: float, most: float
 ) -> tuple[FloatArray, float] | None:
-    """Add all local extremes beyond the bounds in each iteration."""
+    """Solve the linear program, and add all extremes beyond the bounds, until the bounds hold between samples."""
     rows, offset = family.dense
     sides = [side.dense for side in family.sides]
     program = MinimaxProgram(
@@ -394,9 +395,9 @@ def _continuous_ratio(
         values = rows @ y + offset
         rounded: FloatArray | float = 0.0
         if np.abs(y - before).max() <= _SAME * np.abs(y).max():
-            # the solution no longer changes, so bounds may be exceeded by the tolerance of the solver
+            # the solution no longer changes: accept the accuracy of the solver
             tolerance = BOUNDED
-            # rounding errors of sums in which large terms cancel
+            # large terms may cancel in the sum, so allow for its rounding errors
             rounded = _ROUNDING * (np.abs(rows) @ np.abs(y))
         before = y
         low = (values < 1 - tolerance - rounded).nonzero()[0]
@@ -404,7 +405,7 @@ def _continuous_ratio(
         broken = [side.at(*side.combined(y).extreme_places) for side in family.sides]
         broken = [more[more @ y < -tolerance * ratio] for more in broken]
         if not (low.size or high.size or any(map(len, broken))):
-            if values.min() <= 0:  # rounding errors exceed the least stiffness
+            if values.min() <= 0:  # rounding errors are as large as the least stiffness
                 return None
             return y, float(max(values.max() / min(1.0, values.min()), ratio))
         program.demand(rows[low], offset[low], rows[high], offset[high])
@@ -430,7 +431,7 @@ def _smoothest(
     """
     panels = family.panels
     count, order = panels.t.shape
-    # d/ds = (d/dx) / stretch is applied twice; jumps of K' at the ends of panels count too
+    # K'' by d/ds = (d/dx) / stretch, and jumps of K' between panels
     columns = family.rows.coefficients
     if family.offset is not None:
         columns = np.concatenate([columns, family.offset.coefficients[..., None]], axis=2)
@@ -445,7 +446,7 @@ def _smoothest(
     if keep_largest:
         pins, pin_offset = family.extremes(start) if places is None else family.at(*places)
         pins = pins[pins @ start + pin_offset > ratio * (1 - BOUNDED)]
-        # 1 <= pins @ y + pin_offset means that at these points K is at least the stiffness for `start`
+        # 1 <= pins @ y + pin_offset: at these points K is at least the stiffness for `start`
         pin_offset = 1.0 - pins @ start
 
     def smoothest(rows: FloatArray, offset: FloatArray) -> FloatArray:
@@ -529,7 +530,7 @@ WIDEST_RATIO = 1e10
 """Largest stiffness ratio in computations; no strip can have it."""
 
 LARGEST_LOAD = 1e3
-"""Stiffness that the load requires, relative to the largest stiffness, up to which the program is not rescaled."""
+"""Stiffness required by the load, relative to the largest stiffness, above which the program is rescaled."""
 
 RANK_SHARE = 1e-7
 """Relative tolerance for linearly dependent conditions."""
@@ -542,8 +543,8 @@ class BalancedStiffness:
     Attributes
     ----------
     stiffness, moment, force : PanelFunction
-        Stiffness K with a least value of about 1, and bending moment (1/mm) and force b (1/mm2) over the least
-        bending stiffness. The force b is minus the internal force after a quarter turn.
+        Stiffness K with a least value of about 1, and bending moment (1/mm) and force b (1/mm2) over the
+        least bending stiffness. The force b is the negative internal force after a quarter turn.
     bending_stiffness, weight
         Least bending stiffness B, N mm2, and the corresponding weight, if the weight is in newtons.
     kinks : sequence of (s, continuity)
@@ -566,7 +567,7 @@ class BalancedStiffness:
 class StateFamily:
     """Family of stiffnesses of a rod in equilibrium.
 
-    The numbers that `MomentRows` multiplies are fixed + basis @ y with the parameters y of the family.
+    The unknown numbers of `MomentRows` are fixed + basis @ y with the parameters y of the family.
     """
 
     family: StiffnessFamily
@@ -704,7 +705,7 @@ class ConditionedRows:
         t = np.array([z.t for z in self.check.zeros])
         at = np.abs(self.panels.edges - t[:, None]).argmin(axis=1)
         rows = [self.rows.edge_moment[at]]
-        # beyond the joint of a straight tail, the stiffness is continued
+        # on a straight tail, the stiffness of the bent part is continued
         flat = np.array([zero.kind == "flat" for zero in self.check.zeros], dtype=bool)
         inner = (at > 0) & (at < self.panels.count) & ~flat
         if self.request.elements and inner.any():
@@ -758,7 +759,7 @@ class ConditionedRows:
         )  # fmt: skip
 
     def _sides(self, columns: FloatArray, sides: IntArray) -> FloatArray:
-        """Return the conditions that the unknown numbers `sides` are not negative, scaled to order 1."""
+        """Return the scaled conditions that the unknown numbers with indices `sides` are not negative."""
         return np.asarray((columns.T / self.scale).T[sides])
 
     def at_compliance(self, tau: float) -> StateFamily:
@@ -803,7 +804,7 @@ class ConditionedRows:
         return None if everywhere else self.panels.locate(self.request.nodes.t)
 
     def steadied(self, state: FloatArray) -> FloatArray:
-        """Return the optimal numbers, chosen such that they do not change when the drawing is rotated.
+        """Return the optimal numbers, chosen so that rotating the drawing does not change them.
 
         For arcs, the optimum with constant moment is chosen. If a single jump of the curvature determines the
         ratio, the optimum with the smoothest stiffness is chosen.
@@ -820,7 +821,7 @@ class ConditionedRows:
         if self.places is not None or not steps.size or steps.max() < (1 - NO_GAIN_SHARE) * K.max() / K.min():
             return state
         numbers = self.homogeneous(loaded=False)
-        # if the smoothest stiffness is not found, any optimum is acceptable
+        # any optimum is acceptable if the smoothest stiffness is not found
         with suppress(NotConvergedError):
             start = np.asarray(np.linalg.lstsq(numbers.basis, state, rcond=None)[0], dtype=float)
             y = _smoothest(numbers.family, float(steps.max()) * (1 + NO_GAIN_SHARE), start)
@@ -843,7 +844,7 @@ class ConditionedRows:
         return np.asarray(numbers.fixed + numbers.basis @ y)
 
     def _offset(self, tau: float) -> FloatArray:
-        """Return the part of the stiffness (N, p) that does not depend on the free parameters, for tau."""
+        """Return the part of the stiffness (N, p) that does not depend on the free parameters, for a given tau."""
         return np.asarray(self.rows.stiffness @ self.at_compliance(tau).fixed)
 
     @property
@@ -858,7 +859,7 @@ class ConditionedRows:
         The result is None if no stiffness within these limits is in equilibrium.
         """
         family = self.at_compliance(1 / most).family
-        # because K <= 1, the least K is maximal if the largest 1 + 1 / size - K / size is minimal
+        # minimise the largest value of 1 + (1 - K) / size, to maximise the least K; K is at most 1
         size = max(1.0, self.load_stiffness / (LARGEST_LOAD * most))
         turned = StiffnessFamily(
             self.panels,
@@ -939,9 +940,7 @@ def _rank(sigma: FloatArray) -> int:
 
 
 def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-    """Return the null space (m, d) of matrix (k, m), and a solution of matrix @ x = right, or None without a
-    solution.
-    """
+    """Return the null space (m, d) of matrix (k, m), and a solution x of matrix @ x = right, or None."""
     count = matrix.shape[1]
     size = np.abs(matrix).max(axis=1, initial=0.0)
     size = np.where(size > 0, size, np.abs(right))
@@ -959,7 +958,7 @@ def _solutions(matrix: FloatArray, right: FloatArray) -> tuple[FloatArray, Float
 
 def stretches(s: FloatArray, length: float) -> Listed:
     """Return ranges of arc length for a message; positions closer than a twentieth of the length are merged."""
-    s = np.sort(np.round(s, 6)) + 0.0  # remove negative zeros
+    s = np.sort(np.round(s, 6)) + 0.0  # turn -0.0 into 0.0
     groups = np.split(s, np.flatnonzero(np.diff(s) > length / 20) + 1) if s.size else ()
     return Listed(
         Length(g[0]) if np.ptp(g) < length / 200 else Span((Length(g[0]), Length(g[-1]))) for g in groups

@@ -1,4 +1,4 @@
-"""Nonlinear laws for moment M and curvature kappa at width w, M = P(kappa) w kappa (paper, Appendix D)."""
+"""Laws of nonlinear materials: M = P(kappa) w kappa for moment M, width w, curvature kappa (Appendix D)."""
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ _ROUNDING_SHARE = 1e-12  # rounding error, as a fraction of the moment
 
 
 class MaterialLaw(ABC):
-    """Moment-curvature law for the width 1, divided by its stiffness at rest.
+    """Moment-curvature law of a strip of width 1, divided by its stiffness at curvature 0.
 
     The effective curvature m(kappa) = P(kappa) kappa, with P even and P(0) = 1, replaces the curvature in Hooke's
     law: M = K m(kappa - kappa_0) for moment M, stiffness K and natural curvature kappa_0. Theorem 1 and the
@@ -68,11 +68,11 @@ class MaterialLaw(ABC):
             )
 
     def require_design(self, largest_curvature: float) -> None:
-        """Make sure that a strip can be designed for curvatures up to `largest_curvature` (1/mm)."""
+        """Refuse the law if no strip can be designed for curvatures up to `largest_curvature` (1/mm)."""
         self.require_injective(largest_curvature)
 
     def curvature(self, effective: ArrayLike) -> FloatArray:
-        """Return the inverse of `effective_curvature` (n,) in the range where it is monotonic, by bisection."""
+        """Return the inverse of `effective_curvature` (n,), 1/mm, by bisection."""
         m = np.asarray(effective, dtype=float)
         largest = float(np.abs(m).max(initial=0.0))
         top = min(largest, self.injective_limit)
@@ -172,8 +172,8 @@ class _YieldingLaw(MaterialLaw):
 class PlasticLaw(_YieldingLaw):
     """Ideal plasticity of the paper: effective curvature min(|kappa|, kappa_lim) with the sign of kappa.
 
-    The law is not injective beyond the limit kappa_lim. The width is computed as for any law, but the curvature
-    beyond the limit depends on the history of bending (paper, Appendix D).
+    The law is not injective beyond kappa_lim. There the curvature depends on the history of bending (paper,
+    Appendix D).
 
     Parameters
     ----------
@@ -269,7 +269,7 @@ class ElasticPlasticLaw(_YieldingLaw):
 
 @dataclass(frozen=True, eq=False)
 class TabulatedLaw(MaterialLaw):
-    """Measured table of moments and curvatures, interpolated by shape-preserving cubics; an odd function.
+    """Measured table of moments and curvatures, interpolated by shape-preserving cubics. The law is odd.
 
     Parameters
     ----------
@@ -325,9 +325,7 @@ class TabulatedLaw(MaterialLaw):
 
     @property
     def injective_limit(self) -> float:
-        """See `MaterialLaw.injective_limit`. The limit is the end of the table, or the curvature from which the
-        moments decrease.
-        """
+        """See `MaterialLaw.injective_limit`; at the latest, the end of the table."""
         falling = np.flatnonzero(np.diff(self.moments) <= 0)
         return float(self.curvatures[falling[0]] if falling.size else self.curvatures[-1])
 

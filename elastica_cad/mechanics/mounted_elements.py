@@ -41,9 +41,9 @@ if TYPE_CHECKING:
 class ElementEquations:
     """Residuals of the elements and their derivatives.
 
-    The unknowns of each element are the two components of its force. A rail also has the arc length of its
-    contact point. A tie also has its length times the angle of the cord. Translations of the rod along free axes
-    follow. The residual for a force is a position error, mm. The residuals for the other unknowns are forces,
+    The unknowns of each element are the two components of its force; of a rail also the arc length of its
+    contact point, and of a tie also its length times the angle of the cord. Translations of the rod along
+    free axes follow. Residuals of force components are position errors, mm. The other residuals are forces,
     1/mm2.
 
     Attributes
@@ -51,8 +51,9 @@ class ElementEquations:
     rows : (k, n) array
         Derivatives of the residuals by the angles of the edges.
     pulls : (k, n) array
-        Derivatives by the unknowns of the component along the edge of the force lambda in each edge, minus the
-        internal force, times the length of the edge over the nominal length.
+        Derivatives by the unknowns of the axial force of each edge, times the length of the edge over the
+        nominal length. The axial force is the component of lambda (the negative internal force) along the
+        edge.
     corner : (k, k) array
         Derivatives of the residuals by the unknowns.
     residual : (k,) array
@@ -127,7 +128,7 @@ class MountedElements:
         return np.asarray(self.anchor + reach - self._from_end * self.edge_length * tangents.sum(axis=0))
 
     def force(self, numbers: FloatArray, edges: int) -> FloatArray:
-        """Return the contribution (n, 2) of the elements to lambda, minus the internal force, 1/mm2."""
+        """Return the contribution (n, 2) of the elements to the force lambda of the edges, 1/mm2."""
         force = np.zeros((edges, 2))
         for action in self.solved(numbers):
             if isinstance(action.element, Tie):
@@ -137,7 +138,7 @@ class MountedElements:
         return force
 
     def equations(self, tangents: FloatArray, numbers: FloatArray) -> ElementEquations:
-        """Return the equations for edge tangents (n, 2), times lengths over nominal lengths, and unknowns (k,)."""
+        """Return the equations for unknowns (k,) and edge tangents (n, 2) times length over nominal length."""
         n, k, h = len(tangents), numbers.size, self.edge_length
         across = h * left_of(tangents).T
         rows, pulls, corner = np.zeros((k, n)), np.zeros((k, n)), np.zeros((k, k))
@@ -160,8 +161,7 @@ class MountedElements:
                 rows[pair] = across * weights
                 residual[pair] = h * (weights @ tangents) - length * e
                 if self.turns_freely:
-                    # fix the direction of the cords, because a rotation of the whole rod gives another rest
-                    # shape
+                    # fix the direction of the cords; the rod could turn as a whole
                     corner[more, more] = 1.0
                 else:
                     residual[more] = -f @ left_of(e)
@@ -187,13 +187,13 @@ class MountedElements:
                 corner[more, more] = -f @ self.place(s, tangents, 2)
             at += 2 + slides
         residual[first_shift:] -= self.load[free]
-        if self.turns_freely:  # fix the translation of the rod, because no support does
+        if self.turns_freely:  # fix the position of the rod, because no support does
             corner[first_shift:, first_shift:] = np.eye(len(free))
             residual[first_shift:] = 0.0
         return ElementEquations(rows, pulls, corner, residual, places)
 
     def solved(self, numbers: FloatArray) -> tuple[ElementForce, ...]:
-        """Return the elements with the forces and positions that the unknowns (k,) determine."""
+        """Return the elements with the forces and positions for given unknowns (k,)."""
         actions, at = [], 0
         for action in self.actions:
             f, s = numbers[at : at + 2], action.s
@@ -209,7 +209,7 @@ class MountedElements:
         return tuple(actions)
 
     def shift(self, numbers: FloatArray) -> FloatArray:
-        """Return the translation (2,), mm, of the whole rod, which is part of the unknowns."""
+        """Return the translation (2,), mm, of the whole rod, which is among the unknowns."""
         shift = np.zeros(2)
         free = self.free_axes
         shift[free] = numbers[numbers.size - len(free) :]
@@ -217,16 +217,14 @@ class MountedElements:
 
     @property
     def _from_end(self) -> FloatArray:
-        """Flags (2,): 1 for a coordinate measured from the end of the rod, 0 for one measured from the start."""
+        """Flags (2,) for x and y: 1 if positions are measured from the end of the rod, 0 if from the start."""
         start = self.supports.ends[0]
         return np.array([not start.x, not start.y], dtype=float)
 
     def _up_to(self, s: float, edges: int) -> FloatArray:
-        """Return the weights (n, 2) of the edge vectors in the position at arc length s, mm."""
         return np.asarray(edge_weights(s, self.edge_length, edges)[:, None] - self._from_end)
 
     def _between(self, action: ElementForce, edges: int) -> FloatArray:
-        """Return the weights (n,) of the edge vectors in the vector between the two points of a tie."""
         p, q = (edge_weights(float(s), self.edge_length, edges) for s in action.s)
         return q - p
 
@@ -269,7 +267,7 @@ class ShapeOfRod:
         s = self.edge_length * float(np.hypot(*(nodes - point).T).argmin())
         for _ in range(_FOOT_STEPS):
             off, slope = point - self.at(s), self.at(s, 1)
-            # at least 0.3, because Newton steps diverge near the evolute
+            # at least 0.3, because Newton steps diverge near the centre of curvature
             spread = max(float(slope @ slope - off @ self.at(s, 2)), 0.3)
             before, s = s, float(np.clip(s + off @ slope / spread, 0.0, self.length))
             if abs(s - before) <= 1e-13 * self.length:
@@ -284,7 +282,7 @@ def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementFor
     present pin keeps its arc length. The length of a tie without `length` is the distance between its two points.
     """
     if not (rod.between if between is None else between):
-        return ()  # skip the curve, because a rod with jumps of its curvature has no spline
+        return ()  # do not compute the curve, because a rod with jumps of its curvature has no spline
     curve = rod.curve
     shape = curve if rod.compression is None or rod.shape is not None else ShapeOfRod.of(rod)
     if between is None:
@@ -323,7 +321,7 @@ def _new(
     s = PlacedElement.on(element, curve, curve).s
     force = np.zeros((s.size, 2))
     if before is not None and type(before.element) is type(element):
-        force = before.force  # at first, an element that exerted a force is taut
+        force = before.force  # an element that exerted a force starts taut
     if isinstance(element, Tie):
         return _kept(ElementForce(element, s, force), curve, shape)
     if isinstance(element, Pin) and before is not None and isinstance(before.element, Pin):
@@ -346,7 +344,7 @@ def _point(place: FloatArray) -> tuple[float, float]:
 
 
 def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
-    """Return the magnitude of a force that a one-sided element cannot exert, 1/mm2; 0 if it can exert its force."""
+    """Return the magnitude of a force that a one-sided element cannot exert, 1/mm2; 0 if the force is possible."""
     if not action.is_one_sided:
         return 0.0
     if isinstance(action.element, Tie):
@@ -356,7 +354,7 @@ def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
 
 
 def with_side(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
-    """Return a one-sided rail with the direction of its push, if it was unknown; other elements are unchanged."""
+    """Return a one-sided rail with the direction of its push, if it was unknown. Other elements are unchanged."""
     mount = action.mounting
     if mount.side or not (isinstance(action.element, Rail) and action.element.one_sided):
         return action
@@ -377,7 +375,7 @@ def violation(action: ElementForce, shape: ShapeOfRod) -> float:
 
 
 def touching(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
-    """Return a slack element without force, at the nearest point of the strip."""
+    """Return a slack element: its force is 0, and a rail is at the nearest point of the strip."""
     s = action.s
     if isinstance(action.element, Rail):
         s = np.array([shape.foot(np.array(action.mounting.point))])

@@ -15,14 +15,14 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.rod_system import Residual, RodState
 
 SMALL_STEP = 1e-6
-"""Displacement of an element, as a fraction of the length, small enough for a linear response of the strip."""
+"""Displacement of an element, as a fraction of the length, to which the strip responds linearly."""
 
 ROUNDING_FRACTION = 1e-6
 """Largest force of an element, as a fraction of the largest force in the rod, that counts as a rounding error."""
 
 
 def displacements_per_mm(rod: Rod) -> tuple[float, ...]:
-    """Return for each element the largest displacement of the rod, mm, per mm of error in mounting the element.
+    """Return the largest displacement of the rod, mm, per mm of error in mounting each element.
 
     The error is a displacement of a pin in the worst direction, a displacement of a rail along its normal, or a
     change of the length of a cord. The equations of equilibrium are linearised about the present shape. The value
@@ -72,7 +72,7 @@ def _largest_moves(state: RodState, acting: Sequence[ElementForce]) -> Iterator[
 
 
 def _displacement(state: RodState, rows: slice, direction: FloatArray) -> FloatArray:
-    """Return the displacements (n, 2) of the nodes per mm of position error in the given residuals."""
+    """Return the displacements (n, 2) of the nodes for a unit error `direction` of the residuals `rows`."""
     miss = np.zeros(state.reactions.size)
     miss[rows] = direction
     step, small = (

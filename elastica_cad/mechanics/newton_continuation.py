@@ -1,4 +1,4 @@
-"""Rest shapes by Newton's method along a path of supports, and branches of buckled shapes."""
+"""Rest shapes by Newton's method while supports or loads change, and branches of buckled shapes."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -11,24 +11,24 @@ from elastica_cad.mechanics.discrete_rod import lowest_constrained, solve_border
 from elastica_cad.mechanics.rod_system import Residual, RodState, RodSystem, Step
 from elastica_cad.refusals import Length
 
-TOLERANCE = 1e-10  # accuracy of `bend`, relative to the moments and to the length
+TOLERANCE = 1e-10  # largest relative error of moments and positions in `bend`
 # largest rotation of an edge in a step; linearised cos and sin then have an error of one eighth
 LARGEST_TURN_RAD = 0.5
-SMALL_TURN_RAD = 0.02  # largest rotation of an edge in steps that may pass a crossing of two branches
-# displacement along an unstable mode in each step of a minimisation, far above rounding errors
+SMALL_TURN_RAD = 0.02  # largest rotation of an edge in steps near a crossing of two branches
+# rotation along an unstable mode in each step of a minimisation, far above rounding errors
 SADDLE_PUSH_RAD = 0.05
 ASTRAY_RAD = float(np.pi)  # largest rotation of an edge in a step of a minimisation before the line search
-# largest rotation of an edge in a step of a minimisation from which Newton's method converges
+# largest rotation of an edge in a step of a minimisation below which Newton's method takes over
 NEAR_REST_RAD = 1e-2
-# size of a Newton step after which the next step, about its square, is below rounding errors
+# largest rotation in a Newton step after which the next step, about its square, is below rounding errors
 CONVERGED_RAD = 1e-9
 MOST_DESCENT_STEPS = 300
-# accuracy, as a fraction of the path, with which the change of an element to slack or taut is located
+# accuracy, as a fraction of the path, with which the point is located where an element becomes slack or taut
 STOP_SHARE = 1e-3
-LEAST_STEP = 1e-7  # least step, as a fraction of the path; it determines how precisely a fold is located
+LEAST_STEP = 1e-7  # least step, as a fraction of the path; the end of a branch is located with this accuracy
 
 Stop = Callable[[RodState, float], bool]
-"""Whether a continuation ends at a state that is reached after a fraction of the path."""
+"""Function that returns True for a state, reached after a fraction of the path, at which to stop."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +61,7 @@ def _step_with_hessian(state: RodState, diagonal: FloatArray, off: FloatArray, r
         return Step(
             *solve_bordered(diagonal, off, rows, right=-residual.imbalance, below=below, corner=state.corner)
         )
-    # scale all unknowns of the border to the unit of a force
+    # scale all unknowns to the unit of a force
     unit = np.where(state.places, 1.0, state.system.length**3)
     angles, reactions = solve_bordered(
         diagonal, off, unit[:, None] * rows, right=-residual.imbalance, below=unit * below,
@@ -78,7 +78,7 @@ def correct(
     damping: float = 0.5,
     most: int = 12,
 ) -> tuple[RodState, int] | None:
-    """Return the solution near a state by Newton's method with line search, or None if it does not converge.
+    """Return the solution near a state by Newton's method with line search, or None without convergence.
 
     A step is accepted if the next Newton step is smaller, and halved otherwise. This test (natural monotonicity) is
     independent of units and of the number of edges.
@@ -86,13 +86,13 @@ def correct(
     Parameters
     ----------
     kept : Residual, optional
-        Imbalance of moments and position errors that the solution may have. These residuals are artificial
-        loads of a continuation.
+        Imbalance of moments and position errors that the solution keeps, as artificial loads of a
+        continuation.
     turn : float
         Largest rotation of an edge, rad, in a step and in total.
     damping : float
-        Smallest fraction of a step. If a smaller fraction is needed, the start is far from the solution, and the
-        result may be on another branch of equilibria.
+        Smallest accepted fraction of a step. A smaller fraction means that the start is far from the
+        solution, and that the result may be on another branch of equilibria.
     """
     current = state
     step = newton_step(current, _residual_beyond(current, kept))
@@ -122,11 +122,11 @@ def correct(
 
 
 LOADS = ("load", "force", "moments")
-"""Fields of a RodSystem with the loads of its nodes and ends."""
+"""Fields of `RodSystem` that contain loads."""
 
 
 def between_loads(first: RodSystem, last: RodSystem, part: float) -> RodSystem:
-    """Return the system `last` under the loads of `first` plus a part of their change."""
+    """Return the system `last` under the loads of `first` plus the fraction `part` of their change."""
     return replace(
         last,
         **{
@@ -143,18 +143,18 @@ def follow(
     turn: float = LARGEST_TURN_RAD,
     before: RodSystem | None = None,
 ) -> Reached:
-    """Continue from a state to an equilibrium: its imbalance, an artificial load, is reduced to zero in steps.
+    """Continue from a state to an equilibrium: its imbalance is treated as a load and reduced to zero in steps.
 
-    Positions and angles of the ends change linearly from present to required values. Weight, forces, stiffness
-    and supports change in proportion. Steps are adaptive. The continuation ends at a fold of the branch, and soon
-    after the first state for which `stop` returns True.
+    Positions and angles of the ends change linearly from present to required values. Weight, forces,
+    stiffness and supports change in proportion. Steps are adaptive. The continuation ends where the branch
+    turns back, and soon after the first state for which `stop` returns True.
 
     Parameters
     ----------
     turn : float
         Largest rotation of an edge in a step, rad.
     before : RodSystem, optional
-        System with the loads at the start. The loads change linearly, so that the states on the way are rest shapes
+        System with the loads at the start. The loads change linearly, so intermediate states are rest shapes
         under a fraction of the change.
     """
     if is_balanced(state):
@@ -165,7 +165,7 @@ def follow(
     )
 
     def loaded(t: float) -> RodSystem:
-        # with the same system, states keep what they have computed
+        # return the same object, because states cache results for it
         return between_loads(before, final, t) if before is not None and changes else final
 
     start = state.under(loaded(0.0)).residual
@@ -190,8 +190,8 @@ def trace(
     """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1 in adaptive steps.
 
     Along a branch, the number of unstable modes changes only where another branch crosses it. Crossings are
-    passed in small steps. If the number changes in a long step, the step has reached another branch, and
-    a shorter step is taken instead.
+    passed in small steps. A long step that changes the number may have reached another branch, so a shorter
+    step replaces it.
     """
     t, step, count = start, 1.0 - start, 0
     modes: int | None = None
@@ -224,7 +224,7 @@ def trace(
 
 
 def _polish(state: RodState) -> RodState:
-    """Return the state after Newton steps that reduce the error, down to rounding errors."""
+    """Return the state after Newton steps that reduce its error to rounding errors."""
     size = _relative_error(state, state.residual)
     for _ in range(6):
         if size == 0:
@@ -243,14 +243,13 @@ def relax(state: RodState) -> RodState | None:
     if start is None:
         return None
     rest = _minimise_energy(start, np.inf)
-    # near a kink, where a hardening material is a thousand times as stiff, Newton's method may diverge
+    # Newton's method may diverge near a kink of a hardening material, which is a thousand times as stiff
+    # there
     return _minimise_energy(start, ASTRAY_RAD) if rest is None else rest
 
 
 def _minimise_energy(state: RodState, astray: float) -> RodState | None:
-    """Return None if the minimisation fails; `astray` is the largest rotation of an edge in a step before
-    line search.
-    """
+    """Minimise the energy; return None on failure. Longer steps than `astray` (rad) are shortened."""
     system = state.system
     softest = 1e-3 * system.edge_length / system.length**2
     for _ in range(MOST_DESCENT_STEPS):
@@ -275,7 +274,7 @@ def _minimise_energy(state: RodState, astray: float) -> RodState | None:
                 and not corrected[0].discrete.unstable_modes
             ):
                 return _polish(corrected[0])
-        # also step along the unstable mode, so that the minimisation does not end at a saddle point
+        # also step along the unstable mode, because the minimisation must not end at a saddle point
         if inertia:
             side = -1.0 if push @ residual.imbalance > 0 else 1.0
             step = Step(step.angles + side * SADDLE_PUSH_RAD * push, step.reactions)
@@ -288,7 +287,7 @@ def _minimise_energy(state: RodState, astray: float) -> RodState | None:
 
 
 def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
-    """Return the state after backtracking along a step until the energy decreases, with its reactions."""
+    """Shorten a step until the energy decreases; return the new state, or None."""
     least = 1e-12 * (abs(state.energy) + 1 / state.system.length)
     for _ in range(30):
         trial = _place_ends(state.moved(step, factor))
@@ -343,12 +342,12 @@ def _relative_error(state: RodState, residual: Residual) -> float:
     return max(imbalance / unit, state.missed(residual.miss))
 
 
-# largest angle between edges of a straight rod; a larger angle is visible in 10 m drawn to a micrometre
+# largest difference of edge angles of a straight rod; a larger angle is visible in 10 m drawn to a micrometre
 STRAIGHT_RAD = 1e-7
 DECIDING_TURN_RAD = 0.5  # angle between the held ends above which this angle determines the side
-FIRST_CHORD = 0.9  # initial distance between the ends of a buckled rod, as a fraction of the length
+FIRST_CHORD = 0.9  # first distance between the ends of a buckled rod, as a fraction of the length
 LOAD_RESOLUTION = 1e-7  # accuracy of the bisected buckling load, as a fraction of the full load
-# amplitudes of the buckled shape that are tried; the largest one that converges is used
+# amplitudes of the buckled shape; the largest one that converges is used
 AMPLITUDES_RAD = (0.2, 0.05, 0.01, 0.002)
 
 
@@ -366,7 +365,7 @@ def stretch(state: RodState) -> RodState:
 
 
 def leave_straight(state: RodState, side: int | None, mode: int) -> Reached:
-    """Continue from a straight state to an equilibrium that is bent to the chosen side."""
+    """Continue from a straight state to an equilibrium bent to the chosen side."""
     system = state.system
     straight = system.state(np.full(system.edges, _direction(state)), state.reactions)
     if _must_shorten(straight):
@@ -397,7 +396,7 @@ def _direction(state: RodState) -> float:
     if len(system.held) < 2 or float(np.hypot(*chord)) < 1e-9 * system.length:
         return present
     angle = _nearest_angle(present, chord)
-    # if the end must move to the other side of the start, the rod keeps its direction
+    # if the end must move to the other side of the start, keep the direction
     return angle if abs(angle - present) < np.pi / 2 else present
 
 
@@ -426,7 +425,7 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     system, angle = state.system, float(state.angles[0])
     length, edge = system.length, system.edge_length
     tangent = np.array([np.cos(angle), np.sin(angle)])
-    # the requested distance of the ends along the held coordinates determines the first displacement
+    # the requested distance of the ends determines the first displacement
     distance = float(np.linalg.norm(system.chord))
     chord = length * min(max(distance / length, FIRST_CHORD), 1 - 1e-12)
     first = replace(
@@ -447,7 +446,7 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
 
 
 def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
-    """Return the equilibrium under the full dead load on the branch that leaves the straight state in `mode`."""
+    """Return the buckled equilibrium under the full load; `mode` is the buckling mode."""
     system = state.system
 
     def scaled(factor: float) -> RodState:
@@ -481,7 +480,7 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
 def _reach_amplitude(
     system: RodSystem, straight: RodState, shape: FloatArray, amplitude: float, factor: float
 ) -> tuple[RodState, float] | None:
-    """Return the equilibrium with a given amplitude of `shape`, and its load factor, by Newton's method."""
+    """Return the equilibrium with a given amplitude of `shape`, and its load factor."""
     state = straight.moved(Step(shape, np.zeros_like(straight.reactions)), amplitude)
     for _ in range(25):
         now = state.under(system.loaded(factor))
@@ -504,7 +503,7 @@ def _reach_amplitude(
 
 
 def _mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
-    """Return the `mode`-th eigenvalue (1/mm2) of the second variation per length, and its eigenvector.
+    """Return the eigenvalue (1/mm2) number `mode` of the second variation per length, and its eigenvector.
 
     The first half-wave is to the left (side +1) or right (side -1) of the direction from start to end.
     """

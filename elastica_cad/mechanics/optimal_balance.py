@@ -34,7 +34,7 @@ from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.refusals import FieldName, Length, note
 
 LEAST_SHARE = 1e-6
-"""Least ratio of least to largest stiffness if only the largest is limited; a smaller ratio cannot be built."""
+"""Least ratio of least to largest stiffness, if only the largest is limited; strips below it cannot be built."""
 
 
 class OverloadError(InputError):
@@ -60,7 +60,7 @@ class OverloadError(InputError):
 
 
 def balance_of(request: RodRequest) -> BalancedStiffness:
-    """Return the stiffness of least ratio for a request with or without weight, or with a section."""
+    """Return the stiffness of least ratio for a request."""
     if request.section is not None:
         return _with_section(request, request.section)
     return _with_weight(request) if request.is_loaded else balance_without_weight(request)
@@ -84,14 +84,13 @@ def ratio_within(request: RodRequest, most: float) -> float | None:
 
 
 def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutCurve]:
-    """Return the equilibrium conditions without weight, the family of their solutions, and the curve in panels."""
+    """Return the conditions of equilibrium without weight, their solutions, and the curve cut into panels."""
     cut = request.cut
     for _ in range(REFINEMENTS):
         rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
         problem = ConditionedRows(request, cut.panels, rows)
         numbers = problem.homogeneous(loaded=False)
-        # between an element and a zero of the curvature, the moment is another function of arc length than
-        # beyond it
+        # refine, because an element near a zero of the curvature makes the stiffness vary strongly
         finer = cut.for_stiffness(numbers.family.rows) if request.elements else None
         if finer is None:
             break
@@ -128,7 +127,7 @@ def _with_weight(request: RodRequest) -> BalancedStiffness:
 
 
 def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -> Weight:
-    """Return the weight; with `own`, the weight of a strip of least bending stiffness B, N mm2, is added."""
+    """Return the weight; `own` adds the weight of a strip of least bending stiffness B, N mm2."""
     step = bending_stiffness / gravity.length**3
     return replace(weight, beta=_raised(weight.beta, step), own=False) if weight.own else weight
 
@@ -143,7 +142,7 @@ class WeightedPanels:
     weight: Weight | None
 
     def against(self, tau: float) -> "ConditionedRows":
-        """Return the equilibrium conditions for weights in newtons and least bending stiffness B = 1 / tau."""
+        """Return the equilibrium conditions for a weight in newtons and the least bending stiffness B = 1 / tau."""
         panels, weight = self.panels, self.weight
         proportional_weight = np.zeros(panels.t.shape)
         if self.gravity is not None and (weight is None or weight.own):
@@ -187,7 +186,7 @@ class WeightedPanels:
     def refuse(self) -> NoReturn:
         """Raise `NotRealizable`, because the moment exceeds the range of floating-point numbers."""
         check = self.request.check
-        assert self.gravity is not None  # only weights can cause unbounded moments
+        assert self.gravity is not None  # without gravity, moments are bounded
         reason = far_too_heavy(self.gravity, check.length)
         raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
 
@@ -220,7 +219,7 @@ def _least_compliance(load: WeightedPanels, weight: Weight) -> float:
     else:
         y = largest_within(numbers.family, numbers.basis[3], light[1] * (1 + SMOOTHING_SHARE))
         tau = float(numbers.basis[3] @ y)
-    if tau <= 0:  # with very large coefficients, rounding errors can make tau negative
+    if tau <= 0:  # rounding errors of very large coefficients can make tau negative
         load.refuse()
     return tau
 
@@ -240,7 +239,6 @@ def _require_fixed_weight(problem: ConditionedRows, weight: Weight) -> None:
 
 
 def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
-    """Search for tau, because the weight of the strip depends on tau."""
     from scipy.optimize import brentq, minimize_scalar
 
     def ratio(logarithm: float) -> float:
@@ -279,10 +277,9 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
 
 
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
-    """Return the stiffness with the largest value `most`, N mm2, and the greatest least value, and its
-    compliance tau.
+    """Return the stiffness with the largest value `most`, N mm2, and the greatest least value, and its tau.
 
-    Iterate if the weight is proportional to the stiffness K, because the weight then depends on tau.
+    Tau is the inverse of the least bending stiffness. A weight proportional to K depends on tau, so iterate.
     """
     least = max(load.request.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
     most /= 1 + BOUNDED
@@ -307,15 +304,13 @@ def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most
         problem.refuse(numbers.family)
     try:
         thickening = _thickening_factor(load, least, most)
-    except NotConvergedError:  # the message then states only the width
+    except NotConvergedError:  # the message then contains the width only
         thickening = None
     return OverloadError(bound * needed[1], most, thickening)
 
 
 def _thickening_factor(load: WeightedPanels, least: float, most: float) -> float | None:
-    """Stiffness is proportional to the cube of the thickness, and weight over stiffness to its inverse
-    square.
-    """
+    """Return the factor by which a thicker sheet carries the weight within the same limits of width, or None."""
     factor = 1.0
     for _ in range(MOST_ROUNDS):
         thick = replace(load, gravity=load.gravity and load.gravity.scaled(factor**-2))
@@ -352,7 +347,7 @@ FIT_SHARE = 1e-5
 """Largest accepted relative violation of the limits of E I."""
 
 HOPELESS_SHARE = 1e-4
-"""Fraction of the E I of the least section below which a search for ever smaller sections is stopped."""
+"""Ratio to the E I of the least section below which a search for ever smaller sections stops."""
 
 WIDEST_REACH = 0.1
 """Largest mean change of E I in a step of a descent, as a fraction of the limits of E I."""
@@ -360,13 +355,13 @@ WIDEST_REACH = 0.1
 MOST_STEPS = 150
 
 SHORTER, LONGER = 0.5, 1.2
-"""Factors on the largest step of a descent after a reversal of direction, and after a step without reversal."""
+"""Factors on the largest step of a descent: after a reversal of direction, and otherwise."""
 
 LONGEST_JUMP = float(np.log(4.0))
-"""Largest step of the extrapolation of a sequence of scales, in the natural logarithm of the scale."""
+"""Largest step when a sequence of scales is extrapolated, in natural logarithms."""
 
 SLOWEST_RATE = 0.99
-"""A sequence is extrapolated only if the ratio of its last two steps is below this value."""
+"""Ratio of the last two steps of a sequence below which the sequence is extrapolated."""
 
 
 def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness:
@@ -405,10 +400,7 @@ def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> Bound
 
 @dataclass(frozen=True, eq=False)
 class TangentWeight:
-    """Linear function of E I that approximates the weight per length of a section, N/mm.
-
-    The function is fixed + slope E I. The function is a tangent at given values E I (n,).
-    """
+    """Tangent fixed + slope E I to the weight per length of a section, N/mm, at given values E I (n,)."""
 
     fixed: FloatArray
     slope: FloatArray
@@ -439,7 +431,7 @@ def _converged_balance(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffne
         problem = load.carrying(tangent.slope, tangent.fixed, points)
         try:
             state = problem.least(problem.at_compliance(1 / scale))
-        except NotConvergedError as error:  # the problem without weight has a solution
+        except NotConvergedError as error:  # without weight, a solution exists
             raise _unsettled(law, change) from error
         balance = problem.balance(state)
         next_EI = scale * balance.stiffness.nodal
@@ -460,15 +452,15 @@ def _converged_balance(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffne
 def _balance_by_descent(
     load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray
 ) -> BalancedStiffness:
-    """Return the stiffness in equilibrium whose least E I is largest within the limits, in short steps.
+    """Return the stiffness in equilibrium whose least E I is largest within the limits.
 
-    Without an upper limit, the largest E I is least. The steps are short because the linear programs
-    oscillate if the optimum is not a vertex of the linearised program. The limit of the steps is reduced
-    after each reversal. `state` is the moment and force (3,) at the end of the curve, N mm and N.
+    Without an upper limit, its largest E I is least. The steps are short and become shorter after each
+    reversal, because linear programs oscillate if the optimum is not at a vertex. `state` is the moment and
+    force (3,) at the end of the curve, N mm and N.
     """
     deciding, points = _deciding_limit(law), load.points
     limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
-    # -1: E I must be at most that of the largest section; 1: at least that of the least section
+    # -1: E I is limited by the largest section; 1: by the least section
     sense = -1.0 if np.isfinite(law.limits[1]) else 1.0
     reach, before = WIDEST_REACH, np.zeros(EI.shape)
     for _ in range(MOST_STEPS):
@@ -502,9 +494,10 @@ def _balance_by_descent(
 def _best_numbers_near(
     family: StiffnessFamily, here: FloatArray, reach: float, places: tuple[IntArray, FloatArray] | None
 ) -> FloatArray | None:
-    """Return the parameters near `here` at which the largest value of the family is least, or None.
+    """Return the parameters near `here` that minimise the largest value of the family, or None.
 
-    The values may change by `reach` (root mean square), or by up to 64 times as much if that has no solution.
+    The values may change by `reach` (root mean square), or by up to 64 times as much if no solution is
+    nearer.
     """
     rows, _ = family.dense
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
@@ -522,7 +515,7 @@ def _best_numbers_near(
 
 
 def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
-    """Return the parameters (d,) of the member of the family that is closest to `state`, by least squares."""
+    """Return the parameters (d,) of the family member closest to `state`, by least squares."""
     size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
     return np.asarray(
         np.linalg.lstsq(numbers.basis / size[:, None], (state - numbers.fixed) / size, rcond=None)[0]
@@ -563,8 +556,8 @@ def _deciding_limit(law: BoundedLaw) -> float:
 def _fitting_scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
     """Return the factor B, N mm2, with which a rod of bending stiffness B K just fits the limits of a section.
 
-    K is the relative stiffness. At one point the rod needs the largest section, and nowhere a larger section.
-    Without an upper limit, it needs the least section at one point, and nowhere a smaller section.
+    K is the relative stiffness. The largest section of the rod is then at the upper limit. Without an upper
+    limit, its least section is at the lower limit.
     """
     share = PanelFunction.through(stiffness.nodal / law.bending_stiffness(_deciding_limit(law)))
     extremes = share.extremes

@@ -28,13 +28,13 @@ END_REACH = 3.0
 """Largest distance by which an end may be moved, in multiples of the largest distance of other points."""
 
 SHARES = (0.1, 0.25, 0.5, 1.0)
-"""Distances by which a control point is moved, as fractions of the largest distance."""
+"""Distances by which a control point is moved, as fractions of the largest allowed distance."""
 
 ON_LINE = 3
 """Number of inflections that the move of one control point can bring onto a common line."""
 
 TO_LINE, TO_RATIO = 14, 4
-"""Numbers of bisections: to move inflections onto a line, and to reduce the stiffness ratio to its limit."""
+"""Numbers of bisections: to bring inflections onto a line, and to reduce the stiffness ratio to its limit."""
 
 ROUNDING = 1e-5
 """Precision of a moved control point, as a fraction of the length of the curve."""
@@ -51,9 +51,9 @@ def move_one_point(
 ) -> Iterator[tuple[int, PlaneCurve]]:
     """Yield possible curves that differ from an impossible curve in one control point.
 
-    Every inner control point is moved in 16 directions by four distances, small moves first, and then each end.
-    If three inflections are on a common line at a distance between two of the four, bisection finds this distance.
-    A curve is possible if a rod without weight has a ratio up to 8; the stability of the rod is not computed.
+    Every inner control point is moved in 16 directions by four distances, small moves first, and then each
+    end. If three inflections come onto a common line at another distance, bisection finds it. A curve is
+    possible if a rod without weight has a ratio up to 8; the stability of the rod is not computed.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ def move_one_point(
     directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     weights = curve.basis(np.linspace(*curve.domain, 201)).max(
         axis=0
-    )  # largest weight of each control point in the points of the curve
+    )  # largest weight of each control point along the curve
     ends = 0, len(points) - 1
     inner = range(1, len(points) - 1)
     for indices, reach in ((inner, farthest), (ends, END_REACH * farthest)):
@@ -136,9 +136,9 @@ def move_while_possible(
 ) -> Found | None:
     """Return the result at a possible place nearer to an impossible `end`, or None if there is none near `start`.
 
-    Places are tried along the straight line to `end`, else along x or y. The search stops within `step` of the
-    limit of the possible places, or after `halvings` trials. A caller that needs the limit repeats the call from
-    the place that was reached.
+    Places are tried along the straight line to `end`, else along x or y. The search stops within `step` of
+    the limit of the possible places, or after `halvings` trials. To reach the limit, repeat the call from the
+    result.
 
     Parameters
     ----------
@@ -211,12 +211,11 @@ class _Move:
         return ON_LINE, float(np.linalg.det([b - a, c - a])) / 2
 
     def is_beside(self, side: float, share: float) -> bool:
-        """Return True if three inflections form a triangle whose signed area has the same sign as `side`."""
         return self.side(share)[1] * side > 0
 
 
 def _bisected(low: float, high: float, times: int, reached: Callable[[float], bool]) -> float:
-    """Return a value at which `reached` is True, just above a value at which it is False, by bisection."""
+    """Return a value just above the change of `reached` from False to True, by bisection."""
     for _ in range(times):
         middle = (low + high) / 2
         low, high = (low, middle) if reached(middle) else (middle, high)

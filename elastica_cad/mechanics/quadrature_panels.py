@@ -1,4 +1,4 @@
-"""Division of a curve into panels with Gauss nodes, for quotients and integrals with the error of rounding only."""
+"""Division of a curve into panels with Gauss nodes, so accurate that only rounding errors remain."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -32,13 +32,13 @@ from elastica_cad.mechanics.theorem1 import EquilibriumCheck
 from elastica_cad.refusals import Length
 
 MAX_PANELS = 4000  # largest number of panels; a function that needs more panels cannot be resolved
-RESOLVED = 1e-11  # last Legendre coefficients, relative to the function, up to which they are rounding errors
+RESOLVED = 1e-11  # relative size of the last Legendre coefficients below which a function is resolved
 NOISE = (
-    # last Legendre coefficients, relative to the function, up to which they may be rounding errors
+    # relative size of the last Legendre coefficients up to which they may be rounding errors
     1e-6
 )
 
-APART_SHARE = 0.25  # distance up to which cuts are merged, as a fraction of the width of a panel
+APART_SHARE = 0.25  # distance up to which two cuts are merged, as a fraction of the width of a panel
 
 NARROWEST_SHARE = 1e-7  # width below which a panel is not cut further, as a fraction of the domain
 
@@ -148,7 +148,7 @@ def cut_into_panels(
     vanishing = sorted(map(float, zeros))
     order = np.array([o for _, o in sorted(zip(zeros, orders or [1] * len(zeros), strict=True))])
     fixed = [low, *(z for z in vanishing if low + close < z < high - close), high]
-    # in a narrow panel beside a zero, the values would consist of rounding errors
+    # in a narrow panel beside a zero, the values would be rounding errors
     narrow = NARROWEST_SHARE * (high - low)
     breaks = [(b.t, close if b.continuity <= ROUGH_AT_ZERO else narrow) for b in curve.breaks]
     breaks += [(float(t), close) for t in (*(t for t, _, _ in excess.kinks), *cuts)]
@@ -173,7 +173,7 @@ def cut_into_panels(
     count = 0
     while True:
         nodes, tail = _evaluated(excess, cut, poles, order, law, flats)
-        # if cutting a panel does not reduce the last coefficients, they are rounding errors
+        # coefficients that do not decrease when the panel is cut are rounding errors
         settled = (tail <= RESOLVED) | ((tail < NOISE) & (tail > 0.3 * cut.tail))
         settled |= cut.right - cut.left < narrow
         rough = (~settled).nonzero()[0]
@@ -203,8 +203,8 @@ def _without_close_neighbours(places: list[float], close: float) -> list[float]:
 class _Cut:
     """Panels on which the integrands are not yet evaluated.
 
-    Each value of `tail` belongs to the larger panel from which the panel was cut. `tail` is the last Legendre
-    coefficient on that panel, divided by the largest value of the integrand.
+    `tail` is the relative size of the last Legendre coefficient on the larger panel from which each panel was
+    cut.
     """
 
     left: FloatArray
@@ -234,14 +234,14 @@ class _Cut:
 
 
 def _parts_per_panel(tail: FloatArray) -> IntArray:
-    """Halving a panel divides its last Legendre coefficient by about 2^p, where p is the number of nodes."""
+    """Halving a panel of p nodes divides its last Legendre coefficient by about 2^p."""
     halvings = np.ceil(np.log2(np.where(np.isfinite(tail), tail, 1.0) / RESOLVED) / ORDER)
     return np.asarray(2 ** np.minimum(np.maximum(halvings, 1), 3), dtype=int)
 
 
 @dataclass(frozen=True, eq=False)
 class _Nodes:
-    """Panels evaluated at their Gauss nodes; attributes as in `Panels`, and `velocity` (N, p, 2) by x."""
+    """Panels with values at their Gauss nodes, as in `Panels`; `velocity` (N, p, 2) is the derivative by x."""
 
     left: FloatArray
     zero_left: BoolArray
@@ -292,8 +292,7 @@ def _evaluated(
         ends = np.where(cut.zero_left[beside], cut.left[beside], cut.right[beside])
         nearest = np.abs(zeros[:, None] - ends).argmin(axis=0)
         double = orders[nearest] == 2
-        # without this correction, the rounding error of the slope would be large relative to the slopes at
-        # the nodes
+        # otherwise the slope at the zero would be a large rounding error relative to the slopes at the nodes
         if double.any():
             slope[double] -= excess.slope_at(zeros[nearest[double]])[:, None]
         growth = slope * stretch[beside]
@@ -339,8 +338,8 @@ def _panels(curve: PlaneCurve, parts: Sequence[_Nodes]) -> Panels:
 REFINEMENTS = 6
 """Largest number of times that a linear program is solved again on finer panels."""
 
-_ROUGH = 1e-9  # last Legendre coefficients of K in a panel, relative to K, above which the panel is cut
-_SMOOTH = 4  # a panel ends at a knot of the load if K has fewer continuous derivatives there
+_ROUGH = 1e-9  # relative size of the last Legendre coefficients of K in a panel above which the panel is cut
+_SMOOTH = 4  # a panel ends at a knot of the load where K has fewer continuous derivatives
 _MOST_PARTS = 50  # largest number of parts of a panel under a large weight
 
 
@@ -403,7 +402,6 @@ class CutCurve:
 
     @property
     def _tails(self) -> list[tuple[float, float]]:
-        """Parameters of the ends of straight tails that carry no moment."""
         (low, high), joints = self.check.curve.domain, [z for z in self.check.zeros if z.kind == "flat"]
         return [(zero.t, high) if zero.before else (low, zero.t) for zero in joints]
 
@@ -421,7 +419,7 @@ class CutCurve:
         return self._also_at(np.concatenate(inner))
 
     def for_stiffness(self, stiffness: PanelFunction) -> "CutCurve | None":
-        """Return the curve with panels halved where stiffnesses are not resolved, or None if all are resolved."""
+        """Return the curve with panels halved where the stiffness is not resolved, or None if it is resolved."""
         rough = stiffness.unresolved(_ROUGH)
         edges = self.panels.edges
         return self._also_at(((edges[1:] + edges[:-1]) / 2)[rough]) if rough.any() else None
@@ -433,9 +431,7 @@ class CutCurve:
 def _bend_kinks(
     check: EquilibriumCheck, natural_curvature: NaturalCurvature, law: MaterialLaw | None
 ) -> list[tuple[float, float, int]]:
-    """Return parameter t, arc length s (mm) and number of continuous derivatives of the stiffness for each
-    kink.
-    """
+    """Return parameter t, arc length s (mm) and number of continuous derivatives for each kink of the stiffness."""
     excess = ExcessCurvature(check.curve, natural_curvature)
     return [*excess.kinks] + [
         (place.t, place.s, continuity)
@@ -446,13 +442,13 @@ def _bend_kinks(
 
 
 def _moved_to_zero(s: float, zeros: FloatArray, length: float) -> float:
-    """Return the zero of the curvature within the length of a ramp from arc length s, mm, or s itself."""
+    """Return the zero of the curvature within `STEP_LENGTH` of arc length s, mm; otherwise s."""
     near = zeros[np.abs(zeros - s) < STEP_LENGTH * length]
     return float(near[0]) if near.size else s
 
 
 def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
-    """Return arc lengths, mm, beyond a mass near a zero of the curvature, at which panels end.
+    """Return arc lengths, mm, at which panels end beyond a mass near a zero of the curvature.
 
     Beyond the mass, the stiffness has a term that is inversely proportional to the distance from the zero.
     """
@@ -467,9 +463,7 @@ def _away_from_zero(s: float, zeros: FloatArray, length: float) -> list[float]:
 
 
 def _load_kinks(length: float, weight: Weight | None) -> list[tuple[float, int]]:
-    """Return arc lengths, mm, of masses and load kinks, with the number of continuous derivatives of the
-    stiffness.
-    """
+    """Return arc lengths, mm, at which masses and loads make the stiffness less smooth, with its continuity."""
     if weight is None:
         return []
     kinks: list[tuple[float, int]] = []

@@ -46,17 +46,16 @@ if TYPE_CHECKING:
 
 
 # Number of nodes of a final rod. A strip of 300 mm then has a node every half millimetre, and the error of
-# the discrete shape is smaller than the kerf of a laser. The paper (section 7.1) uses some hundreds of
-# nodes.
+# its shape is smaller than the kerf of a laser.
 DEFAULT_SAMPLES = SURVEY_POINTS
 
-# Number of nodes of the hundreds of rods in a search. The error of these rods is nine times the error of a final
-# rod, but far below the tolerance of limits. `editable_curve` removes this error by extrapolation.
+# Number of nodes of each of the hundreds of rods in a search. Their error is nine times the error of a final
+# rod; `editable_curve` removes it by extrapolation.
 SEARCH_SAMPLES = 201
 
 
 DUST_SHARE = 1e-12
-"""Rounding error, as a fraction of the largest value of the same unit, below which a value is written as 0."""
+"""Fraction of the largest value of the same unit below which a value is a rounding error and is written as 0."""
 
 
 def csv_text(table: Mapping[str, Any]) -> str:
@@ -91,10 +90,10 @@ MEAN_POINTS, MEAN_WEIGHTS = np.polynomial.legendre.leggauss(3)
 
 
 def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
-    """Return the stiffness (n,) at uniform arc lengths (n,), mm; in a cell with a jump, the inverse mean
-    compliance.
+    """Return the stiffness (n,) at uniform arc lengths (n,), mm.
 
-    The shape is then a continuous function of the position of the jump.
+    At a jump it is the inverse mean compliance, so that the shape depends continuously on the position of the
+    jump.
     """
     K = profile(s)
     steps = np.array([place for place, continuity in profile.breaks if continuity < 0])
@@ -115,7 +114,7 @@ def _nodal_stiffness(profile: Profile, s: FloatArray) -> FloatArray:
 
 
 def scaled_to_least(profile: Profile, s: FloatArray) -> tuple[Profile, FloatArray]:
-    """Return a stiffness profile and its values at nodes s (n,), mm, both divided by the least of these values."""
+    """Return a stiffness profile and its values at nodes s (n,), mm, both divided by the least value."""
     if not profile.is_positive:
         raise InputError("rod stiffness must be positive everywhere along the rod")
     K = profile(s)
@@ -306,10 +305,10 @@ def integrate_edges(
     low, high = (0.0, length) if bent is None else bent
     held = np.array([low <= 0.0, high >= length])
     if not held.all():
-        # the forces at the joints are spread over the nearest edges
+        # omit the edges nearest to a straight end, because the force at the joint is spread over them
         inside = (middles > low + s[1] * (not held[0])) & (middles < high - s[1] * (not held[1]))
         middles, edge = middles[inside], edge[inside]
-        # the curvature is 0 at a joint, so the angle is continued symmetrically
+        # the curvature is 0 at the joint to a straight end, so mirror the angles there
         first, last = (slice(_MIRRORED * (not is_held)) for is_held in held)
         middles = np.concatenate([2 * low - middles[first][::-1], middles, 2 * high - middles[::-1][last]])
         edge = np.concatenate([edge[first][::-1], edge, edge[::-1][last]])
@@ -342,15 +341,13 @@ def integrate_edges(
     )
 
 
-_MIRRORED = 8  # number of edges that are mirrored at a joint
+_MIRRORED = 8  # number of edges that are mirrored at the joint to a straight end
 
-_SHORTEST_BENT = 24  # number of edges of the shortest bent part between straight free ends
+_SHORTEST_BENT = 24  # least number of edges of a bent part between straight free ends
 
 
 def _angle_corrections(x: FloatArray) -> FloatArray:
-    """Return smooth corrections (n, 18) of an angle at x (n,) from 0 to 1: two beside the ends, and 16 sine
-    waves.
-    """
+    """Return 18 smooth corrections (n, 18) of an angle at x (n,), from 0 to 1."""
     y, m = 1 - x, TURN_POWER
     beside = np.column_stack([y**m * (1 - (m + 2) * x), x**m * (1 - (m + 2) * y)])
     k = np.arange(1, 17)
@@ -358,7 +355,7 @@ def _angle_corrections(x: FloatArray) -> FloatArray:
 
 
 def _edge_angles(position: FloatArray, angle: FloatArray) -> FloatArray:
-    """Return the angles (n,) of edges between nodes (n + 1, 2), within half a turn of nodal angles (n + 1,)."""
+    """Return the angles (n,) of edges between nodes (n + 1, 2), continuous with nodal angles (n + 1,)."""
     edge = np.arctan2(*np.diff(position, axis=0).T[::-1])
     middle = (angle[:-1] + angle[1:]) / 2
     return np.asarray(edge + 2 * np.pi * np.round((middle - edge) / (2 * np.pi)))
@@ -389,10 +386,10 @@ class Rod:
         Bending moment M = K (kappa - kappa_0), 1/mm. Multiply by the least bending stiffness (N mm2) to obtain N
         mm.
     force : (n, 2) array
-        Force lambda, 1/mm2: minus the usual internal force. Multiply by the least bending stiffness (N mm2) to
-        obtain N. For a discrete rod, the value at a node is the mean of its two edges. The value at the start
-        is the value of the first edge minus the load of the first node. At the end, the load of the last node
-        is added.
+        Force lambda, 1/mm2: the negative of the usual internal force. Multiply by the least bending stiffness
+        (N mm2) to obtain N. For a discrete rod, the value at a node is the mean of its two edges. The value
+        at the start is the value of the first edge minus the load of the first node. At the end, the load of
+        the last node is added.
     profile : Profile
         Stiffness K as a spline of arc length, from which the width of a strip is computed.
     natural_curvature : float or (n,) array
@@ -617,7 +614,7 @@ class Rod:
 
     @property
     def between_forces(self) -> FloatArray:
-        """Forces (m, 2), 1/mm2, of the elements `between`, scaled like `support_forces`; of a tie at its start."""
+        """Forces (m, 2), 1/mm2, of `between` over the least bending stiffness; for a tie, at its start."""
         return np.array([action.force[0] for action in self.between]).reshape(-1, 2)
 
     @property
@@ -741,7 +738,7 @@ class Rod:
             force += edge_forces(between[0], between)
             for action in acting:
                 nodal += np.einsum("nk,kc->nc", self.s[:, None] > action.s, action.force)
-        # if an element acts at a node, the nodal force may be the value before or after the jump
+        # an element at a node makes the nodal force ambiguous, so take the median of all nodes
         missing = self.force - nodal
         force += np.median(missing, axis=0) if acting else missing.mean(axis=0)
         edge_length = self.length / angles.size
@@ -762,10 +759,10 @@ class Rod:
     def curve(self) -> PlaneCurve:
         """Shape as a spline: the drawn curve if it exists, otherwise a spline of degree 5.
 
-        For a discrete rod the spline has the length, end positions and end angles of the rod. Its distance from
-        the nodes is about h^2 kappa / 24, with edge length h and curvature kappa (see `integrate_edges`). If the
-        nodes are samples of a curve, the spline is a fit. The spline of an axially elastic rod has its length
-        with the mean strain.
+        For a discrete rod the spline has the length, end positions and end angles of the rod. Its distance
+        from the nodes is about h^2 kappa / 24, with edge length h and curvature kappa (see
+        `integrate_edges`). If the nodes are samples of a curve, the spline is a fit. The spline of an axially
+        elastic rod is stretched everywhere by its mean strain.
         """
         if self.shape is not None:
             return self.shape
@@ -787,7 +784,7 @@ class Rod:
         return (low, high) if high - low > _SHORTEST_BENT * edge else None
 
     def _stretched_curve(self) -> PlaneCurve:
-        """Return the spline of an axially elastic rod, of which each part has the mean strain."""
+        """Return the spline of an axially elastic rod, stretched everywhere by its mean strain."""
         start = self.position[0]
         stretch = np.hypot(*np.diff(self.position, axis=0).T).sum() / self.length
         even = integrate_edges(self.s, start + (self.position - start) / stretch, self.angle, self._bent_part)
@@ -796,9 +793,9 @@ class Rod:
     def with_stiffness(self, stiffness: "ArrayLike | Profile") -> "Rod":
         """Return the rod with another stiffness profile; it is not in equilibrium before it is bent again.
 
-        `stiffness` contains values (n,) at the nodes, or is a `Profile`. The stiffness is divided by its least
-        value. If `bend` has returned a wide strip, its law depends on the previous widths. Therefore change the
-        stiffness before `bend`.
+        `stiffness` contains values (n,) at the nodes, or is a `Profile`. The stiffness is divided by its
+        least value. Change the stiffness of a wide strip before `bend`, whose result has a law for its
+        widths.
         """
         if not isinstance(stiffness, Profile) and numbers(stiffness, "stiffness").size not in (
             1,
@@ -866,7 +863,7 @@ def as_bent(rod: Rod) -> Rod:
         tolerance=PROFILE_SHARE * float(K.max()) / least,
     )  # fmt: skip
     weight = rod.weight
-    if weight is not None:  # a weight in newtons does not depend on the stiffness
+    if weight is not None:  # a weight in newtons does not change with the stiffness
         alpha, beta = weight.along(rod.s)
         weight = replace(weight, alpha=Profile.interpolate(rod.s, alpha + beta * rod.stiffness), beta=0.0)
     return replace(

@@ -24,7 +24,7 @@ from elastica_cad.mechanics.rod import Rod
 
 ROUNDING = float(np.finfo(float).eps)
 ROUNDED_IMBALANCE = (
-    1e-12  # largest imbalance that is reported, relative to the moments, if it is below its rounding error
+    1e-12  # value that replaces an imbalance below its rounding error, relative to the moments
 )
 
 
@@ -132,7 +132,7 @@ class RodSystem:
         for i, held_at_start in enumerate((start.x, start.y)):
             if i in self.held:
                 continue
-            # the force in the last edge carries the weight of the last node and the dead force
+            # the last edge carries the weight of the last node and the dead force
             if held_at_start:
                 first[i] = -self.force[i] - self.load[1:, i].sum()
             else:
@@ -183,8 +183,8 @@ class RodState:
     angles : (n,) array
         Edge angles, rad.
     reactions : (p,) array
-        Contributions of both supports to lambda, minus the internal force, along the coordinates that both ends
-        hold, 1/mm2. The unknowns of the elements follow.
+        Contributions of both supports to the force lambda, 1/mm2, along the coordinates that both ends hold.
+        The unknowns of the elements follow.
     """
 
     system: RodSystem
@@ -303,7 +303,7 @@ class RodState:
 
     @cached_property
     def _hooke_moments(self) -> FloatArray:
-        """Like `moments`, but by Hooke's law. At an end that is free to turn, it is the applied moment."""
+        """Bending moments by Hooke's law, 1/mm. At an end that is free to turn, it is the applied moment."""
         system = self.system
         return bending_moments(
             system.stiffness, self.angles, system.node_lengths, ends=system.held_angles,
@@ -344,7 +344,7 @@ class RodState:
             if held is None:
                 spring[node] = 0.0
                 work += float(moment * self.angles[node])
-        # <lambda, gamma'> is minus the work of the dead loads along each edge
+        # the dead loads do the work -<lambda, gamma'> on each edge
         work -= system.edge_length * float(np.sum(system.given_force * self.discrete.tangents))
         if system.elements is not None:
             work += float(system.elements.load @ system.elements.shift(self._numbers))
@@ -401,7 +401,7 @@ class RodState:
         change = self._hooke_moments / system.stiffness
         if system.law is not None:
             for node, held in zip((0, -1), system.held_angles, strict=True):
-                # at an end that is free to turn, compute the curvature from the applied moment
+                # at an end that is free to turn, the curvature follows from the applied moment
                 if held is None:
                     effective = np.zeros_like(change)
                     effective[node] = change[node]

@@ -12,7 +12,7 @@ from elastica_cad.errors import InputError
 from elastica_cad.mechanics.sheets import Sheet, built_in_figures
 
 STRAIN_SLACK = SEEN_APART
-"""Relative tolerance of the strain limit; fitting a spline to a curve at the limit changes its strain by less."""
+"""Relative tolerance of the strain limit, larger than the error of a spline fitted to a curve at the limit."""
 
 BRITTLE_FACTOR = 1.5
 """Estimated breaking strain of wood and brittle plastics, as a multiple of the largest long-term strain."""
@@ -33,7 +33,7 @@ OUTCOMES = {
 
 
 class StrainState(IntEnum):
-    """Possible results if a strain is compared with the limit of the sheet, the worst last."""
+    """Results of comparing a strain with the limit of the sheet, the worst last."""
 
     ALLOWED = 0
     WARNED = 1
@@ -133,7 +133,7 @@ def thinner_for(sheet: Sheet, strain: float) -> float | None:
 
 
 def thinner_on_sale(sheet: Sheet) -> list[float]:
-    """Return the smaller thicknesses of this sheet on sale, mm, in decreasing order."""
+    """Return the smaller thicknesses in which this sheet is sold, mm, in decreasing order."""
     stem = sheet.name.removesuffix(f"-{sheet.thickness:g}")
     sold = (
         figures["thickness"] for name, figures in built_in_figures().items() if name.startswith(f"{stem}-")

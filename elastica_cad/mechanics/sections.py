@@ -108,8 +108,8 @@ def anticlastic_factor(
 def _limited_curl(
     flat: FloatArray, ratio: FloatArray, kappa: FloatArray, rest: FloatArray, nu: float
 ) -> FloatArray:
-    """Return the value that replaces `flat` in `anticlastic_factor` for a natural curvature `rest` (n,)."""
-    # where the curvature kappa is 0, `scaled` is 0, because `flat` approaches 0 faster than kappa
+    """Return the term `flat` of `anticlastic_factor`, corrected for a natural curvature `rest` (n,), 1/mm."""
+    # where kappa is 0, `scaled` is 0, because `flat` approaches 0 faster than kappa
     share = 1 - np.divide(rest, kappa, out=np.zeros(np.broadcast(rest, kappa).shape), where=kappa != 0)
     scaled = share * flat
     above, below = np.maximum(scaled - flat, 0), np.maximum(-scaled, 0)
@@ -120,11 +120,9 @@ def _limited_curl(
     )
 
 
-def _smoothly_limited(excess: FloatArray, room: FloatArray) -> FloatArray:
-    """Limit `excess` smoothly; it is unchanged up to half of the limit, so that computed widths have no
-    corner.
-    """
-    half = room / 2
+def _smoothly_limited(excess: FloatArray, limit: FloatArray) -> FloatArray:
+    """Limit `excess` smoothly: up to half of the limit it does not change."""
+    half = limit / 2
     late = np.maximum(excess / half - 1, 0)
     return np.asarray(np.minimum(excess, half) - half * np.expm1(-late))
 
@@ -329,10 +327,7 @@ class PlainSection:
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, ...]:
-        """Return the surface strain h/2 |kappa - kappa_0| (n,) for curvatures (n,), 1/mm.
-
-        The result contains a single layer.
-        """
+        """Return the surface strain h/2 |kappa - kappa_0| (n,) for curvatures (n,), 1/mm."""
         kappa, rest = alike(curvature=curvature, natural_curvature=natural_curvature)
         bend = np.abs(kappa - rest)
         return (layer_strain(self.sheet, np.full(bend.shape, self.sheet.thickness / 2), bend),)
@@ -357,7 +352,7 @@ class WidthRange:
     least : float
         Least width, mm; 0 for no limit.
     largest : float or None
-        Width at the widest station, mm. None if the width at the narrowest station is the least width instead.
+        Width at the widest station, mm. None if `least` is the width at the narrowest station.
     """
 
     sheet: Sheet

@@ -224,7 +224,7 @@ def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
 
 
 def _title(entry: Mapping[str, Any], fields: Mapping[str, Any]) -> str:
-    """Return a template with values, which front ends translate."""
+    """Return the title as a template with values, which front ends translate."""
     if "name" in entry:
         return note(entry["title"])
     return note("{title} {thickness:g} mm", title=entry["title"], thickness=fields["thickness"])
@@ -268,9 +268,9 @@ def _entry_sheets(table: str, entry: dict[str, Any]) -> Iterator[tuple[str, dict
 def library_folders() -> tuple[Path, ...]:
     """Return the locations of a user's sheets: TOML files, or folders of TOML files.
 
-    The environment variable `ELASTICA_SHEETS` contains the locations. By default the location is
-    `elastica/sheets` in the settings folder of the user: `%APPDATA%` on Windows, `~/Library/Application
-    Support` on macOS, `$XDG_CONFIG_HOME` or `~/.config` elsewhere.
+    The environment variable `ELASTICA_SHEETS` contains the locations. By default it is `elastica/sheets` in
+    the settings folder of the user: `%APPDATA%` on Windows, `~/Library/Application Support` on macOS,
+    `$XDG_CONFIG_HOME` or `~/.config` elsewhere.
     """
     named = [part for part in os.environ.get(LIBRARY_VARIABLE, "").split(os.pathsep) if part.strip()]
     if named:
@@ -367,8 +367,8 @@ def _fields(name: str, entry: object, file: str) -> dict[str, Any]:
 
 PLYWOOD_SOURCE = "FAA AC 43.13-1B, table 1-2, 10 % moisture, cold mandrels"
 
-# thickness, and least radius along and across the face grain, in inches as published; a strip along the
-# grain bends around the table's mandrel at 90 degrees to the grain
+# thickness, and least radius along and across the face grain, in inches as published; along the grain means
+# that the mandrel is at 90 degrees to the grain
 ROWS_INCH = {
     3: (
         (0.035, 2.0, 1.1), (0.070, 5.2, 3.2), (0.100, 8.6, 5.2), (0.125, 12.0, 7.1), (0.155, 16.0, 10.0),
@@ -379,7 +379,7 @@ ROWS_INCH = {
         (0.375, 54.0, 36.0),
     ),
 }  # fmt: skip
-"""Rows of the table, by number of plies."""
+"""Published least radii of aircraft plywood (FAA AC 43.13-1B, table 1-2), by number of plies."""
 
 SOLD_AS = 0.02
 """Fraction by which a sheet may be thinner than the first row of its number of plies.
@@ -388,7 +388,7 @@ For example, plywood of 0.160 in is sold as 4 mm.
 """
 
 PRINTED_ACCURACY = 0.01
-"""Relative accuracy of a radius: the table has two digits, and the largest strain of a sheet is rounded."""
+"""Relative accuracy of a radius; the published radii have two digits, and the strain of a sheet is rounded."""
 
 LEAST_MM, LARGEST_MM = 0.7, 9.6
 """Range of thicknesses, mm, for which the table is used.
@@ -473,9 +473,9 @@ class Sheet:
     thickness_range, youngs_modulus_range, density_range, max_strain_range, kerf_range : (low, high), optional
         Range that occurs in practice, in the unit of the quantity; by default the value counts as exact.
     least_width, least_ligament, least_bridge : float, optional
-        Least width, mm, with which a piece can be cut and lifted out. The width applies to strips, tongues,
-        ligaments of perforated strips, and bridges between the cuts of a plate. The defaults are rules of thumb
-        (`FabricationLimits`).
+        Least width, mm, with which a piece can be cut and lifted out. They apply to strips and tongues, to
+        ligaments of perforated strips, and to bridges between the cuts of a plate. The defaults are rules of
+        thumb (`FabricationLimits`).
     stock : (float, float), optional
         Sides of the largest sheet on sale, mm.
     break_strain : float, optional
@@ -575,7 +575,7 @@ class Sheet:
             )
 
     def _checked(self, field_name: str, given: Any, unit: str) -> float:
-        """Refuse values that are not positive; a kerf may be 0."""
+        """Return the value, or refuse it if it is not positive; a kerf may be 0."""
         value = _finite_number(given, f"sheet {self.name!r}: {field_name}")
         if value < 0 or (value == 0 and field_name != "kerf"):
             raise InputError(
@@ -854,7 +854,7 @@ def sheet_keys() -> Mapping[str, Field]:
 
 @lru_cache(maxsize=64)
 def _library_file(path: Path, *_state: int) -> Mapping[str, Sheet]:
-    """Cached until the file changes."""
+    """Load a file of sheets; the result is cached until the file changes."""
     return load_sheets(path)
 
 

@@ -225,10 +225,11 @@ MOST_RIBBON_NUMBER = 80.0
 RIBBON_SLENDERNESS = 6.0
 """Least ratio of length to width of a strip; shorter strips are plates."""
 
-_POLE_SHARE = 64 * float(np.finfo(float).eps)  # error of an eigenvalue, as a fraction of the largest entry
+# error of an eigenvalue, as a fraction of the largest entry of the matrix
+_POLE_SHARE = 64 * float(np.finfo(float).eps)
 _SIGN_SHARE = (
-    # distance from an eigenvalue, as a fraction of the gap to the next, within which the margin is this
-    # eigenvalue
+    # distance from an eigenvalue, as a fraction of the gap to the next, within which the margin counts as
+    # this eigenvalue
     1e-9
 )
 
@@ -406,7 +407,7 @@ def sideways_stability_of(
     bend = np.abs(np.interp(s, rod.s, rod.curvature - rod.natural_curvature))
     return SidewaysStability(
         margin=sideways_margin(rod, section.edgewise, section.torsion),
-        # all terms of the loads grow by the factor, as if the stiffness became smaller
+        # growing loads have the same effect as a decreasing stiffness
         overloaded=SAFE_LOAD
         * sideways_margin(rod, section.edgewise / SAFE_LOAD, section.torsion / SAFE_LOAD),
         # sections that are as thick as wide keep their shape
@@ -500,7 +501,7 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
             terms.append(np.sqrt(action.size / np.hypot(*chord)) * rise(*action.s.tolist()))
     rows += [rise(places[0], place) for place in places[1:]]
     if not places and len(terms) == len(taut):
-        rows += list(np.tile(np.eye(2), n))  # a bow can rotate as a whole without a change of energy
+        rows += list(np.tile(np.eye(2), n))  # a bow can turn as a whole without a change of energy
     none = np.zeros((0, 2 * n))
     return _Braces(np.array(rows).reshape(-1, 2 * n), np.concatenate([none, *(term[None] for term in terms)]))
 
@@ -508,7 +509,7 @@ def _braces(rod: Rod, T: FloatArray, free: list[bool]) -> _Braces:
 def _lowest_braced(lower: FloatArray, braces: _Braces) -> float:
     """Return the lowest eigenvalue of the band matrix with the added terms, subject to the constraints."""
     first, second = _two_lowest(lower)
-    # below the lowest eigenvalue, so that the shifted matrix has a Cholesky factor
+    # below the lowest eigenvalue, so that the shifted matrix is positive definite
     shift = first - max(second - first, _POLE_SHARE * float(np.abs(lower).max()))
     shifted = lower.copy()
     shifted[0] -= shift
@@ -558,8 +559,7 @@ def _band(
     blocks = spring[:-1] + spring[1:] - edge * along[:, None, None] * m[:, :, None] * m[:, None]
     mixed = t[:, :, None] * m[:, None]
     blocks += edge / 2 * across[:, None, None] * (mixed + mixed.transpose(0, 2, 1))
-    # terms of neighbouring edges: -spring, and half of -M (phi_i x phi_{i+1}) in each triangle of the
-    # matrix
+    # blocks beside the diagonal: -spring, and half of -M (phi_i x phi_{i+1}) in each triangle of the matrix
     turn = np.array([[0.0, 1.0], [-1.0, 0.0]])
     links = -spring[1:-1] - moment[1:-1, None, None] / 2 * turn
     lower = np.zeros((4, 2 * n))
@@ -591,10 +591,10 @@ def _lowest(lower: FloatArray, row: FloatArray | None) -> float:
         return float(row @ lapack().dgbsv(3, 3, shifted, row[:, None], overwrite_ab=1)[2][:, 0])
 
     gap = second - first
-    # keep a distance from both poles, because of rounding errors of the largest entry
+    # stay away from both eigenvalues, at which `along` is infinite
     clear = max(_SIGN_SHARE * gap, _POLE_SHARE * float(np.abs(lower).max()))
     low, high = first + clear, second - clear
-    if low >= high or along(low) >= 0:  # the mode of the lowest eigenvalue satisfies the constraint already
+    if low >= high or along(low) >= 0:  # the lowest mode already satisfies the constraint
         return first
     if along(high) <= 0:
         return second

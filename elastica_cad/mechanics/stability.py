@@ -121,16 +121,14 @@ def determinant_gradient(
     z = stability_determinant(rod)
     X, p = z.fields, z.fields.shape[1] - 1
 
-    # backward differentiation of the determinants and the integrals
+    # backward differentiation: determinants and integrals
     G = weights[:, None, None] * _cofactors(_stability_matrices(X, z.integrals))
-    suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[
-        ::-1
-    ]  # derivatives by the terms of the integrals are sums over the following edges
+    suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[::-1]  # a term of an integral affects all following edges
     per_field = G[:, 0, :].copy()
     per_field[:-1] += np.einsum("kp,kpm->km", rows.T, suffix)
     per_row = np.einsum("kpm,km->kp", suffix, X[1:-1])
 
-    # backward differentiation of the recursion
+    # backward differentiation: recursion
     adjoint = np.zeros((n + 2, 1 + p))
     adjoint[1:-1] = _solve_recursion(rod, per_field, transposed=True)[1:]
     per_spring = np.einsum("km,km->k", np.diff(adjoint, axis=0), np.diff(X, axis=0))
@@ -142,7 +140,7 @@ def determinant_gradient(
     per_angle = per_pull * lengths * rod.shear - lengths * np.einsum("kp,kp->k", per_row, T[:, held])
     per_force = (per_pull * lengths)[:, None] * T
 
-    # backward differentiation of the equilibrium, whose Jacobian is symmetric
+    # backward differentiation: equilibrium, whose Jacobian is symmetric
     y, _ = solve_bordered(*rod.hessian, rows, right=per_angle, below=per_force[:, held].sum(axis=0))
     per_force -= (lengths * y)[:, None] * left_of(T)
     gradient = per_spring / rod.node_lengths - moments / rod.stiffness * np.diff(y, prepend=0.0, append=0.0)
@@ -202,7 +200,7 @@ def _first_unstable_piece(rod: DiscreteRod) -> int | None:
 
 
 def _solve_recursion(rod: DiscreteRod, right: FloatArray, *, transposed: bool = False) -> FloatArray:
-    """Solve the recursion for zeta_1 .. zeta_{n+1}, a lower triangular system with band (3, n+1)."""
+    """Solve the Jacobi recursion for zeta_1 .. zeta_{n+1}, a lower triangular system with three bands."""
     spring = rod.stiffness / rod.node_lengths
     if not rod.held_angles[0]:
         spring[0] = 0.0
@@ -253,7 +251,7 @@ def _cross(u: FloatArray, v: FloatArray) -> FloatArray:
 
 
 def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
-    """Return the derivatives (n+1, 2) by the nodal loads, computed from the derivatives by the edge forces."""
+    """Return the derivatives (n+1, 2) by the nodal loads, from the derivatives by the edge forces."""
     n = per_force.shape[0]
     per_load = np.zeros((n + 1, 2))
     ends = supports.ends
@@ -267,8 +265,8 @@ def _per_load(per_force: FloatArray, supports: Supports) -> FloatArray:
     return per_load
 
 
-SAFE_MARGIN = 5.0  # large enough for inaccuracies of cutting and mounting; the limit of stability is 0
-OUT_OF_BALANCE = 0.05  # largest imbalance of a rest shape, as a fraction of the moments
+SAFE_MARGIN = 5.0  # least margin that tolerates inaccurate cutting and mounting; the limit of stability is 0
+OUT_OF_BALANCE = 0.05  # largest imbalance of moments, relative to the moments, that `stability` accepts
 
 
 @dataclass(frozen=True, eq=False)
@@ -280,9 +278,10 @@ class Stability:
     stable : bool
         True if every small disturbance that the supports allow increases the energy.
     margin : float
-        Lowest value of int (K h'^2 - <lambda, gamma'> h^2) ds / int h^2 ds, times length^2, over the changes h of
-        the tangent's angle that the supports allow. K is the stiffness dM/dkappa, lambda minus the internal
-        force, and gamma' the tangent. Positive means stable. Margins of different rods are comparable.
+        Lowest value of int (K h'^2 - <lambda, gamma'> h^2) ds / int h^2 ds, times length^2, over the changes
+        h of the tangent's angle that the supports allow. K is the stiffness dM/dkappa, lambda the negative
+        internal force, and gamma' the tangent. Positive means stable. Margins of different rods are
+        comparable.
     mode : (n,) array
         Changes of angle at the nodes in the lowest mode, in which the rod buckles first; the largest is 1.
     negative : int
@@ -342,12 +341,12 @@ class Stability:
 def stability(rod: Rod) -> Stability:
     """Return the stability of a rest shape with its weight, supports and elements between its ends.
 
-    The computation takes O(n) operations. Two independent methods must agree. They are the number of negative
-    eigenvalues of the second variation with the end constraints (LDL^t), and its lowest eigenvalue (inverse
-    iteration). The result also contains the stability determinant of the Jacobi equation (paper, section 6.2).
-    The determinant is valid with weight too, because weight changes only the force. All methods use the
-    stiffness dM/dkappa (`Rod.tangent_stiffness`). For a wide strip (`section`) that becomes stiffer when it is
-    bent, it is up to a tenth more than M / kappa.
+    The computation takes O(n) operations. Two independent methods must agree: the number of negative
+    eigenvalues of the constrained second variation (LDL^t), and its lowest eigenvalue (inverse iteration).
+    The result also contains the stability determinant of the Jacobi equation (paper, section 6.2). The
+    determinant is valid with weight too, because weight changes only the force. All methods use the stiffness
+    dM/dkappa (`Rod.tangent_stiffness`). For a wide strip (`section`) that becomes stiffer when it is bent, it
+    is up to a tenth more than M / kappa.
 
     Parameters
     ----------

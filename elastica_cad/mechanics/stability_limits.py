@@ -179,7 +179,7 @@ class Course:
         return cls(rod, entry_at, legs, float(legs))
 
     def clipped(self, t: float, step: float) -> float:
-        """Return the parameter of the next step, which ends at a corner of the path at the latest."""
+        """Return the parameter of the next step; steps end at corners of the path."""
         corner = min(np.floor(t / self.end * self.legs + 1e-9) + 1, self.legs) * self.end / self.legs
         return float(corner if t + step >= corner * (1 - 1e-12) else t + step)
 
@@ -207,9 +207,7 @@ class Course:
 
 
 def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, RodState]:
-    """Return the equilibrium at the start of the path; its parameter is above 0 if a straight rod must bend
-    first.
-    """
+    """Return the first equilibrium of the path and its parameter, which is above 0 if a straight rod must bend."""
     for t in (0.0, 1e-3 * course.end):
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
         if not reached.arrived:
@@ -264,8 +262,8 @@ def _limit_at(
 def _kind_of_limit(course: Course, t: float, state: RodState) -> Literal["snap", "bifurcation"]:
     """Return the kind of instability: "snap" if the load does work on the critical mode, else "bifurcation".
 
-    The work is compared with the response of the rod without its axial force. The rotation of an end causes a large
-    imbalance of a single edge, which increases with the number of edges, but the response is smooth.
+    The work is relative to the response of the rod without its axial force. The imbalance itself is not
+    suitable, because a turned end concentrates it in one edge.
     """
     margin, rod, norm = state.discrete.margin, state.discrete, np.linalg.norm
     a, b = course.around(t)

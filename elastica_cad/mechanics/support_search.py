@@ -26,7 +26,7 @@ PLACE_DIGITS = 3
 """Number of significant digits of an arc length."""
 
 CLEARLY_BETTER = 2.0
-"""Quotient of two stiffness ratios above which the result is a pin instead of a rail, or a tie instead of both."""
+"""Factor by which the stiffness ratio must decrease, for a pin to replace a rail, or a tie to replace both."""
 
 MOST_RATIO = 8.0
 """Largest stiffness ratio of a useful strip."""

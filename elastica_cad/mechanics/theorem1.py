@@ -158,8 +158,8 @@ class EquilibriumCheck:
     crossings, touches : tuple of float
         Arc lengths, mm, of inadmissible crossings and contacts between line and curve.
     curvature_touches, jumps : tuple of float
-        Arc lengths, mm. At `curvature_touches`, kappa - kappa_0 is zero without a change of sign or
-        with too small a slope. At `jumps`, it jumps from one sign to the other.
+        Arc lengths, mm. At `curvature_touches`, kappa - kappa_0 is zero without a change of sign or with too
+        small a slope. At `jumps`, kappa - kappa_0 jumps from one sign to the other.
     flats : tuple of (float, float)
         Start and end of straight pieces, mm.
     moved : float
@@ -410,7 +410,7 @@ def outlier_message(curve: PlaneCurve) -> tuple[Refusal, ...]:
 
 
 def _changes_of(curve: PlaneCurve) -> tuple[Change, ...]:
-    """Return no changes if a point is an outlier, because the outlier is probably a typing error."""
+    """Return changes that may help; none if a point is an outlier, which is probably a typing error."""
     points = measured_points(curve)
     if points is not None and points.outlier:
         return ()
@@ -547,7 +547,7 @@ ALIKE = 1e-6
 NEAR_KNOT_SHARE = 1e-5
 """Distance, as a fraction of the domain, within which the start of a closed curve is moved to a knot.
 
-The curvature of a shorter span would consist of rounding errors.
+The curvature of a shorter piece between knots would consist of rounding errors.
 """
 
 
@@ -581,7 +581,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     points = np.concatenate([first.control_points, second.control_points[1:]])
     weights = None
     if first.weights is not None and second.weights is not None:
-        # a common factor on all its weights does not change the second part, so scale it to continue the
+        # multiply all weights of the second part by one factor, which does not change it, to continue the
         # first part
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
@@ -667,7 +667,7 @@ def examine_curvature(
 ) -> EquilibriumCheck:
     """Check the curvature of a curve for zeros of kappa - kappa_0, jumps, straight pieces and kinks.
 
-    `tails` are the ends, 0 or 1, at which a straight piece is free of moment. An element acts where it begins.
+    `tails` are the ends (0 start, 1 end) at which a straight piece carries no moment up to an element.
     """
     require_bendable(curve)
     excess = ExcessCurvature(curve, natural_curvature)
@@ -721,7 +721,7 @@ def examine_curvature(
 
 
 def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCurvature, tuple[str, ...]]:
-    """Move the start of a closed curve to a bent point if it is not bent there, with a message."""
+    """Move an unbent start of a closed curve to a bent point; return the curve and a message."""
     curve = excess.curve
     # do not move the start, because the arc length of a `RestCurvature` is measured from it
     if not curve.is_closed or isinstance(excess.rest, RestCurvature):
@@ -751,13 +751,13 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
         else:
             ends[at_end] = zero
     hardly_bent = np.abs(excess.survey[[0, -1]]) <= 2 * max(PINNED_SHARE, ALL_BUT_UNBENT_SHARE) * largest
-    if not (ends or hardly_bent.any()):  # without such ends, no zeros can be found there by extrapolation
+    if not (ends or hardly_bent.any()):  # clearly bent ends need no extrapolation
         return tuple(zeros)
     t_ends = np.array([low, high])
     at_ends = zip((low, high), excess.at(t_ends).tolist(), excess.slope_at(t_ends).tolist(), strict=True)
     for is_end, (support, (t, kappa, slope)) in enumerate(zip(supports.ends, at_ends, strict=True)):
         pinned = not support.angle and abs(kappa) <= PINNED_SHARE * largest
-        # the extended curve has a zero just beyond the end
+        # the extended curve would have a zero just beyond the end
         beyond = 0 < abs(kappa) <= min(near * abs(slope), ALL_BUT_UNBENT_SHARE * largest)
         if bool(is_end) in ends or ((pinned or beyond) and not any(z.t <= t <= z.t_end for z in zeros)):
             slope_sign = int(np.sign(slope))
@@ -883,7 +883,7 @@ def _joint_of(tail: CurvatureZero, end: int) -> CurvatureZero:
 def _faulty_joints(
     excess: ExcessCurvature, joints: Sequence[CurvatureZero], largest: float
 ) -> tuple[list[str], list[float]]:
-    """Return the messages about bent joints, and the arc lengths of joints where also the slope is 0."""
+    """Return messages about bent joints to straight ends, and arc lengths, mm, of joints with too small slopes."""
     bent, gentle = list[str](), []
     for joint in joints:
         t, left = np.array(joint.t), joint.after == 0
@@ -903,7 +903,7 @@ def _faulty_joints(
 
 
 def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
-    """Return True if kappa - kappa_0 and its slope are zero at t, so that the bent piece is impossible too."""
+    """Return True if kappa - kappa_0 and its slope are almost zero at t; the bent piece is then impossible too."""
     at = np.array(t)
     kappa = abs(float(excess.at(at, left=left)))
     slope = abs(float(excess.slope_at(at, left=left)))
@@ -935,7 +935,7 @@ def _touch_reasons(touches: Sequence[float]) -> Iterable[str]:
 def _warn_of_widths(
     curve: PlaneCurve, jumps: Sequence[float], flats: Sequence[CurvatureZero]
 ) -> Iterable[str]:
-    """Omit ends of straight pieces, because smoothing does not help there."""
+    """Warn of steps and corners of the width, except at straight pieces, where smoothing does not help."""
     knots = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
     breaks = [knot for knot in knots if knot.continuity < 3]
     if not breaks:

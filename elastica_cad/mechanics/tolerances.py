@@ -97,7 +97,7 @@ def perturb_rod(rod: Rod, imperfection: Imperfection, *, max_width: float | None
         float(angle) + delta if hold else None
         for angle, delta, hold in zip(rod.angle[[0, -1]], (v.start_angle, v.end_angle), held, strict=True)
     )
-    # loads on free ends are in newtons, so they are divided by the changed stiffness
+    # loads on free ends are in newtons, so divide them by the changed stiffness
     softer = 1 / (v.youngs_modulus * v.thickness**3 * B)
     force, moment = dead_loads(rod, softer)
     return bend(changed, angles=(angles[0], angles[1]), force=force, moment=moment)
@@ -156,7 +156,7 @@ def _as_cut(rod: Rod, v: Imperfection, max_width: float | None) -> tuple[Rod, fl
 def _plate_as_cut(
     rod: Rod, law: CurlingLaw, curl: SheetCurl, stiffer: FloatArray, v: Imperfection
 ) -> tuple[Rod, float]:
-    """`stiffer` (n,) contains the factors on the stiffness of the nodes."""
+    """Do the same as `_as_cut` for a strip that bends as a plate; `stiffer` (n,) are factors on the stiffness."""
     kappa = np.asarray(rod.curvature)
     stiffened = curl if np.all(stiffer == 1) else curl.stiffened(stiffer, kappa)
     cut = replace(stiffened, width=stiffened.width - v.width_loss, thickness=curl.thickness * v.thickness)
@@ -174,9 +174,7 @@ def _plate_as_cut(
 
 
 def _with_weight(rod: Rod, v: Imperfection, width_factor: float) -> Rod:
-    """The changed width and thickness profile change the least bending stiffness by the factor
-    `width_factor`.
-    """
+    """Scale the weight; `width_factor` is the change of the least bending stiffness by width and thickness."""
     if rod.gravity is None:
         return rod
     if rod.weight is None:
@@ -465,7 +463,7 @@ def _merged(parts: Sequence[Imperfection]) -> Imperfection:
 def _outcomes_of(
     rod: Rod, todo: list[Imperfection], max_width: float | None, executor: Executor | None
 ) -> list[_Outcome]:
-    """Compute equal imperfections only once."""
+    """Return an outcome for each imperfection; equal imperfections are computed once."""
     different = list(dict.fromkeys(_without_ineffective_changes(rod, v) for v in todo))
     bent = partial(_outcome, rod, max_width)
     answers = (

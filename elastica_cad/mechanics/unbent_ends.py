@@ -27,17 +27,18 @@ from elastica_cad.mechanics.theorem1 import AT_END_SHARE
 from elastica_cad.refusals import Length, Refusal, note
 
 MEANT_SHARE = 0.01
-"""An end without moment is unbent if a curvature zero is at most this fraction of the length away, because
-drawings are not more accurate. A straight tail begins without moment if the curvature there is at most this
-fraction of the largest curvature.
+"""Fraction up to which a drawn end counts as unbent, because drawings are not more accurate.
+
+It is relative to the length for the distance of a curvature zero from the end, and to the largest curvature for the
+start of a straight tail.
 """
 
 
 LOCAL_SHARE = 0.05
-"""Distance, as a fraction of the parameters, from an end to the knot that keeps a small change local."""
+"""Distance of a knot from an end, as a fraction of the parameter range, so that a change of the end stays local."""
 
 LOCAL_DEGREE = 4
-"""Least degree with such knots, so that the slope of the curvature is continuous there."""
+"""Least degree of a curve with these knots, so that the slope of the curvature is continuous there."""
 
 
 def without_bend_at(excess: ExcessCurvature, ends: FloatArray) -> PlaneCurve:
@@ -82,7 +83,7 @@ def find_free_tails(
 ) -> list[FreeTail]:
     """Return the tails of a strip that is cut flat, for elements and forces at arc lengths `stations`, mm.
 
-    The tail ends at a nearby end of a straight piece, or knot at which the curvature has a kink.
+    A tail ends at a nearby end of a straight piece or kink of the curvature, otherwise at its station.
     """
     prebent = ExcessCurvature(curve, natural_curvature).is_bent_beforehand
     if not stations or prebent or curve.is_closed or curve.is_straight:
