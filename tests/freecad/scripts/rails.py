@@ -77,8 +77,8 @@ def work():
     until(lambda: Gui.Control.activeDialog() and panel().form is not None)
     strip = document.getObject("Strip")
     answers["refused"] = strip.Verdict
-    until(suggestions)
-    answers["offered"], *_ = suggestions()
+    until(lambda: any("rail" in words for words in suggestions()))
+    answers["offered"] = next(words for words in suggestions() if "rail" in words)
     picture("offered.png")
     click(suggested(answers["offered"]))
     until(lambda: strip.Between and strip.State == ["Up-to-date"])
