@@ -19,10 +19,10 @@ from elastica_cad.refusals import Length
 Motion = Callable[[FloatArray, int, bool], FloatArray]
 
 _PROBES = np.array([0.06, 0.2, 0.36, 0.5, 0.64, 0.8, 0.94])
-"""Fractions of a span at which the error is measured; their spacing is uneven."""
+"""Fractions of a knot span at which the error is measured; their spacing is uneven."""
 
 _MOST_SPANS = 20_000
-"""Largest number of spans of an approximation; a tolerance that needs more is refused."""
+"""Largest number of knot spans of an approximation; a tolerance that needs more is refused."""
 
 
 def as_cubics(path: Path, tolerance: float = 0.02, *, rational: bool = True) -> Path:
@@ -96,7 +96,6 @@ def _joined_beziers(curve: PlaneCurve) -> PlaneCurve:
 
 
 def _raised(rows: FloatArray) -> FloatArray:
-    """Return homogeneous control points (n, 3) of a Bezier curve of degree 1 to 3, raised to degree 3."""
     while (degree := len(rows) - 1) < 3:
         share = np.arange(1, degree + 1)[:, None] / (degree + 1)
         rows = np.concatenate([rows[:1], share * rows[:-1] + (1 - share) * rows[1:], rows[-1:]])
@@ -150,7 +149,7 @@ def cubic_through(motion: Motion, stretches: tuple[FloatArray, ...], tolerance: 
 
 
 def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tuple[FloatArray, FloatArray]:
-    """Return knots and control points of the spline that interpolates a smooth part with its end slopes."""
+    """Return knots and control points of the spline through a smooth part, with the slopes of its ends."""
     ends = np.concatenate([motion(sites[:1], 1, False), motion(sites[-1:], 1, True)])
     while sites.size <= _MOST_SPANS:
         knots = clamped_knots(sites, {}, 3)
@@ -176,7 +175,7 @@ def _complete_spline(motion: Motion, sites: FloatArray, tolerance: float) -> tup
 
 
 _ROUNDING_SHARE = 1e-12
-"""Length of a chord, as a fraction of its coordinates, up to which its direction may be a rounding error."""
+"""Length of a chord, as a fraction of its coordinates, below which its direction may be a rounding error."""
 
 _SHORTEST_SHARE = 1e-6
 """Length of the shortest piece of a spline, as a fraction of its parameter range."""
@@ -206,7 +205,7 @@ def as_polyline(path: Path, tolerance: float = 0.02) -> Path:
 def as_arcs(path: Path, tolerance: float = 0.02) -> Path:
     """Return the path with every spline approximated by tangent arcs (biarcs) within `tolerance` mm.
 
-    Lines and arcs are not changed. At its ends, each biarc has the points and directions of the spline.
+    Lines and arcs are not changed. Each biarc has the same ends and end directions as its part of the spline.
 
     Examples
     --------
@@ -245,7 +244,7 @@ def _biarcs(spline: Spline, tolerance: float) -> list[Segment]:
 def _longest_biarc(
     spline: Spline, start: tuple[float, FloatArray], end: float, tolerance: float
 ) -> tuple[float, list[Segment]]:
-    """Return the end parameter of the biarc, exact within 5 %, and its segments."""
+    """Return the end parameter of the longest biarc within the tolerance, accurate to 5 %, and its segments."""
     allowed = _USED_SHARE * tolerance
     pieces, off = _biarc(spline, start, end)
     if off <= allowed:
@@ -272,7 +271,7 @@ def _longest_biarc(
 
 
 def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[list[Segment], float]:
-    """Return the biarc from `start` to parameter b with equal tangent lengths, and its largest error, mm."""
+    """Return the biarc from `start` to parameter b, and its largest error, mm."""
     a, s = start
     samples = spline.at(a + (b - a) * _SAMPLES)
     p, q = samples[0], samples[-1]
@@ -282,7 +281,7 @@ def _biarc(spline: Spline, start: tuple[float, FloatArray], b: float) -> tuple[l
     square = float(chord @ chord)
     if along <= _ROUNDING_SHARE * float(np.abs([p, q]).max()):
         return [], np.inf  # the chord points backwards, or the spline is a loop
-    # this form of the positive root of bend d^2 + 2 along d = square is also valid for bend = 0
+    # the positive root of bend d^2 + 2 along d = square, in a form that is valid for bend = 0 too
     d = square / (along + np.sqrt(along**2 + bend * square))
     middle = (p + d * s + q - d * t) / 2
     pieces = [_arc(p, middle, s, 1.0), _arc(middle, q, t, -1.0)]

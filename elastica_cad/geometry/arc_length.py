@@ -78,7 +78,7 @@ class ArcLength:
             following = np.where((newton >= low) & (newton <= high), newton, (low + high) / 2)
             step = np.abs(following - x).max(initial=0.0)
             x = following
-            if step < 1e-7:  # the error after this step is its square
+            if step < 1e-7:  # the error after this step is about its square
                 break
         t = self.t[panel] + np.diff(self.t)[panel] * (1 + x) / 2
         return np.asarray(np.where(s <= 0, self.t[0], np.where(s >= self.s[-1], self.t[-1], t)))
@@ -104,14 +104,14 @@ class ArcLength:
 def arc_length_table(speed: Callable[[IntArray, FloatArray], FloatArray], edges: FloatArray) -> ArcLength:
     """Return the arc length for a function `speed` that is smooth between `edges`.
 
-    Panels are halved until the last Chebyshev coefficients of the speed are rounding errors. If the parameters
-    are large compared with their range, halving stops where it no longer reduces these coefficients.
+    Panels are halved until the last Chebyshev coefficients of the speed are rounding errors. Halving also
+    stops where it no longer reduces these coefficients, because large parameters have rounding errors.
 
     Parameters
     ----------
     speed : callable
-        Function of span indices (n,) and parameters (n,) in these spans; it returns speeds in mm per unit of the
-        parameter.
+        Function of indices of intervals (n,) and parameters (n,) in them; it returns speeds in mm per unit of
+        the parameter.
     """
     span, low, width = np.arange(edges.size - 1), edges[:-1], np.diff(edges)
     before = np.full(low.shape, np.inf)

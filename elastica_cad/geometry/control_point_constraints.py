@@ -1,8 +1,8 @@
 """Constraints on the control points of a curve, and the least change that satisfies them.
 
-The constraints are those of the paper's Appendix C: inflections on a line, end points, end tangents, arc length.
-Every constraint is an equation G(q) = 0 for the control points q (m, 2), with the coordinates in row order. The
-weights of a rational curve do not change.
+The constraints are those of the paper's Appendix C: inflections on a line, end points, end tangents, arc
+length. Every constraint is an equation G(q) = 0 for the control points q (m, 2). The weights of a rational
+curve do not change.
 """
 
 from collections.abc import Sequence
@@ -186,7 +186,7 @@ class CurvatureAt:
     size: float
 
     def equations(self, curve: PlaneCurve) -> tuple[FloatArray, FloatArray]:
-        """Return the excess curvature times the square of `size`, mm."""
+        """Return the excess curvature times `size`^2, mm."""
         excess = curve.curvature_at(self.t) - self.curvature
         return excess * self.size**2, curvature_rows(curve, self.t) * self.size**2
 
@@ -209,7 +209,7 @@ class CollinearInflections:
         normal = left_of(chord) / size
         offset = position[inner] - position[i]
         along = offset @ chord / size**2
-        # if the chord rotates, a point on it moves by the fraction `along` of the movement of the far end
+        # a point on a rotating chord moves by the fraction `along` of the displacement of its far end
         step = jacobian[inner] - jacobian[i] - along[:, None, None] * (jacobian[j] - jacobian[i])
         return offset @ normal, np.asarray(np.einsum("k,ikq->iq", normal, step))
 
@@ -224,13 +224,13 @@ def least_norm_newton(
     """Return the curve after the least move of its control points that satisfies all constraints.
 
     Each step dq is the least-norm solution of J dq = -G, with residuals G and their derivatives J (paper,
-    Appendix C). A step is shortened only if the residual would increase.
+    Appendix C). Steps that would increase the residual are shortened.
 
     Parameters
     ----------
     tolerance : float
-        Norm of all residuals, relative to the size of the curve, at which the iteration stops. The iteration also
-        stops if the residuals are rounding errors of the control points; these are larger with dense knots.
+        Norm of all residuals, relative to the size of the curve, at which the iteration stops. It also stops
+        if the residuals are rounding errors of the control points.
 
     Returns
     -------
@@ -284,7 +284,7 @@ def least_norm_newton(
 
 
 def _rounding(curve: PlaneCurve, jacobian: FloatArray) -> float:
-    """Return the norm of the residuals that rounding errors of control points and of their evaluation may cause."""
+    """Return the norm of the residuals that rounding errors of the control points may cause."""
     return float(8 * _EPS * np.linalg.norm(np.abs(jacobian) @ np.abs(curve.control_points).ravel()))
 
 
@@ -331,11 +331,10 @@ def curvature_rows(curve: PlaneCurve, t: FloatArray) -> FloatArray:
 
 
 def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> tuple[FloatArray, FloatArray]:
-    """Return positions (k, 2) of the inflections near parameters (k,), and derivatives (k, 2, 2 m) by control
-    points.
+    """Return positions (k, 2) of the inflections near parameters (k,), and derivatives by the control points.
 
-    The curvature kappa at the parameter t of an inflection remains kappa_0, so that dt/dq = -(d kappa/dq) /
-    (d kappa/dt) for the control points q.
+    The derivatives have the shape (k, 2, 2 m). The curvature at an inflection remains kappa_0, so its
+    parameter t changes with the control points q: dt/dq = -(d kappa/dq) / (d kappa/dt).
     """
     t = _nearest_inflections(curve, np.atleast_1d(np.asarray(near, dtype=float)), kappa_0)
     velocity = curve.evaluate(t, 1)
@@ -346,7 +345,7 @@ def _inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float = 0.0) -> t
 
 
 def _nearest_inflections(curve: PlaneCurve, near: FloatArray, kappa_0: float) -> FloatArray:
-    """Return the inflections for given parameters: in order if their numbers agree, else the nearest ones."""
+    """Return the inflections nearest to given parameters, or all in order if their number is the same."""
     inflections = np.array([z.t for z in curve.curvature_equals(kappa_0) if z.kind == "crossing"])
     if inflections.size < near.size:
         raise NotConvergedError(

@@ -21,7 +21,7 @@ ZeroKind: TypeAlias = Literal["crossing", "touch", "end", "jump", "flat"]
 _EPS = float(np.finfo(float).eps)
 
 _DEGREE = 11
-"""Degree of the polynomials that approximate a function on each span."""
+"""Degree of the polynomials that approximate a function on each interval."""
 
 _FOLLOWED = 1e-13
 """Last coefficients of a polynomial, relative to the function, up to which the approximation is accepted."""
@@ -30,9 +30,9 @@ _FOLLOWED_NOISE = 1e-12
 """Coefficients of a polynomial, relative to the function, up to which they are rounding errors."""
 
 _FLAT = 1e-7
-"""Value of a function, relative to its overall size, up to which it counts as 0 on a whole interval."""
+"""Value of a function, relative to its size, up to which it counts as 0 on a whole interval."""
 
-_MOST_CUTS = 12  # largest number of halvings of a span; any remaining error is a rounding error
+_MOST_CUTS = 12  # largest number of halvings of an interval; any remaining error is a rounding error
 
 _SITES = np.cos(np.pi * (np.arange(_DEGREE + 1) + 0.5) / (_DEGREE + 1))
 _TO_CHEBYSHEV = np.linalg.inv(np.polynomial.chebyshev.chebvander(_SITES, _DEGREE))
@@ -136,14 +136,14 @@ def function_zero_places(
 
 
 def _smooth_between(starts: FloatArray, edges: FloatArray, smooth: BoolArray) -> BoolArray:
-    """Return flags (k - 1,) for pieces that start at `starts` (k,): True if neighbouring pieces meet smoothly."""
+    """Return flags (k - 1,) for joints of pieces that start at `starts` (k,): True for a smooth joint."""
     joined = np.ones(starts.size - 1, dtype=bool)
     joined[np.searchsorted(starts, edges[1:-1]) - 1] = smooth
     return joined
 
 
 def _straight_pieces(bezier: FloatArray) -> BoolArray:
-    """Return True (p,) for straight pieces of a curve of extent 1, with a curvature below 1e-8."""
+    """Return flags (p,) of straight pieces of a curve of extent 1: those with a curvature below 1e-8."""
     points = bezier[..., :2] / bezier[..., 2:]
     x, y = (points - points[:, :1]).transpose(2, 0, 1)
     along, across = x[:, -1:], y[:, -1:]
@@ -160,7 +160,7 @@ def _extent(bezier: FloatArray) -> float:
 
 
 def _unit_sized(bezier: FloatArray) -> FloatArray:
-    """Return the pieces moved to the origin and scaled, so that their extent and their largest weight are 1."""
+    """Return the pieces, moved and scaled so that their extent and their largest weight are 1."""
     points = bezier[..., :2] / bezier[..., 2:]
     high, low = points.max(axis=(0, 1)), points.min(axis=(0, 1))
     unit = np.empty_like(bezier)
@@ -170,8 +170,7 @@ def _unit_sized(bezier: FloatArray) -> FloatArray:
 
 
 def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return Bernstein coefficients of D, which has the sign of the curvature, and their rounding errors
-    (p,).
+    """Return Bernstein coefficients of D, which has the sign of the curvature, and their rounding errors.
 
     D = det(A, B - A, A - 2B + C), with the points A, B, C of the last but one step of de Casteljau's
     algorithm. The curvature is (degree - 1)/degree * D * w^3 / |h|^3, with weight w and the result h of
@@ -180,7 +179,7 @@ def _curvature_numerator(bezier: FloatArray) -> tuple[FloatArray, FloatArray]:
     centre = bezier[:, :, :2].sum(axis=1) / bezier[:, :, 2:].sum(axis=1)
     step = bezier[:, 1:] - bezier[:, :-1]
     bend = step[:, 1:] - step[:, :-1]
-    # equal weights are set to 1, so that only one factor of each term remains
+    # equal weights are set to 1, which leaves one factor of each term
     if np.ptp(bezier[..., 2]) == 0:
         d, e = (v[..., :2].transpose(2, 0, 1) for v in (step[:, :-1], bend))
         first, second = product(d, e[::-1])
@@ -205,7 +204,7 @@ def _numerator_noise(d: FloatArray, e: FloatArray, centre: FloatArray) -> FloatA
 
 @dataclass(frozen=True, eq=False)
 class _Pieces:
-    """Function along a curve; it has the same sign as polynomials with Bernstein coefficients (p, n)."""
+    """Function along a curve, with the same sign as polynomials with Bernstein coefficients (p, n)."""
 
     coefficients: FloatArray
     noise: FloatArray
@@ -249,7 +248,7 @@ def _places(f: _Pieces, edges: FloatArray) -> tuple[ZeroPlace, ...]:
 def _at_start(
     f: _Pieces, edges: FloatArray, i: int, *, zero: BoolArray, start: list[int], stop: list[int]
 ) -> list[ZeroPlace]:
-    """Return a list with the zero at the start of piece i, or with the interval of zeros that starts there."""
+    """Return the zero, or the interval of zeros, that starts at the start of piece i, in a list."""
     t = float(edges[i])
     if f.flat[i]:
         if i and f.flat[i - 1]:

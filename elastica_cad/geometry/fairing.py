@@ -75,9 +75,7 @@ def smooth_through(points: FloatArray, tolerance: float) -> PlaneCurve:
 
 
 def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
-    """Return the largest distance, mm, of points of a curve from the sides at about the same fraction of the
-    length.
-    """
+    """Return the largest distance, mm, of points of a curve from the sides at the same fraction of the length."""
     places = lengths_along(vertices)
     count = _SAMPLES_PER_SIDE * len(places)
     positions = curve.sample(count).position
@@ -100,12 +98,12 @@ USUAL, USUAL_SHARE = 0.1, 5e-4
 _SAMPLES_PER_SPAN = 5
 _FEWEST_SPANS, _MOST_SPANS = 24, 768
 _LINEARISATIONS = 3
-_HALVINGS = 14  # number of bisections of the range of smoothing lengths
+_HALVINGS = 14  # number of bisections in the search for the smoothing length
 # fraction of the tolerance that is used at the samples, because the distance between samples may be larger
 _USED = 0.96
-_SLIDE = 1e4  # weight of motion along the curve, relative to motion normal to it
-_FINE = 1.5  # least ratio of the smoothing length to the length of a span
-_DENSE = 8  # number of points of each span at which the distance is measured
+_SLIDE = 1e4  # weight of distances along the drawn curve, relative to distances normal to it
+_FINE = 1.5  # least ratio of the smoothing length to the length of a knot span
+_DENSE = 8  # number of points in each knot span at which the distance is measured
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,8 +129,7 @@ def may_step(curve: PlaneCurve) -> bool:
     """Return True if the width of a strip with this curve may have a step.
 
     The width has a step if the curvature jumps, or if the slope of the curvature jumps at an inflection. The
-    result is False for curves with corners or straight pieces, because they are not smoothed: corners are
-    refused, and straight pieces are intended.
+    result is False for curves that are not smoothed: corners are refused, and straight pieces are intended.
     """
     breaks = curve.breaks if curve.seam is None else (curve.seam, *curve.breaks)
     rough = [b for b in breaks if b.continuity <= 2]
@@ -197,7 +194,7 @@ def fair_curve(curve: PlaneCurve, tolerance: float, unbent: tuple[bool, bool] = 
 def _fitted(
     curve: PlaneCurve, tolerance: float, spans: int, unbent: tuple[bool, bool]
 ) -> tuple[Fairing | None, float]:
-    """Return the smoothest spline with `spans` spans within the tolerance, or None, and its smoothing length."""
+    """Return the smoothest spline within the tolerance, or None, and its smoothing length."""
     problem = _Problem(curve, spans, unbent)
     points = problem.start()
     within: FloatArray | None = None
@@ -227,10 +224,10 @@ def _fitted(
 
 
 class _Problem:
-    """Least squares problem for a given number of spans.
+    """Least squares problem for a given number of knot spans.
 
-    The unknowns are x and y of the free control points in turn. For an open curve, the control points at its ends
-    are fixed. For a closed curve, the last control points repeat the first ones and are not unknowns.
+    The unknowns are x and y of each free control point. On an open curve, the control points at the ends are
+    fixed. On a closed curve, the last control points repeat the first.
     """
 
     def __init__(self, curve: PlaneCurve, spans: int, unbent: tuple[bool, bool]) -> None:
@@ -261,10 +258,10 @@ class _Problem:
         self.data_part = self._normal_equations(both, np.concatenate(target))
 
     def _hold_ends(self, ends: CurveSamples, unbent: tuple[bool, bool]) -> IntArray:
-        """Fix the end control points; return the number of the unknown (m,) of each control point, -1 if fixed."""
+        """Fix the end control points; return the index of the unknown of each control point, -1 for none."""
         step = self.width / DEGREE * np.column_stack([np.cos(ends.angle), np.sin(ends.angle)])
         first, last = (3 if is_unbent else 2 for is_unbent in unbent)
-        # these would be the end control points of a straight line with constant speed
+        # multiples of the first step of a straight line with constant speed: its first three control points
         reach = np.array([0.0, 1.0, 3.0])[:, None]
         self.held[:first] = (ends.position[0] + reach * step[0])[:first]
         self.held[-last:] = (ends.position[1] - reach * step[1])[:last][::-1]
@@ -274,7 +271,7 @@ class _Problem:
 
     @staticmethod
     def _choice(places: IntArray) -> Any:
-        """Return the sparse matrix (2 m, k) from the unknowns to the free control points, x and y in turn."""
+        """Return the sparse matrix (2 m, k) from the unknowns to the control points."""
         from scipy.sparse import csr_matrix
 
         sought = np.flatnonzero(places >= 0)
@@ -284,9 +281,7 @@ class _Problem:
         return csr_matrix((np.ones(row.size), (row, column)), shape=size)
 
     def _rows(self, direction: FloatArray, derivative: int) -> Any:
-        """Return the sparse matrix (n, 2 m) from control points to derivatives along `direction` at the
-        samples.
-        """
+        """Return the sparse matrix (n, 2 m) from control points to derivatives along `direction`."""
         from scipy.sparse import csr_matrix
 
         numbers = self.basis[derivative][:, :, None] * direction[:, None, :]
@@ -311,8 +306,8 @@ class _Problem:
     def slope_rows(self, points: FloatArray) -> tuple[Any, FloatArray]:
         """Return the normal equations of the slope of the curvature, linearised about the curve of `points`.
 
-        A change d of the curve changes this slope by n . d''' - 3 kappa t . d'' - 2 kappa' t . d' - 2 kappa^2 n .
-        d'. Here t is the unit tangent, n the unit normal, and kappa the curvature; the speed is near 1.
+        A change d of the curve changes this slope by n . d''' - 3 kappa t . d'' - 2 kappa' t . d' - 2 kappa^2
+        n . d', with unit tangent t, unit normal n and curvature kappa. The speed is near 1.
         """
         d1, d2, d3 = (self._values(points, k) for k in (1, 2, 3))
         speed = np.hypot(d1[:, 0], d1[:, 1])
@@ -376,10 +371,9 @@ WORTH_SHARE = 1e-3
 def round_corners(curve: PlaneCurve, smooth: float) -> tuple[PlaneCurve, float]:
     """Return the curve without slight corners, and the largest distance, mm, by which it was moved.
 
-    Corners of more than 5 degrees are not removed, and also corners whose removal would move the curve by more
-    than half of `smooth` (mm). A curve that was fitted to noisy points is fitted again, within `smooth` of each
-    point. A polyline becomes the smooth curve through its vertices, if the distance of this curve from the sides
-    is at most `smooth`.
+    Corners remain if they are above 5 degrees, or if their removal would move the curve by more than half of
+    `smooth` (mm). A curve that was fitted to noisy points is fitted again, within `smooth` of each point. A
+    polyline becomes the smooth curve through its vertices, if the curve is within `smooth` of the sides.
 
     Examples
     --------
@@ -435,7 +429,7 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     healing = _healed(curve, SMOOTHING_SHARE * most)
     if len(healing.healed) < len(corners):
         return None
-    # this factor covers the difference between an angle and its sine
+    # 5 % more, because the displacement uses the sine of an angle
     needed = 1.05 * healing.moved / SMOOTHING_SHARE
     offered = max(_one_figure(needed, np.ceil), _one_figure(usual_tolerance(curve), np.floor))
     return offered if offered <= most and not round_corners(curve, offered)[0].has_corners else None
@@ -447,7 +441,7 @@ def _one_figure(x: float, rounded: Callable[[float], float]) -> float:
 
 
 def _healed(curve: PlaneCurve, reach: float) -> Healing:
-    """Return the curve without corners that can be removed by moving the ends of handles by at most `reach`, mm."""
+    """Return the curve without corners that disappear if the ends of handles move by at most `reach`, mm."""
     return heal_tangents(
         curve.knots, curve.control_points, curve.degree, curve.weights, rounding=reach / PER_ROUNDING
     )

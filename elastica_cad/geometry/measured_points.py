@@ -19,16 +19,15 @@ FEWEST = 8
 """Least number of differences of an order from which the noise is estimated."""
 
 SETTLED = 0.7
-"""Ratio of the divided differences of two successive orders that separates noise from shape.
+"""Ratio of the divided differences of successive orders that separates noise from shape.
 
-The differences of a smooth curve decrease faster from order to order, and the differences of noise decrease
-more slowly.
+Differences of a smooth curve decrease by a smaller ratio, and differences of noise by a larger one.
 """
 
 CROWDED_SHARE = 0.1
 """Noise, as a fraction of the point spacing, above which every other point is omitted.
 
-The order of the points along the curve would otherwise be lost in noise.
+Otherwise neighbouring points would change their order along the curve.
 """
 
 REPORTED_MM = 0.01
@@ -47,9 +46,9 @@ The distance is smaller for fewer points.
 """
 
 OUTLIER_TIMES = 4.0
-"""Least distance of an outlier from the curve through its neighbours, as a factor.
+"""Least distance of an outlier from the curve through its neighbours, as a multiple.
 
-The factor multiplies the largest distance of the other points, and the rounding error.
+It is relative to the largest distance of the other points, and to the rounding error.
 """
 
 
@@ -96,8 +95,7 @@ class MeasuredPoints:
     def reach(self) -> float:
         """Distance, mm, by which a smooth curve may differ from the points because of their noise.
 
-        The distance is at least the largest rounding error: sqrt(3) times the standard deviation of rounding
-        errors.
+        It is at least the largest rounding error, sqrt(3) standard deviations of rounding errors.
         """
         return rounded_up(np.clip(2 * np.log10(len(self.points)), np.sqrt(3), REACH) * self.noise, 2)
 
@@ -215,7 +213,7 @@ def estimate_noise(points: FloatArray) -> float:
 
 
 def _across(points: FloatArray, order: int) -> float:
-    """Return the median divided difference normal to the curve, scaled to 1 for white noise of 1 mm."""
+    """Return the median divided difference normal to the curve, scaled to estimate the noise in mm."""
     return float(np.median(np.abs(_differences(points, order)[0])) / 0.6745)
 
 
@@ -227,9 +225,7 @@ def _off_nearest(points: FloatArray) -> FloatArray:
 
 
 def _differences(points: FloatArray, order: int) -> tuple[FloatArray, FloatArray]:
-    """Return divided differences (m,) normal to the curve, and the weights (m, order + 1) of their points, of
-    norm 1.
-    """
+    """Return divided differences (m,) normal to the curve, and the weights (m, order + 1) of their points."""
     window = np.arange(len(points) - order)[:, None] + np.arange(order + 1)
     s, near = lengths_along(points)[window], points[window]
     gaps = (s[:, :, None] - s[:, None, :]) / np.ptp(s, axis=1)[:, None, None] + np.eye(order + 1)
@@ -256,7 +252,7 @@ class Provenance:
     place : (3, 3) array, optional
         Matrix that converts millimetres to the coordinates displayed by the drawing program.
     unit : str
-        Unit of those coordinates: "mm", "user units".
+        Unit of the displayed coordinates: "mm", "user units".
     name, layer : str
         Names of the curve and its layer in the file; empty if it has none.
     holes : tuple of (float, float, float)

@@ -38,12 +38,13 @@ from elastica_cad.geometry.splines import (
 )
 from elastica_cad.refusals import Length, note
 
-_STANDSTILL_SHARE = 1e-9  # speed that counts as zero, as a fraction of the largest speed on the same span
-# largest speed on a span that is a single point, as a fraction of the largest speed of the curve
+# speed that counts as zero, as a fraction of the largest speed on the same knot span
+_STANDSTILL_SHARE = 1e-9
+# largest speed on a knot span that is a single point, as a fraction of the largest speed of the curve
 _STILL_SPAN = 1e-14
-# smallest component of a velocity along the middle direction of its cone, as a fraction of the speed
+# smallest component of a velocity along the middle direction of its part, as a fraction of the speed
 _ALONG_SHARE = 1e-9
-# largest number of halvings of a knot span; if a tangent direction is still undecided, there is a cusp
+# largest number of halvings of a knot span; an undecided tangent direction then means a cusp
 _MOST_HALVINGS = 27
 
 
@@ -79,9 +80,8 @@ class TangentAngle:
 def hodograph(bezier: FloatArray) -> FloatArray:
     """Return Bernstein coefficients (p, n, 2) of vectors parallel to the velocity of Bezier pieces.
 
-    The pieces have homogeneous control points `bezier` (p, degree + 1, 3). For weight w and
-    weighted position P, w P' - P w' is the velocity times the squared weight. The vectors are w P' - P w' divided
-    by the degree.
+    The pieces have homogeneous control points `bezier` (p, degree + 1, 3). The vectors are (w P' - P w') /
+    degree, for weight w and weighted position P: the velocity times w^2 / degree.
     """
     a, b = bezier[:, :-1], bezier[:, 1:]
     if np.ptp(bezier[..., 2]) == 0:
@@ -117,7 +117,7 @@ def tabulate_tangent_angle(cones: TangentCones) -> TangentAngle:
     """
     first, last = _unit(cones.hodographs[:, [0, -1]].swapaxes(0, 1))
     axis = _unit(first + last)
-    # bounds apply to the whole piece, because its velocities are in the convex hull of the coefficients
+    # the velocities are in the convex hull of the coefficients, so the bounds apply to the whole piece
     off_axis = turn_between(axis[:, None], cones.hodographs)
     to_start, to_end = off_axis[:, 0], off_axis[:, -1]
     across = turn_between(last[:-1], first[1:])
@@ -246,7 +246,7 @@ class RationalPieces:
         """
         points, edges = self.bezier[..., :2] / self.bezier[..., 2:], self.edges
         low, high = box_about(np.concatenate([points[:, 0], points[-1:, -1]]))
-        # by the convex hull property
+        # the curve is in the convex hull of the control points
         beyond = np.flatnonzero(((points < low) | (points > high)).any(axis=(1, 2)))
         if not beyond.size:
             return edges
@@ -268,7 +268,7 @@ class RationalPieces:
         return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
 
     def _series_to(self, order: int) -> FloatArray:
-        """Return the coefficients `_series` of all orders up to `order`, with 2 or 3 columns an order."""
+        """Return the coefficients of all derivatives up to `order`, side by side."""
         if order not in self._known:
             self._known[order] = np.concatenate([self._series(k) for k in range(order + 1)], axis=2)
         return self._known[order]
@@ -278,8 +278,7 @@ class RationalPieces:
         degree, widths = self.spans.degree, self.spans.widths[:, None, None]
         if order > degree:
             return np.zeros_like(self._local)
-        # derivatives overflow if knots nearly coincide; callers that need these derivatives refuse such
-        # curves
+        # nearly equal knots cause an overflow; callers that need these derivatives refuse such curves
         with np.errstate(over="ignore", invalid="ignore"):
             rate = perm(degree, order) / widths**order
             return np.asarray(_raised(degree, order) @ np.diff(self._local, order, axis=1) * rate)
@@ -292,9 +291,8 @@ class RationalPieces:
     def _local(self) -> FloatArray:
         """Bezier points (p, degree + 1, 2 or 3) of the pieces; the third column contains weights if these differ.
 
-        Coordinates are relative to the middle control point of each piece; this subtraction is exact. Otherwise
-        the second derivatives of short pieces far from the origin would have the rounding errors of the
-        coordinates.
+        Coordinates are relative to the middle control point of each piece. Otherwise second derivatives of
+        short pieces far from the origin would have large rounding errors.
         """
         near = self.control_points[self.spans.first[:, None] + np.arange(self.spans.degree + 1)]
         near[..., :2] -= near[..., 2:] * self._origins[:, None, :]
@@ -341,7 +339,7 @@ def curvature_slope(d1: FloatArray, d2: FloatArray, d3: FloatArray) -> FloatArra
 
 
 ORDERS_OF_SIDES = 3
-"""Number of derivatives that `KnotSides` compares; higher ones follow from the multiplicity of a knot."""
+"""Number of derivatives that `KnotSides` compares; higher derivatives follow from the multiplicity of a knot."""
 
 SHORT_SPAN_SHARE = 1e-6
 """Least distance of knots, as a fraction of the domain, for knot multiplicities to prove continuity."""
@@ -456,7 +454,7 @@ def _length_until(pieces: RationalPieces, t: float) -> float:
 SAME_KNOT = 1e-12
 """Distance from a knot, as a fraction of the domain, up to which a parameter equals the knot.
 
-A shorter span would consist of rounding errors.
+A shorter knot span would consist of rounding errors.
 """
 
 FAR_SIZES = 1e6
@@ -514,7 +512,7 @@ class NurbsCurve:
         )
         steps = np.diff(points, axis=0)
         along = steps @ steps.sum(axis=0)
-        # otherwise the control polygon shows that no point has zero speed
+        # otherwise the control polygon proves that the speed is positive
         if self.is_rational or along.min() <= _AHEAD_SHARE * along.sum():
             _refuse_standstill(self._pieces, self.control_points, format_point, rounding)
 
@@ -710,8 +708,8 @@ class NurbsCurve:
     def siblings(self, control_points: FloatArray) -> list[Self]:
         """Return curves with the same knots and control points (n, m, 2), without weights.
 
-        The curves are not checked, because a check would be slow for thousands of curves. The speed of every
-        curve must be positive everywhere.
+        The curves are not checked, because that would be slow for thousands of curves. Their speed must be
+        positive everywhere.
         """
         return [self._part(self.knots, points, None) for points in control_points]
 
@@ -786,7 +784,8 @@ class NurbsCurve:
         points, (low, high) = self.control_points, self.domain
         box = box_about(points[[0, -1]])
         clamped = self.knots[0] == low and self.knots[-1] == high
-        if clamped and (points >= box[0]).all() and (points <= box[1]).all():  # by the convex hull property
+        # the curve is in the convex hull of the control points
+        if clamped and (points >= box[0]).all() and (points <= box[1]).all():
             return box
         return box_about(self.evaluate(self._pieces.extremes()))
 

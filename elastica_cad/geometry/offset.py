@@ -16,7 +16,7 @@ from elastica_cad.geometry.segments import Arc, Line, Segment, Spline, require_t
 from elastica_cad.refusals import Length
 
 _LOST_OFFSETS = 4.0
-"""Length of a piece of the path, as a multiple of the offset, above which it must not disappear."""
+"""Length of a piece of the path, in multiples of the offset, above which the offset piece must not vanish."""
 
 
 def offset_path(path: Path, distance: float, *, tolerance: float = 1e-4) -> Path:
@@ -93,7 +93,7 @@ def _split_at_corners(segment: Segment) -> list[Segment]:
 
 
 def _offset_segment(segment: Segment, left: float, tolerance: float) -> Segment | None:
-    """Return None for an arc whose radius would not be positive."""
+    """Return the segment moved to the left, or None for an arc whose radius would not be positive."""
     if isinstance(segment, Line):
         normal = left_of(segment.tangent_at(0.0))
         return Line(segment.start + left * normal, segment.end + left * normal)
@@ -131,7 +131,7 @@ def _moved_spline(spline: Spline, left: float, tolerance: float) -> Spline:
 
 
 def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
-    """Return None for a joint that is not convex on the offset side."""
+    """Return the arc between the offsets of two segments, or None at an inner corner."""
     s, t = before.tangent_at(1.0), after.tangent_at(0.0)
     turn = float(turn_between(s, t))
     if turn * left >= 0 or abs(turn * left) < JOIN / 4:
@@ -142,7 +142,7 @@ def _corner_arc(before: Segment, after: Segment, left: float) -> Arc | None:
 
 
 class _Ring:
-    """Pieces of the offset path in order, which are joined by trimming; pieces that vanish are removed."""
+    """Pieces of the offset path in order; they are trimmed to their crossings, and vanished pieces are removed."""
 
     def __init__(self, elements: list[_Element], closed: bool, distance: float) -> None:
         self.elements = elements

@@ -25,17 +25,14 @@ from elastica_cad.geometry.segments import (
 from elastica_cad.refusals import Length
 
 _BLOCK = 4096
-"""Number of points whose distances from all chords of a spline are computed at a time.
-
-The distances need some ten MB of memory.
-"""
+"""Number of points whose distances from all chords of a spline are computed at a time."""
 
 _NEWTON_STEPS = 6
 _ROUNDING_SHARE = 1e-12  # rounding error of a distance, as a fraction of a length
-# last step of Newton's method, as a fraction of the domain; the error of the distance is of second order
+# last step of Newton's method, as a fraction of the domain; the error of the distance is its square
 _SETTLED = 1e-12
 _UNSETTLED = 1e-7  # step of Newton's method, as a fraction of the domain, above which it has not converged
-_SEARCHES = 20  # number of refinements; each reduces a span to a quarter or less
+_SEARCHES = 20  # number of rounds of sampling; each reduces an interval to a quarter or less
 
 
 def distances(segment: Segment, points: ArrayLike) -> FloatArray:
@@ -77,7 +74,7 @@ def largest_deviation(target: PlaneCurve, found: PlaneCurve) -> float:
 def _to_chords(p: FloatArray, a: FloatArray, b: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the distances (n, m) of points from chords a[j] b[j], and the nearest fractions of the chords."""
     (x, y), (dx, dy) = a.T, (b - a).T
-    # x and y are separate, because sums over an axis of length 2 are slow
+    # separate x and y, because sums over an axis of length 2 are slow
     left, down = p[:, :1] - x, p[:, 1:] - y
     square = dx**2 + dy**2
     where = left * dx
@@ -96,12 +93,10 @@ def _to_arc(p: FloatArray, arc: Arc) -> FloatArray:
 
 
 def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
-    """Solve <gamma - p, gamma'> = 0 by Newton's method for the curve gamma and each point p, from the nearest
-    chords.
-    """
+    """Return the least distances of points from a spline, by Newton's method from the nearest chords."""
     u, q = chords(spline, _chord_tolerance(spline))
     chord, where = _to_chords(p, q[:-1], q[1:])
-    # the nearest chord, and other chords whose distance is the same within the error of the chords
+    # all chords that may be nearest, within the error of the chords
     close = chord <= chord.min(axis=1, keepdims=True) + 2 * _chord_tolerance(spline)
     close[:, 1:] &= chord[:, 1:] < chord[:, :-1]
     close[:, :-1] &= chord[:, :-1] <= chord[:, 1:]
@@ -132,9 +127,7 @@ def _to_spline(p: FloatArray, spline: Spline) -> FloatArray:
 
 
 def _distances_by_sampling(p: FloatArray, curve: PlaneCurve, low: FloatArray, high: FloatArray) -> FloatArray:
-    """Sample repeatedly where Newton's method does not converge, because the speed of the curve is too
-    uneven.
-    """
+    """Return least distances by repeated sampling, where Newton's method fails because of an uneven speed."""
     rows, least = np.arange(len(p)), np.full(len(p), np.inf)
     for _ in range(_SEARCHES):
         t = low[:, None] + (high - low)[:, None] * np.linspace(0.0, 1.0, 9)
@@ -294,7 +287,7 @@ class Path:
         rows = [chord_points(segment, tolerance)[:-1] for segment in self.segments]
         points = np.concatenate(rows if self.closed else [*rows, self.end[None]])
         if self.closed and len(points) < 3 and not all(isinstance(s, Line) for s in self.segments):
-            # the polygon of a thin closed path needs more points to have an area
+            # a thin closed path needs more points, so that its polygon has an area
             return self.points(tolerance / 4)
         return points
 

@@ -120,7 +120,7 @@ def _first_crossing(p: FloatArray, q: FloatArray, i: IndexArray, j: IndexArray) 
 
 
 def _candidate_pairs(p: FloatArray, q: FloatArray) -> tuple[IndexArray, IndexArray]:
-    """Return index pairs of chords whose bounding boxes overlap, in order, from trees of boxes."""
+    """Return the index pairs of chords whose bounding boxes overlap, in order."""
     first, second = _box_tree(p), _box_tree(q)
     i = j = np.zeros(min(len(p) - 1, len(q) - 1, 1), dtype=np.intp)
     while True:
@@ -149,7 +149,7 @@ The number is a compromise between the number of levels and the number of useles
 
 
 def _box_tree(points: FloatArray) -> list[tuple[FloatArray, FloatArray]]:
-    """Return the boxes of chords, then of groups of boxes, up to a single box; each has two corners (m, 2)."""
+    """Return the boxes of chords, then of groups of boxes, up to one box around all."""
     levels = [(np.minimum(points[:-1], points[1:]), np.maximum(points[:-1], points[1:]))]
     while len(levels[-1][0]) > 1:
         low, high = levels[-1]
@@ -168,7 +168,7 @@ def _line_parameters(
 ) -> tuple[FloatArray, FloatArray]:
     """Return the intersections of the lines through a, b and through c, d, with (n, 2) points each.
 
-    The intersections are fractions of the segments a b and c d, or nan if the lines are parallel.
+    The intersections are fractions of a b and c d, or nan for parallel lines.
     """
     p, q, gap = b - a, d - c, c - a
     det = cross(p, q)
@@ -177,7 +177,7 @@ def _line_parameters(
 
 
 def _chord_guesses(a: Chords, b: Chords) -> list[tuple[float, float]]:
-    """Extend chords slightly beyond their ends."""
+    """Return parameters near crossings of chords, which are extended beyond their ends by a tenth."""
     u, v, p, q = a.u, b.u, a.points, b.points
     i, j = _candidate_pairs(p, q)
     f, g = _line_parameters(p[i], p[i + 1], q[j], q[j + 1])
@@ -218,7 +218,7 @@ def _point_and_velocity(segment: Segment, u: float) -> tuple[float, float, float
 
 
 FLAT_MM = 0.002
-"""Largest distance, mm, between a loop and the polygon that replaces it in tests of points inside the loop."""
+"""Largest distance, mm, between a closed path and the polygon that replaces it in tests of points inside."""
 
 
 def clip_across(path: Path, low: float, high: float) -> Path:

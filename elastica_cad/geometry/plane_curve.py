@@ -123,7 +123,7 @@ class TangentBreak:
     angle: float
 
 
-SURVEY_POINTS = 601  # number of samples in `PlaneCurve.survey`, which many functions use
+SURVEY_POINTS = 601  # number of points of `PlaneCurve.survey`
 
 DRAWN_POINTS = 301  # number of points of a curve in a notebook, at distances of a few pixels
 
@@ -382,7 +382,7 @@ class PlaneCurve(NurbsCurve):
         return self._continuity >= 2
 
     def _polished(self, zero_places: tuple[zeros.ZeroPlace, ...]) -> tuple[zeros.ZeroPlace, ...]:
-        """Improve crossings by a Newton step, because short pieces have rounding errors."""
+        """Improve sign changes by a Newton step, because zeros on short pieces have rounding errors."""
         crossing = [i for i, place in enumerate(zero_places) if place.kind == "crossing"]
         if not crossing:
             return zero_places
@@ -459,7 +459,7 @@ def split_at_corners(curve: PlaneCurve) -> tuple[PlaneCurve, ...]:
     return tuple(curve.trimmed(*ends).drawn_as(provenance) for ends in pairwise(places))
 
 
-DEGREE = 5  # the curvature then has two continuous derivatives, which checks of equilibrium need
+DEGREE = 5  # the curvature then has two continuous derivatives, as needed by checks of equilibrium
 
 
 def integrate_tangents(

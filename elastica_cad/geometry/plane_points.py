@@ -43,7 +43,7 @@ def turn_between(u: FloatArray, v: FloatArray) -> FloatArray:
 
 def place(p: ArrayLike) -> str:
     """Return the coordinates of a point (2,), mm, as text for messages."""
-    x, y = np.asarray(p, dtype=float).round(9) + 0.0  # removes negative zeros
+    x, y = np.asarray(p, dtype=float).round(9) + 0.0  # turn -0.0 into 0.0
     return f"({x:.6g}, {y:.6g}) mm"
 
 
@@ -58,7 +58,7 @@ def require_affine(matrix: ArrayLike) -> FloatArray:
     m = numbers(matrix, "the matrix that a path is moved by")
     if m.shape != (3, 3):
         raise InputError("a path needs a finite 3x3 matrix with the last row 0, 0, 1")
-    # plain numbers are faster than arrays, and this function is called for many segments
+    # plain numbers are faster than arrays in this often called function
     (a, b, x), (c, d, y), last = m.tolist()
     if not all(map(isfinite, (a, b, x, c, d, y))) or last[:2] != [0.0, 0.0] or not 0 < abs(last[2]) < inf:
         raise InputError("a path needs a finite 3x3 matrix with the last row 0, 0, 1")
@@ -195,7 +195,7 @@ def near_pairs(
     i = (np.arange(near.size) // 3).repeat(counts)
     j = order[first.repeat(counts) + numbers_in_groups(counts)]
     gap = points[i] - others[j]
-    close = np.einsum("ij,ij->i", gap, gap) <= reach**2  # a sum over a short axis would be slow
+    close = np.einsum("ij,ij->i", gap, gap) <= reach**2  # `einsum`, because a sum over a short axis is slow
     return i[close], j[close]
 
 

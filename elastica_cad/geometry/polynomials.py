@@ -66,7 +66,7 @@ def product(a: FloatArray, b: FloatArray) -> FloatArray:
 
 @lru_cache(maxsize=256)
 def _gathered(m: int, n: int) -> FloatArray:
-    """Coefficient k of a product is the sum of all products (i, j) with i + j = k."""
+    """Return a matrix that adds all products (i, j) with i + j = k, for coefficient k of a product."""
     i, j = np.indices((m + 1, n + 1)).reshape(2, -1)
     matrix = np.zeros((i.size, m + n + 1))
     matrix[np.arange(i.size), i + j] = 1.0
@@ -191,7 +191,7 @@ def roots(c: FloatArray, noise: FloatArray) -> list[Root]:
 def _events(c: FloatArray, noise: FloatArray) -> list[tuple[int, float, float, bool]]:
     """Return intervals with one sign change each, and intervals in which all values are rounding errors.
 
-    An interval contains the index of a polynomial, start and end, and True if the zero is known exactly.
+    Each is the index of a polynomial, start, end, and True if the zero is known exactly.
     """
     piece = np.arange(c.shape[0])
     part, low, width = c, np.zeros(c.shape[0]), np.ones(c.shape[0])
@@ -227,7 +227,7 @@ def interior_roots(c: FloatArray) -> list[Root]:
 
 
 def _variations(sign: FloatArray) -> tuple[IntArray, BoolArray]:
-    """Return the numbers (k,) of sign changes in rows, without zeros, and flags (k,) of rows with zeros."""
+    """Return the numbers (k,) of sign changes in rows, ignoring zeros, and flags (k,) of rows with zeros."""
     blurred = (sign == 0).any(axis=1)
     if blurred.any():
         sign = sign.copy()
@@ -248,7 +248,7 @@ def _halved(
 
 
 def _enclosed(c: FloatArray, noise: FloatArray) -> tuple[list[float], list[float]]:
-    """Return an interval around the only zero with a sign change of polynomials (k, n+1), wider if multiple."""
+    """Return an interval around the only sign change of each polynomial; it is wider at a multiple zero."""
     largest = np.abs(c).max(axis=1, initial=0.0)
     u, slope = _crossings(c, largest)
     blur = np.cbrt(noise / largest)
@@ -276,7 +276,7 @@ def _crossings(c: FloatArray, largest: FloatArray) -> tuple[FloatArray, FloatArr
 
 
 def _merged(events: list[tuple[int, float, float, bool]]) -> list[tuple[int, float, float, bool]]:
-    """Return the intervals after joining close neighbours, unless both are exact zeros with a sign change."""
+    """Join close intervals, unless both contain an exact zero with a sign change."""
     merged: list[tuple[int, float, float, bool]] = []
     for piece, a, b, sharp in events:
         if merged and merged[-1][0] == piece and not (sharp and merged[-1][3]):
@@ -304,7 +304,7 @@ def _classified(c: FloatArray, events: list[tuple[int, float, float, bool]]) -> 
 
 
 def _multiple_root(c: FloatArray, a: float, b: float, *, crossing: bool) -> float:
-    """Return a multiple zero in [a, b]: the zero of the first derivative or, for crossings, of the second."""
+    """Return a multiple zero in [a, b] as a zero of the first derivative, or of the second for a crossing."""
     derivative = np.diff(c)
     if crossing and derivative.size > 1:
         derivative = np.diff(derivative)
@@ -331,7 +331,8 @@ Each step reduces the error to about its third power.
 
 _REACH = 0.15  # largest distance in panel coordinates from a sample to the local extreme next to it
 _NEAR_SHARE = (
-    # extremes this close to the largest or smallest value are computed; a fraction of the range of values
+    # distance from the largest or smallest value, as a fraction of the range, within which extremes are
+    # computed
     0.05
 )
 
@@ -359,7 +360,7 @@ SLOPES[:-1] = np.polynomial.legendre.legder(np.eye(ORDER))
 
 
 def locate_in_panels(edges: FloatArray, places: FloatArray) -> tuple[IntArray, FloatArray]:
-    """Return the panels (n,) of positions (n,) between edges (N + 1,), and coordinates (n,) from -1 to 1."""
+    """Return the panels (n,) of positions (n,) between edges (N + 1,), and panel coordinates (n,) from -1 to 1."""
     panel = np.searchsorted(edges[1:-1], places, side="right")
     start, end = edges[panel], edges[panel + 1]
     return panel, np.minimum(np.maximum((2 * places - start - end) / (end - start), -1.0), 1.0)
@@ -433,7 +434,7 @@ class PanelFunction:
         low, high = table.min(), table.max()
         band = _NEAR_SHARE * (high - low)
         near = extreme & ((table > high - band) | (table < low + band))
-        # keep the samples with extreme values, including ends of panels
+        # keep the largest and smallest sample, also at ends of panels
         near.flat[[table.argmin(), table.argmax()]] = True
         panel, sample = near.nonzero()
         coefficients, start = self.coefficients[panel], _DENSE[sample]
@@ -443,7 +444,7 @@ class PanelFunction:
             if step:
                 slopes = (legendre_basis(x) @ _ALL_SLOPES).reshape(-1, 3, ORDER)
             first, second, third = (slopes @ coefficients[:, :, None])[:, :, 0].T
-            # Halley's method is Newton's method with a correction by one more derivative
+            # Halley's method: Newton's method with a correction by the third derivative
             bend = 2 * second * second - first * third
             step_by = np.divide(-2 * first * second, bend, out=np.zeros_like(x), where=bend != 0)
             x = np.minimum(np.maximum(x + step_by, lower), upper)
@@ -468,7 +469,7 @@ def in_panels(matrix: FloatArray, values: FloatArray) -> FloatArray:
 
 
 def lobatto_places(parts: int) -> FloatArray:
-    """Return coordinates (parts + 1,) from -1 to 1 that are closer to each other towards the ends."""
+    """Return coordinates (parts + 1,) from -1 to 1 that are denser towards the ends."""
     inner = np.cos(np.pi * (np.arange(1, parts)[::-1] / parts))
     return np.concatenate([[-1.0], inner, [1.0]])
 

@@ -113,7 +113,7 @@ class Profile:
             tolerance=tolerance,
             breaks=breaks,
             knots=finite("knots", knots),
-            rounding=1e-9,  # quotients of moment and curvature have errors of this size
+            rounding=1e-9,  # quotients of moment and curvature have rounding errors of this size
         )
         return cls(spline_knots, coefficients, degree)
 
@@ -161,8 +161,8 @@ class Profile:
     @cached_property
     def _extreme_points(self) -> tuple[tuple[float, float], tuple[float, float]]:
         pieces = self._function.pieces
-        at_knots = pieces[:, [0, -1]]  # values on both sides of a jump are included
-        # a piece can exceed the values at the knots only if one of its coefficients does
+        at_knots = pieces[:, [0, -1]]  # both sides of a jump count
+        # only a piece with a coefficient beyond the values at the knots can exceed them
         passing = (pieces.min(axis=1) < at_knots.min()) | (pieces.max(axis=1) > at_knots.max())
         which = passing.nonzero()[0]
         turns = interior_roots(np.diff(pieces[which]))

@@ -12,7 +12,7 @@ from elastica_cad.geometry.polynomials import subdivide_pieces
 from elastica_cad.geometry.splines import finite
 from elastica_cad.refusals import Length
 
-_MOST_HALVINGS = 30  # a piece is halved at most this number of times to make its weights positive
+_MOST_HALVINGS = 30  # largest number of halvings of a piece to make its weights positive
 
 IN_LINE_SHARE = 1e-9
 """Height of a triangle, as a fraction of the size of all four points, below which its corners are collinear."""
@@ -48,7 +48,7 @@ def four_point_map(before: ArrayLike, after: ArrayLike) -> FloatArray:
     x, y = np.asarray(before, dtype=float)[0]
     matrix = matrix / (matrix[2] @ (x, y, 1.0))
     size = float(np.abs(np.asarray(before, dtype=float)).max())
-    # rounding errors are removed, because affine maps keep curves polynomial
+    # remove rounding errors, because affine maps keep polynomial curves polynomial
     if np.abs(matrix[2, :2]).max() * size < 1e-13:
         matrix[2] = 0.0, 0.0, 1.0
     return np.asarray(matrix)
@@ -135,7 +135,7 @@ def map_spline(
     for start, _ in parts[1:]:
         t += [start] * degree
     t += [edges[-1]] * (degree + 1)
-    # neighbours share an end point, so omit the first control point of all pieces except the first
+    # neighbours share an end point, so omit the first control point of all pieces but the first
     points = np.concatenate([parts[0][1], *(p[1:] for _, p in parts[1:])])
     return np.array(t), points[:, :2] / points[:, 2:], np.abs(points[:, 2])
 

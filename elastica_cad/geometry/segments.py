@@ -369,12 +369,12 @@ def trim_segment(segment: Segment, u0: float, u1: float) -> Segment:
 
 
 _PROBES = np.array([0.25, 0.5, 0.75])
-"""Fractions of a span at which its distance from the chord is measured."""
+"""Fractions of the interval of a chord at which the distance of the segment from the chord is measured."""
 
 _ENDS, _HALVES = np.array([0.0, 1.0]), np.array([0.0, 0.5, 1.0])
 
 MOST_ROUNDS = 40
-"""Largest number of halvings of a span; then it is as short as rounding errors."""
+"""Largest number of halvings of an interval; then it is as short as rounding errors."""
 
 
 def require_tolerance_mm(tolerance: float) -> float:
@@ -402,12 +402,12 @@ def chord_points(segment: Segment, tolerance: float) -> FloatArray:
 
 
 def _initial_parameters(segment: Segment, tolerance: float) -> FloatArray:
-    """Return initial parameters u (n,) from 0 to 1 for chords; splines need further parameters."""
+    """Return initial parameters u (n,) from 0 to 1 for chords; splines get more parameters later."""
     tolerance = require_tolerance_mm(tolerance)
     if isinstance(segment, Line):
         return _ENDS
     if isinstance(segment, Arc):
-        # steps of at most 120 degrees, so that a coarse circle is still a triangle with an area
+        # at most 120 degrees, so that the polygon of a circle has an area
         half = acos(min(max(1 - tolerance / segment.radius, 0.5), 1 - 1e-15))
         return np.linspace(0.0, 1.0, ceil(abs(segment.sweep) / (2 * half) - 1e-9) + 1)
     knots, (t0, t1) = segment.curve.knots, segment.curve.domain
@@ -421,7 +421,7 @@ def _halve_chords(
 ) -> tuple[IntArray, FloatArray, FloatArray]:  # fmt: skip
     """Return segment numbers, parameters u and points (n, 2), with points inserted until chords are accurate.
 
-    `bent` is True for parameters whose following chord is measured.
+    Only chords after a parameter with `bent` True are measured.
     """
     spans = np.flatnonzero(bent[:-1] & (which[1:] == which[:-1]))
     number, low, high = which[spans], u[spans], u[spans + 1]
@@ -449,7 +449,7 @@ def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> F
     """Return the largest distances (n,) of samples `probes` (n, k, 2) from chords."""
     chord, off = ends - begins, probes - begins[:, None, :]
     size = (chord**2).sum(axis=1)[:, None]
-    # if the foot of a point is beyond the chord, as in hairpins, measure from the end of the chord
+    # beyond an end of the chord, as in hairpins, measure from this end
     along = np.divide((off * chord[:, None]).sum(axis=2), size, out=np.zeros(off.shape[:2]), where=size > 0)
     away = off - np.clip(along, 0.0, 1.0)[..., None] * chord[:, None]
     return np.asarray(np.hypot(away[..., 0], away[..., 1]).max(axis=1), dtype=float)
@@ -493,7 +493,7 @@ class SegmentTable:
 
 
 def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArray, FloatArray]:
-    """Return the points (n, 2) of `chords` of all segments, and the segment number (n,) of each point."""
+    """Return the points (n, 2) of the `chords` of all segments, and the segment number (n,) of each point."""
     places = [_initial_parameters(segment, tolerance) for segment in segments]
     which, u = np.repeat(np.arange(len(places)), [row.size for row in places]), np.concatenate(places)
     bent = np.array([isinstance(segment, Spline) for segment in segments])
@@ -501,7 +501,7 @@ def chords_of_all(segments: Sequence[Segment], tolerance: float) -> tuple[IntArr
 
 
 def _kind(segment: Segment) -> Hashable:
-    """Return a key that is equal for segments that can be evaluated together."""
+    """Return a key that is equal for segments that are evaluated together."""
     if isinstance(segment, Spline):
         curve = segment.curve
         clamped = (curve.knots[0], curve.knots[-1]) == curve.domain
@@ -542,7 +542,7 @@ def _on_circles(arcs: Sequence[Arc]) -> _Motion:
 
 
 def _on_splines(knots: Sequence[FloatArray], points: Sequence[FloatArray], degree: int) -> _Motion:
-    """Return a function that evaluates splines as one B-spline, whose part from 2 i to 2 i + 1 is spline i."""
+    """Return a function that evaluates all splines as one B-spline with spline i at parameters 2 i to 2 i + 1."""
     nothing = np.zeros((degree + 1, 2))
     chain = [part for array in points for part in (array, nothing)][:-1]
     joined = SplineFunction(

@@ -28,7 +28,7 @@ _MOST_HALVINGS = 40
 
 _NEWTON_SHARE = 1e-4  # a piece smaller than this fraction of the extent is a start for Newton's method
 _MOST_PAIRS = 1000
-"""Number of pairs of pieces above which parts of the curve overlap. Then a tenth of this number is used."""
+"""Number of pairs of pieces that means overlapping parts; only a tenth of the pairs is then examined."""
 
 
 def find_self_intersections(
@@ -114,9 +114,7 @@ def _polished(
     edges: FloatArray,
     small: float,
 ) -> FloatArray:
-    """Return the pairs of parameters after Newton's method for gamma(t1) = gamma(t2); omit pairs that do not
-    converge.
-    """
+    """Solve gamma(t1) = gamma(t2) by Newton's method from each pair; omit pairs that do not converge."""
     start = pairs
     for _ in range(12):
         if not pairs.size:
@@ -124,7 +122,7 @@ def _polished(
         p, v = motion(pairs.T.ravel())
         n = len(pairs)
         gap, v1, v2 = p[n:] - p[:n], v[:n], v[n:]
-        # least squares with a small damping, to avoid division by zero if the parts touch
+        # least squares with a small damping, to avoid division by zero where the parts touch
         a11, a12, a22 = (v1**2).sum(axis=1), -(v1 * v2).sum(axis=1), (v2**2).sum(axis=1)
         r1, r2 = (v1 * gap).sum(axis=1), -(v2 * gap).sum(axis=1)
         determinant = a11 * a22 - a12**2 + 1e-14 * a11 * a22
@@ -150,7 +148,7 @@ def _distinct(pairs: FloatArray, edges: FloatArray) -> FloatArray:
     return np.array(distinct).reshape(-1, 2)
 
 
-# a parameter closer to a knot than this fraction of a span counts as at the knot
+# distance from a knot, as a fraction of a knot span, within which a parameter is at the knot
 _AT_KNOT_SHARE = 1e-9
 
 
@@ -202,8 +200,8 @@ def find_view_angles(curve: NurbsCurve, t: float) -> ViewAngles | None:
 def _views(curve: NurbsCurve, t: float) -> tuple[FloatArray, FloatArray, tuple[float, float]]:
     """Return Bezier pieces (k, n, 2) of the directions from the point p at t, their edges (k + 1,), and p.
 
-    The direction to a point of the curve gamma is gamma - p, or p - gamma before t. In the pieces that end at p
-    it is divided by the factor u or 1 - u that is zero at p.
+    The direction to a point of the curve gamma is gamma - p, or p - gamma before t. In pieces that end at p
+    it is divided by u or 1 - u, which is zero at p.
     """
     edges, bezier = curve.bezier_table
     at = int(np.searchsorted(edges[1:-1], t, side="right"))

@@ -30,7 +30,7 @@ def knot_runs(knots: FloatArray) -> tuple[FloatArray, IntArray]:
     """
     rises = np.ones(knots.size + 1, dtype=bool)
     np.not_equal(knots[1:], knots[:-1], out=rises[1:-1])
-    # index of the start of every run of equal knots, and of the end of the last run
+    # index where each run of equal knots starts, and of the end of the last run
     first = rises.nonzero()[0]
     counts = first[1:] - first[:-1]
     return knots[first[:-1]], counts
@@ -92,7 +92,7 @@ def check_knots(knots: FloatArray, count: int, degree: int) -> None:
 
 @lru_cache(maxsize=64)
 def _check_knots(written: bytes, count: int, degree: int) -> None:
-    """Cached for curves with equal knots."""
+    """Do the work of `check_knots`; cached for curves with equal knots."""
     knots = np.frombuffer(written)
     if count < degree + 1:
         raise InputError(f"{count} control points are too few for degree {degree}: give {degree + 1} or more")
@@ -199,16 +199,16 @@ def bezier_spans(knots: FloatArray, degree: int) -> Spans:
 
 @lru_cache(maxsize=64)
 def _spans(written: bytes, degree: int) -> Spans:
-    """Cached for curves with equal knots."""
+    """Do the work of `bezier_spans`; cached for curves with equal knots."""
     knots = np.frombuffer(written)
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
     ends, size = near[degree - 1 : degree + 1], degree + 1
-    # in these arrays the spans are the last axis
+    # the last axis of these arrays is the knot spans
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
         low, high = near[level - 1 : degree], near[degree : degree + size - level]
-        # argument `level` of the blossom is a in the first Bezier points, and b in the others
+        # argument `level` of the blossom is a in the first Bezier points and b in the others
         shares = ((ends[:, None] - low) / (high - low))[(np.arange(size) >= level).astype(int)]
         shares = shares.swapaxes(0, 1)[:, :, None]
         points = points[:-1] * (1 - shares) + points[1:] * shares
@@ -257,9 +257,7 @@ class SplineFunction:
         return rows[0] + step * u, step * (self.degree / width)
 
     def _at(self, x: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return the coefficients (degree + 1, ...) of the pieces that contain x, local coordinates in [0,
-        1], and widths.
-        """
+        """Return the coefficients, local coordinates and widths of the pieces that contain x."""
         spans = self._spans
         index = spans.edges[1:-1].searchsorted(x, side="right")
         after = x.shape + (1,) * (self.coefficients.ndim - 1)
@@ -285,7 +283,7 @@ class SplineFunction:
 
     @cached_property
     def _rows(self) -> FloatArray:
-        """Bezier coefficients (degree + 1, p, ...): the axis of coefficients is before the axis of pieces."""
+        """Bezier coefficients (degree + 1, p, ...) of the p pieces."""
         return np.ascontiguousarray(self.pieces.swapaxes(0, 1))
 
 
@@ -385,39 +383,41 @@ def elevate_degree(
 
 
 _PROBES = np.array([0.02, 0.11, 0.27, 0.43, 0.58, 0.72, 0.88, 0.98])
-"""Fractions of a span at which the error is measured; no interpolation point is at these fractions."""
+"""Fractions of a knot span at which the error is measured, away from the interpolation points."""
 
 _MOST_DEGREE = 12
 
 _MOST_SPANS = 3000
-"""Largest number of spans; a function that needs more is refused."""
+"""Largest number of knot spans; a function that needs more is refused."""
 
 _NARROWEST_SHARE = 1e-9
-"""Width of the narrowest span, as a fraction of the domain."""
+"""Width of the narrowest knot span, as a fraction of the domain."""
 
 _SAME_BREAK_SHARE = 1e-10  # distance, as a fraction of the domain, below which breaks count as equal
-# distance below which breaks with a continuous slope count as equal; a span this narrow would be singular
+# distance below which breaks with a continuous slope count as equal, because a knot span between them would
+# be singular
 _ALIKE = 1e-7
-# a span wider than this multiple of a neighbour with a large error is divided too
+# ratio of the width of a knot span to a neighbour with a large error, above which the wide span is divided
+# too
 _WIDER_TIMES = 8.0
 
 _REFINED_SHARE = 0.05
-"""Spans whose error exceeds this fraction of the largest error are refined."""
+"""Fraction of the largest error above which knot spans are divided."""
 
 _CORRECTIONS = 2
-"""Number of moves of all parameters to the nearest points of the curve, for each knot vector."""
+"""Number of times that all parameters move to the nearest points of the curve, for each knot vector."""
 
-_POINTS_EACH = 4  # a fit closer than the tolerance needs this number of points for each control point
-# noise is separated from shape only for this number of points or more
+_POINTS_EACH = 4  # number of points for each control point, needed by a fit that is closer than the tolerance
+# least number of points from which noise is separated from shape
 _ENOUGH_FOR_NOISE = 100
 _MOST_INTERPOLATED = 1000
-"""Largest number of points that are interpolated, which requires a dense linear system of this size."""
+"""Largest number of points that are interpolated by a dense linear system."""
 
 _STRIDE_SHARE = (
-    # limit of a parameter move if moves change the order; a fraction of the distance to the next parameter
+    # largest move of a parameter, as a fraction of the distance to the next, if moves change the order
     0.4
 )
-# this penalty has no visible effect, but determines the coefficients if data are missing
+# penalty without visible effect, which determines coefficients without data
 _LEAST_PENALTY = 1e-11
 # factor by which the root mean square distance may increase in exchange for a smoother curve
 _ALLOWED_INCREASE = 1.1
@@ -473,7 +473,7 @@ def adaptive_spline(
         probed = _evaluated(spans, coefficients, x[:, sites.size :])
         error = np.abs(probed - values[:, sites.size :]).reshape(low.size, -1).max(axis=1)
         accepted = max(tolerance, rounding * float(np.abs(values).max()))
-        # a steep part causes errors beside it, so refine it before other spans are judged
+        # a steep part causes errors beside it, so divide the worst spans first
         bad = error > max(accepted, _REFINED_SHARE * float(error.max()))
         if not bad.any():
             return full, coefficients
@@ -495,7 +495,7 @@ def _checked_breaks(breaks: Sequence[tuple[float, int]]) -> list[tuple[float, in
 def _first_edges(
     domain: tuple[float, float], breaks: Sequence[tuple[float, int]], knots: FloatArray
 ) -> tuple[FloatArray, dict[float, int]]:
-    """Breaks that are too close to be separated count as one break; knots next to a break are omitted."""
+    """Return the first edges and their continuity; breaks that are too close count as one."""
     first, last = domain
     length, order, latest = last - first, dict[float, int](), first
     for place, continuity in sorted(breaks):
@@ -530,7 +530,7 @@ def sampled(function: Callable[[FloatArray], FloatArray], x: FloatArray) -> Floa
 def _nearest(spans: Spans, x: FloatArray, values: FloatArray, weights: FloatArray) -> FloatArray:
     """Return least-squares coefficients.
 
-    `make_lsq_spline` of SciPy is not used, because its import takes longer than all fits of a command.
+    This replaces `make_lsq_spline` of SciPy, whose import is slow.
     """
     basis, index = spans.local_basis(x.ravel())
     first, weight = spans.first[index], weights.ravel()[:, None]
@@ -568,7 +568,7 @@ def _refuse_endless(edges: FloatArray, bad: BoolArray, error: FloatArray, tolera
 
 
 def _with_wide_neighbours(widths: FloatArray, bad: BoolArray) -> BoolArray:
-    """A narrow span cannot compensate for the error of a wide neighbour."""
+    """Also mark wide neighbours, because a narrow span cannot compensate for their errors."""
     cut = bad.copy()
     cut[1:] |= bad[:-1] & (widths[1:] > _WIDER_TIMES * widths[:-1])
     cut[:-1] |= bad[1:] & (widths[:-1] > _WIDER_TIMES * widths[1:])
@@ -585,12 +585,12 @@ def fit_spline(
 ) -> tuple[FloatArray, FloatArray]:
     """Return knots and control points of a clamped spline whose distance from `points` is at most `tolerance`.
 
-    Knots are added where points are too far from the spline. Between iterations, the parameter of every point
-    moves to the nearest point of the spline. The correlation of the remaining deviations of neighbouring points
-    separates noise from shape. Shape is approximated within a third of the tolerance, so that the curvature is
-    accurate. Noise is removed by the largest penalty on the third derivative that hardly increases the mean
-    distance; a parabola has the penalty 0. If no such spline is within the tolerance, the points are
-    interpolated.
+    Knots are added where points are too far from the spline. Between iterations, every point gets the
+    parameter of the nearest point of the spline. The correlation of the remaining deviations of neighbouring
+    points separates noise from shape. Shape is approximated within a third of the tolerance, so that the
+    curvature is accurate. Noise is removed by the largest penalty on the third derivative that hardly
+    increases the mean distance; a parabola has the penalty 0. If no such spline is within the tolerance, the
+    points are interpolated.
     """
     data = distinct_points(points)
     _check_options(degree, tolerance, smoothing)
@@ -638,11 +638,10 @@ def fit_spline(
 def smoothest_spline(points: ArrayLike, degree: int, tolerance: float) -> tuple[FloatArray, FloatArray]:
     """Return knots and control points of the smoothest clamped spline within `tolerance` of `points` (n, 2).
 
-    The spline has about one knot for each point. The penalty on its third derivative is the largest with which
-    all points are within the tolerance. For every tolerance, the spline is between the interpolating spline and
-    a parabola. The spline does not oscillate between the points, unlike least squares with nearly as many
-    control points as points. For 100 points or more, `fit_spline` is used, which separates noise from shape
-    with few control points.
+    The spline has about one knot for each point. The penalty on its third derivative is the largest with
+    which all points are within the tolerance. For every tolerance, the spline is between the interpolating
+    spline and a parabola. The spline does not oscillate between the points. For 100 points or more,
+    `fit_spline` is used, which separates noise from shape with few control points.
     """
     data = distinct_points(points)
     if not degree < data.shape[0] < _ENOUGH_FOR_NOISE:
@@ -688,7 +687,6 @@ class _Problem:
         return np.asarray(np.concatenate([ends[:1], inner, ends[1:]]))
 
     def _basis(self, t: FloatArray) -> FloatArray:
-        """Cached for the latest t."""
         if self._latest[0] is not t:
             self._latest = t, self.spans.basis(t)
         return self._latest[1]
@@ -697,7 +695,7 @@ class _Problem:
         return np.asarray(self.data - self._basis(t) @ control)
 
     def _end_emphasis(self, t: FloatArray) -> FloatArray:
-        """Points in the first and last span weigh more, because least squares has its largest errors there."""
+        """Give more weight to points in the first and last knot span, where least squares is inaccurate."""
         edges = self.spans.edges
         from_ends = np.minimum(t / (edges[1] - edges[0]), (1 - t) / (edges[-1] - edges[-2]))
         return np.asarray(1 / np.sqrt(np.clip(from_ends, 1e-3, 1.0)))
@@ -730,7 +728,7 @@ class _Problem:
 def _smoothed(
     problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float, mean: float
 ) -> FloatArray:
-    """Return the control points for the largest penalty with errors up to `tolerance` and an RMS up to `mean`."""
+    """Return the control points for the largest penalty within the tolerance and the `mean` RMS distance."""
     low, high = np.log10(_LEAST_PENALTY), 6.0
     for _ in range(12):
         middle = (low + high) / 2
@@ -776,9 +774,7 @@ def _through(data: FloatArray, degree: int) -> tuple[FloatArray, FloatArray]:
 
 
 def _knots_for(t: FloatArray, degree: int) -> FloatArray:
-    """For even degrees, the knots are between the points, because a spline with knots at the points would
-    oscillate.
-    """
+    """Return knots at the points or, for even degrees, between them, because the spline would oscillate."""
     inner = t[1:-1] if degree % 2 else (t[:-1] + t[1:]) / 2
     return np.concatenate([np.zeros(degree + 1), inner, np.ones(degree + 1)])
 
@@ -820,7 +816,7 @@ def _derivative_gram(spans: Spans) -> FloatArray:
 
 
 def _new_knots(edges: FloatArray, t: FloatArray, error: FloatArray, tolerance: float) -> FloatArray:
-    """Return a new knot for every span with an error above the tolerance, in the order of decreasing error."""
+    """Return new knots in spans with an error above the tolerance, largest error first."""
     span = np.clip(np.searchsorted(edges, t, side="right") - 1, 0, edges.size - 2)
     worst = np.zeros(edges.size - 1)
     np.maximum.at(worst, span, error)

@@ -20,9 +20,9 @@ ANYWAY = 1e-9
 SURE = np.radians(5.0)
 """Largest angle of a corner that is removed by default, rad, even if rounding explains larger angles."""
 
-# a control point closer to a line than this fraction of the squared chord is on the line
+# a control point is on a line if it is closer than this fraction of the squared chord
 _STRAIGHT = 1e-12
-_CLOSED = 1e-9  # ends closer than this fraction of the size are equal
+_CLOSED = 1e-9  # ends closer than this fraction of the size coincide
 _SHORT = 1e-12  # control points closer than this fraction of the longest handle coincide
 
 
@@ -135,14 +135,14 @@ def heal_tangents(
 
 
 def _nodes(knots: FloatArray, degree: int) -> IntArray:
-    """Return the indices of control points that are on the curve, at inner knots of full multiplicity."""
+    """Return the indices of control points on the curve, at inner knots of full multiplicity."""
     values, counts = knot_runs(knots)
     inner = (counts >= degree) & (values > knots[degree]) & (values < knots[-degree - 1])
     return np.asarray((np.cumsum(counts) - counts)[inner] - 1, dtype=int)
 
 
 def _handles(points: FloatArray, node: int, degree: int) -> tuple[FloatArray, FloatArray, int, int]:
-    """Return the incoming and outgoing handle at a node, and the indices of their other end points."""
+    """Return the incoming and outgoing handle at a node, and the indices of their far ends."""
     size = float(np.hypot(*np.ptp(points[max(0, node - degree) : node + degree + 1], axis=0)))
     before, after = node - 1, node + 1
     while before > node - degree and np.hypot(*(points[node] - points[before])) <= _SHORT * size:
@@ -164,7 +164,7 @@ def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, roundin
 
 
 def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatArray | None) -> bool:
-    """Return True if a clamped spline of several pieces is closed, so that it can be smooth where it closes."""
+    """Return True if a clamped spline of several pieces is closed."""
     clamped = knots[0] == knots[degree] and knots[-1] == knots[-degree - 1]
     even = weights is None or weights[0] == weights[-1]
     size = float(np.hypot(*np.ptp(points, axis=0)))
@@ -177,7 +177,7 @@ def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatAr
 
 
 def _control_points_at_seam(points: FloatArray, degree: int) -> FloatArray:
-    """Return the control points of the last and the first piece as one array, with the joint in the middle."""
+    """Return the control points of the last and the first piece, with the joint in the middle."""
     return np.concatenate([points[-degree - 1 :], points[1 : degree + 1]])
 
 
@@ -194,7 +194,7 @@ def _smooth_seam(points: FloatArray, degree: int) -> None:
 
 
 def _smooth_node(points: FloatArray, node: int, degree: int) -> None:
-    """Align the handles at a node, in place."""
+    """Turn the handles at a node into a common direction, in place."""
     into, out, before, after = _handles(points, node, degree)
     inward, onward = float(np.hypot(*into)), float(np.hypot(*out))
     angles = np.arctan2(into[1], into[0]), np.arctan2(out[1], out[0])
