@@ -13,7 +13,8 @@ from elastica_cad.forming.rod_map import MappedRod, SectionScale, Sensitivities
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.discrete_rod import DiscreteRod
 
-# largest number of rows of a constraint in a quadratic program; from 64 on, factorisations start threads
+# largest number of rows of a constraint in a quadratic program; with 64 rows, the linear algebra library
+# starts threads
 MOST_ROWS = 56
 
 
@@ -43,7 +44,7 @@ class Constraint(ABC):
 
     @abstractmethod
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the values (k,) of the constraint, one for each of its conditions."""
+        """Return the values (k,) of the constraint."""
 
     @abstractmethod
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
@@ -55,7 +56,7 @@ def thin_rows(indices: IntArray, urgency: FloatArray) -> IntArray:
 
     Indices of local maxima of `urgency` (n,) are selected first. The other selected indices are evenly spaced.
 
-    If a step violates an omitted row, the next quadratic program contains it as a local maximum.
+    A row that a step violates is a local maximum in the next quadratic program.
     """
     if indices.size <= MOST_ROWS:
         return indices
@@ -84,7 +85,7 @@ class EndPosition(Constraint):
         return np.asarray(rod.position[-1] - np.asarray(self.target))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return both rows."""
+        """Return the derivatives of both coordinates, in two rows."""
         return _all_rows(sensitivities.position[-1])
 
 
@@ -133,7 +134,7 @@ class EndForce(Constraint):
         return rod.all_forces[-1:, self.axis] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the force in the last edge plus the weight of the last node, as one row."""
+        """Return the derivatives of the force after the last node, as one row."""
         rod = sensitivities.rod
         n = rod.tangents.shape[0]
         weights = np.zeros((n, 2))
@@ -163,9 +164,7 @@ class Through(Constraint):
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
     def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
-        """Return weights (4,) of four nodes for the point nearest to the target, the slice of nodes, and the
-        normal (2,).
-        """
+        """Return weights and slice of the four nodes around the point nearest to the target, and the normal."""
         foot: tuple[FloatArray, slice, FloatArray] = rod.remembered(
             self, lambda: self._find_foot(rod.position)
         )
@@ -209,7 +208,7 @@ class InflectionLine(Constraint):
         return np.array([rod.moments[0] + fy * x - fx * y, fy * u - fx * v]) / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return both rows."""
+        """Return the derivatives of both values, in two rows."""
         rod = sensitivities.rod
         u = sensitivities.grid.unknowns
         rows = np.zeros((2, sensitivities.angles.shape[1]))
@@ -226,8 +225,7 @@ class InflectionLine(Constraint):
 class MiddleOfMirror(Constraint):
     """Mirror symmetry of the rod.
 
-    The middle of the rod is on the axis and perpendicular to it, and the force there has no component along the
-    axis.
+    In the middle, the rod crosses the axis at a right angle, and the force has no component along the axis.
     """
 
     name: str = "symmetry"
@@ -245,7 +243,7 @@ class MiddleOfMirror(Constraint):
         return np.array([normal @ off, turn, rod.force[edges].mean(axis=0) @ self.axis / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return all three rows."""
+        """Return the derivatives of the three values, in three rows."""
         rod = sensitivities.rod
         nodes, edges = _middle(rod)
         normal = left_of(self.axis)
@@ -277,7 +275,7 @@ class MiddleOfTurn(Constraint):
         return np.append(off, rod.moments[nodes].mean() / self.scale)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return all three rows."""
+        """Return the derivatives of the three values, in three rows."""
         rod = sensitivities.rod
         nodes, _ = _middle(rod)
         moment = sensitivities.moments[nodes].mean(axis=0) / self.scale
@@ -296,17 +294,16 @@ _CUBIC = np.linalg.inv(np.vander(np.arange(4.0), increasing=True))
 
 
 def _cubic_weights(u: float) -> tuple[FloatArray, FloatArray]:
-    """Return the weights (4,) of values at 0, 1, 2, 3 in a cubic interpolation at u, and in its derivative."""
+    """Return the weights (4,) of values at 0, 1, 2, 3 in their cubic interpolation at u, and in its derivative."""
     return np.array([1, u, u**2, u**3]) @ _CUBIC, np.array([0, 1, 2 * u, 3 * u**2]) @ _CUBIC
 
 
-# fraction of a limit above which a value enters the quadratic program, because a step may reach the limit
+# fraction of a limit above which a value enters the quadratic program, because a step may then violate the
+# limit
 _NEAR = 0.6
 _STEP = 1e-5  # relative step of K in finite differences of the strain
-_SAFETY_SHARE = (
-    0.01  # safety margin for larger curvatures between nodes, as a fraction of the largest stiffness
-)
-# relative step of K and curvature in finite differences of dM/dkappa; it is large, to smooth kinks
+_SAFETY_SHARE = 0.01  # reserve for larger curvatures between nodes, as a fraction of the largest stiffness
+# relative step of K and curvature in finite differences of dM/dkappa; large, so that kinks have little effect
 _TANGENT_STEP = 1e-3
 
 
@@ -322,11 +319,11 @@ class MarginLimit(Constraint):
 
     @property
     def scale(self) -> float:
-        """Unit of the values: difference from the required margin."""
+        """Difference from the required margin that counts as a violation of 1."""
         return max(10.0, abs(self.limit))
 
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
-        """Return the rod with the stiffness dM/dkappa for small disturbances. For Hooke's law, this is K."""
+        """Return the rod with the stiffness against small disturbances, dM/dkappa. For Hooke's law, this is K."""
         return rod
 
     def values(self, rod: MappedRod) -> FloatArray:
@@ -348,9 +345,9 @@ class MarginLimit(Constraint):
         return _all_rows(row[None] / self.scale)
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives with respect to dM/dkappa to derivatives with respect to K (n+1,) and M (n+1,).
+        """Convert derivatives by dM/dkappa to derivatives by K (n+1,) and by M (n+1,).
 
-        The derivatives with respect to M are None if M has no effect.
+        The derivatives by M are None if M has no effect.
         """
         _ = rod
         return by_tangent.copy(), None
@@ -360,8 +357,8 @@ class MarginLimit(Constraint):
 class FollowedMarginLimit(MarginLimit):
     """Limit of the stability margin for sections whose stiffness depends on the curvature.
 
-    The stiffness K is M / (kappa - kappa_0), but a disturbance is resisted by dM/dkappa. dM/dkappa is more than
-    K for a strip that stiffens as it bends, and less for a pre-bent strip that is bent straight.
+    The stiffness K is M / (kappa - kappa_0), but dM/dkappa resists a disturbance. For a strip that stiffens
+    as it bends it is more than K, and for a pre-bent strip that is bent straight it is less.
 
     Attributes
     ----------
@@ -387,7 +384,7 @@ class FollowedMarginLimit(MarginLimit):
         return rod_felt
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives with respect to dM/dkappa to those with respect to K and M by finite differences."""
+        """Convert derivatives by dM/dkappa to derivatives by K and M, by finite differences."""
         K, bend = rod.stiffness, _bend(rod, self.size)
         step = _TANGENT_STEP * float(np.abs(bend).max() or 1.0)
         by_K, by_step = np.array([_TANGENT_STEP, -_TANGENT_STEP, 0, 0]), np.array([0, 0, step, -step])
@@ -413,12 +410,12 @@ class LargestSection(Constraint):
     penalty: float = 1.0
 
     def values(self, rod: MappedRod) -> FloatArray:
-        """Return the ratio of largest to present stiffness at the nodes (n+1,), minus 1 and a safety margin."""
+        """Return largest allowed over present stiffness at the nodes (n+1,), minus 1 and a reserve."""
         most = self.section.largest(_bend(rod, self.size), self.rest / self.size)
         return np.asarray(most / (self.section.scale * rod.stiffness) - 1 - _SAFETY_SHARE)
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives, in rows, for nodes whose section is nearly as large as allowed."""
+        """Return the derivatives, in rows, at nodes whose section is nearly as large as allowed."""
         rod = sensitivities.rod
         values, K, bend = self.values(rod), rod.stiffness, _bend(rod, self.size)
         near = thin_rows(np.flatnonzero(values < _NEAR), -values)
@@ -459,7 +456,7 @@ class BendLimit(Constraint):
         return np.asarray(1 - self.share(rod.stiffness) * np.abs(rod.moments / rod.stiffness))
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives, in rows, for nodes that are close to the limit."""
+        """Return the derivatives, in rows, at nodes that are close to the limit."""
         rod = sensitivities.rod
         values = self.values(rod)
         near = thin_rows(np.flatnonzero(values < 1 - _NEAR), -values)
@@ -498,10 +495,10 @@ class StrainLimit(BendLimit):
 
 @dataclass(frozen=True, kw_only=True)
 class KeepOut(Constraint):
-    """All nodes are outside a region, which is given in mm.
+    """Condition that all nodes are outside a region, which is given in mm.
 
-    Positions of the rod are relative to `origin`, in units of `size`, mm. Ends with a fixed position are omitted,
-    because on the border of the region both constraints would conflict.
+    Positions of the rod are relative to `origin`, in units of `size`, mm. Fixed ends are omitted, because on
+    the border of the region both constraints would conflict.
     """
 
     region: HalfPlane | Box
@@ -516,7 +513,7 @@ class KeepOut(Constraint):
         return self._clearance(rod)[0]
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives, in rows, for nodes that a step may bring into the region."""
+        """Return the derivatives, in rows, at nodes that a step may bring into the region."""
         rod = sensitivities.rod
         value, gradient = self._clearance(rod)
         near = thin_rows(np.flatnonzero(value < 0.1), -value)
@@ -534,7 +531,7 @@ class KeepOut(Constraint):
 class LeastStiffness(Constraint):
     """Condition that the least stiffness along the rod is 1.
 
-    The stiffness bounds are multiples of this least stiffness.
+    The bounds of the stiffness are relative to it.
     """
 
     name: str = "stiffness bounds"
@@ -546,7 +543,7 @@ class LeastStiffness(Constraint):
         return np.array([1 - rod.stiffness.min()])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives, in one row, for the node with the least stiffness."""
+        """Return the derivatives, in one row, at the node with the least stiffness."""
         grid, rod = sensitivities.grid, sensitivities.rod
         row = np.zeros((1, sensitivities.angles.shape[1]))
         row[0, grid.unknowns.stiffness] = -grid.basis[int(np.argmin(rod.stiffness))]

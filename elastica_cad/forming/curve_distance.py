@@ -21,9 +21,11 @@ if TYPE_CHECKING:
     from scipy.interpolate import CubicHermiteSpline
 
 
-SPANS = 1000  # number of spans of the interpolated target; the interpolation error is 1e-9 of its length
-_WINDOW_LENGTHS = 0.08  # half width of the window for the nearest point, as a fraction of the length
-_SYMMETRIC_LENGTHS = 1e-4  # largest distance of a symmetric curve from its image / its length
+SPANS = 1000  # number of intervals of the interpolated curve; the interpolation error is 1e-9 of its length
+# half width of the window in which the nearest point is searched, as a fraction of the length
+_WINDOW_LENGTHS = 0.08
+# largest distance between a symmetric curve and its image, as a fraction of the length
+_SYMMETRIC_LENGTHS = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,7 +81,7 @@ class TargetCurve:
         return np.asarray(s)
 
     def _stretch(self, s: FloatArray, points: FloatArray, position: FloatArray) -> FloatArray:
-        """Return the slope 1 - kappa d in Newton's method for nearest points; the least value is 0.3."""
+        """Return the slope 1 - kappa d for Newton's method, at least 0.3; d is the distance from the curve."""
         i = np.rint(s * (self.position.shape[0] - 1)).astype(int)
         direction = self._directions[i]
         off = points - position
@@ -109,7 +111,7 @@ def even_steps(count: int) -> FloatArray:
 
 
 def symmetry_frame(target: TargetCurve, kind: Symmetry) -> tuple[FloatArray, FloatArray]:
-    """Return the centre and the axis direction, both (2,), of the symmetry of the curve, in units of the target."""
+    """Return centre and axis direction, (2,) each, of the symmetry of the curve, in units of its length."""
     p, q = target.position, target.position[::-1]
     middles, across = (p + q) / 2, p - q
     centre = middles.mean(axis=0)
@@ -135,12 +137,12 @@ class Distance(Protocol):
     """Interface of a measure of the distance of a rod from the target."""
 
     def value(self, rod: MappedRod) -> float:
-        """Return the value to minimise, for the length of the target as the unit of length."""
+        """Return the distance to minimise; the unit of length is the length of the target."""
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return a convex model (Gauss-Newton) for steps of the unknowns.
+        """Return a convex model (Gauss-Newton) of the distance for steps of the unknowns.
 
-        The last column of the sensitivities brings the rod into equilibrium.
+        The last column of the sensitivities is the change to equilibrium.
         """
 
 
@@ -169,7 +171,7 @@ class MeanDistance:
         return 0.5 * float(self.shares @ (off**2).sum(axis=1))
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return the Gauss-Newton model, which is exact for the linearised positions."""
+        """Return the Gauss-Newton model, which is exact for linearised positions."""
         J = sensitivities.position.reshape(-1, sensitivities.position.shape[2])
         return _least_squares(J, (rod.position - self.targets).ravel(), np.repeat(self.shares, 2))
 
@@ -222,16 +224,16 @@ class LargestDistance:
         return float((self.factors * np.hypot(off[:, 0], off[:, 1])).max())
 
     def model(self, rod: MappedRod, sensitivities: Sensitivities) -> LocalModel:
-        """Return a local model of the largest distance, from the nodes with the largest distances."""
+        """Return a local model of the largest distance."""
         _, normal = offsets(self.target, rod)
         signed, farthest = self._peaks(rod)
         p = rod.z.size
         across = _across(normal, sensitivities)
         slopes = self.factors[farthest, None] * across[farthest]
-        # signed distance in equilibrium; it is negative if a node is on the other side of the target
+        # signed distance in equilibrium: negative on the other side of the target
         at = signed[farthest] + slopes[:, p]
         rows = np.sign(at)[:, None] * slopes[:, :p]
-        # the small mean-square term selects one of several steps with the same largest distance
+        # the small mean square selects one of several steps with the same largest distance
         return LocalModel(
             0.0, 1e-3 / signed.size * across[:, :p].T @ across[:, :p], np.zeros(p), np.abs(at), rows
         )
@@ -275,7 +277,7 @@ def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
 def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalModel:
     """Return a model of half the mean square of r + J d as a function of d, with the weights `shares` (k,).
 
-    The last column of J is not multiplied by d, but added to r.
+    The last column of J is added to r.
     """
     p, roots = J.shape[1] - 1, np.sqrt(shares)
     A = J * roots[:, None]
@@ -289,7 +291,7 @@ def _least_squares(J: FloatArray, r: FloatArray, shares: FloatArray) -> LocalMod
 def measure_deviation(target: TargetCurve, nodes: FloatArray) -> float:
     """Return the largest distance between the target and a smooth curve through `nodes` (n, 2).
 
-    The unit is the length of the target. The result is the larger of the distances from either curve to the other.
+    The unit is the length of the target.
     """
     other = _spline_points(nodes, target.position.shape[0])
     return max(_largest_distance(target.position, other), _largest_distance(other, target.position))

@@ -18,17 +18,17 @@ STRAIGHT_RAD = 1e-9  # largest change of direction along a rod, rad, that is onl
 TOLERANCE_MM = 1e-3
 # largest relative error of the extremes of the stiffness; it is small, so that limits are still met
 FAITHFUL = 3e-4
-LOOSE = 0.02  # largest relative error of the stiffness away from its extremes
-# fraction of the largest curvature below which the computed stiffness is dominated by rounding errors
+LOOSE = 0.02  # largest relative error of the stiffness away from its smallest and largest value
+# fraction of the largest curvature below which rounding errors dominate the computed stiffness
 UNBENT_SHARE = 2e-3
-# length that converts errors of curvature to displacements in the least-squares fit, in rod lengths
+# length, in rod lengths, whose square converts errors of curvature to displacements in the least-squares fit
 _REACH_LENGTHS = 0.05
-# first and largest number of spans; it starts with few, because the control points are edited by hand
+# first and largest number of knot spans; few at first, because people edit the control points
 _FIRST_SPANS, _MOST_SPANS = 24, 240
-_SHORTEST_SPAN = 1e-3  # shortest span in rod lengths; shorter spans would fit rounding errors
+_SHORTEST_SPAN = 1e-3  # shortest knot span, in rod lengths; shorter ones would fit rounding errors
 _SAME_LENGTHS = 1e-6  # distance of an inflection from an end, in rod lengths, below which it is at the end
-_PARDONED = 2.0  # largest accepted error, as a multiple of the tolerance, if more spans do not reduce it
-# the extrapolation uses rods with this factor and with twice this factor on the number of edges
+_PARDONED = 2.0  # largest accepted error, as a multiple of the tolerance, if more knot spans do not reduce it
+# the extrapolation uses rods with 4 and 8 times as many edges
 _FINER = 4
 
 
@@ -74,14 +74,14 @@ def editable_curve(rod: Rod) -> PlaneCurve:
 
 
 def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
-    """Return an `editable_curve` with only `spans` equal spans, whose inflections are still on one line.
+    """Return an `editable_curve` with only `spans` equal knot spans, whose inflections are still on one line.
 
-    The curve only approximates the rod. The curve may violate limits that the rod meets.
+    The curve only approximates the rod and may violate limits that the rod meets.
 
     Raises
     ------
     NotConvergedError
-        The continuous rod was not found, or a curve with so few spans cannot pass through its inflections.
+        The continuous rod was not found, or the curve cannot pass through its inflections.
     """
     shape = _continuous(rod)
     try:
@@ -93,9 +93,7 @@ def coarse_curve(rod: Rod, spans: int) -> PlaneCurve:
 
 
 def _refined(edges: FloatArray, places: FloatArray) -> FloatArray:
-    """Halve the longest spans around `places`, and their neighbours because abrupt changes of length cause
-    oscillations.
-    """
+    """Halve the longest knot spans around `places`, and their neighbours to avoid oscillations."""
     width = np.diff(edges)
     bad = np.searchsorted(edges, places, side="right") - 1
     bad = np.unique(np.clip(np.concatenate([bad - 1, bad, bad + 1]), 0, width.size - 1))
@@ -149,7 +147,7 @@ def _continuous(rod: Rod) -> _Shape:
     kappa_0 = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
     kappa_0 = np.interp(s, rod.s / size, kappa_0)
     bends, (start, end) = _sign_changes(s, curvature - kappa_0), rod.supports.ends
-    # the curvature is zero at an end that is free to turn; zeros near that end are rounding errors
+    # zeros of the curvature next to an end that is free to turn are rounding errors; add such an end itself
     bends = bends[(start.angle | (bends > _SAME_LENGTHS)) & (end.angle | (bends < 1 - _SAME_LENGTHS))]
     bends = np.concatenate([s[:1][: not start.angle], bends, s[-1:][: not end.angle]])
     position = (position - position[0]) / size
@@ -166,7 +164,7 @@ def _sign_changes(s: FloatArray, kappa: FloatArray) -> FloatArray:
 
 
 def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
-    """Return the least-squares spline for position and curvature, with given spans.
+    """Return the least-squares spline for position and curvature, with given knot spans.
 
     The spline is exact at the ends and at the inflections. The derivative of the curvature is exact there too,
     because it determines the stiffness at an inflection.
@@ -186,14 +184,14 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
     A = np.vstack([root.ravel()[:, None] * spline(s), w[:, None] * spline(s, 2)])
     B = np.vstack([root.ravel()[:, None] * position, (w * kappa)[:, None] * normal])
     ends, bends = edges[[0, -1]], shape.inflections
-    # near an end or another inflection there are too few control points for exact positions
+    # near an end or another inflection, an exact position would need more control points
     apart = np.diff(np.concatenate([ends[:1], bends, ends[1:]])) > 2 * np.diff(edges).max()
     inner = bends[apart[:-1] & apart[1:]]
     there, turned, _ = shape.at(np.concatenate([ends, inner]))
     bent, rest = shape.at(bends)[1], np.interp(bends, shape.s, shape.rest)[:, None]
     along = np.column_stack([np.cos(turned), np.sin(turned)])
     across = left_of(along[2:])
-    # only a rest curvature requires unit speed; positions of inflections do not depend on the speed
+    # the speed matters only with a rest curvature, which depends on arc length
     paced = inner[: inner.size * bool(np.any(rest))]
     C = np.vstack(
         [
@@ -210,9 +208,7 @@ def _fitted(shape: _Shape, edges: FloatArray) -> PlaneCurve:
 
 
 def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: FloatArray) -> FloatArray:
-    """Return X that minimises |A X - B| subject to C X = D; A^T A is banded because the columns of A are
-    B-splines.
-    """
+    """Return X that minimises |A X - B| subject to C X = D, for the banded A^T A of B-splines."""
     from scipy.linalg import cho_solve_banded, cholesky_banded
 
     m = A.shape[1]
@@ -221,7 +217,7 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
     band = np.zeros((DEGREE + 1, m))
     for k in range(DEGREE + 1):
         band[k, : m - k] = np.diagonal(joined[:m, :m], -k)
-    # regularization of the equations: larger than rounding errors, but without visible effect
+    # regularisation without visible effect, larger than rounding errors
     band[0] += 1e-14 * band[0].max()
     factor = cholesky_banded(band, lower=True)
     size = np.linalg.norm(C, axis=1)[:, None]
@@ -235,9 +231,7 @@ def _constrained_least_squares(A: FloatArray, B: FloatArray, C: FloatArray, D: F
 
 
 def _errors(curve: PlaneCurve, shape: _Shape) -> FloatArray:
-    """Return the largest error of position, stiffness and extremes of stiffness at each station, in
-    tolerances.
-    """
+    """Return the largest error of position, stiffness and extreme stiffness at each station, in tolerances."""
     s, kappa, K = shape.s, shape.curvature - shape.rest, shape.stiffness
     off = np.hypot(*(curve.evaluate(s) - shape.position).T) * shape.size / TOLERANCE_MM
     near = np.abs(kappa) < UNBENT_SHARE * np.abs(kappa).max()

@@ -29,7 +29,7 @@ from elastica_cad.mechanics.optimal_balance import balance_without_weight
 from elastica_cad.mechanics.rod import DEFAULT_SAMPLES
 from elastica_cad.mechanics.theorem1 import EquilibriumCheck, NotRealizable
 
-# number of stations in a panel at which K is bounded; many, because the extremes of K move with each step
+# number of stations in a panel at which K is bounded; many, because the extremes of K move at each step
 _PARTS = 96
 
 BothEnds: TypeAlias = "bool | tuple[bool, bool]"
@@ -37,7 +37,7 @@ BothEnds: TypeAlias = "bool | tuple[bool, bool]"
 
 @dataclass(frozen=True, eq=False)
 class EquilibriumCurve:
-    """A realizable curve with its stiffness of least ratio. The stiffness is scaled so that its minimum is 1.
+    """Realizable curve with its stiffness of least ratio, scaled to a least value of 1.
 
     Attributes
     ----------
@@ -133,7 +133,7 @@ class EquilibriumCurve:
         angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
         K = self.balance.stiffness.at(*self.balance.panels.locate(nodes.t)) / self.scale
         _, b = self.line
-        force = np.tile([-b[1], b[0]], (angles.size, 1))  # the force lambda is b rotated by a right angle
+        force = np.tile([-b[1], b[0]], (angles.size, 1))  # the force lambda is b turned by 90 degrees
         return DiscreteRod(K, angles, force, self.curve.length / angles.size, start=nodes.position[0])
 
     @property
@@ -171,6 +171,6 @@ def _both(ends: BothEnds) -> tuple[bool, bool]:
 
 
 def collinear(curve: PlaneCurve) -> Sequence[Constraint]:
-    """Return the constraint that all inflections are on one line. The list is empty for up to two inflections."""
+    """Return the constraint that all inflections are on one line; no constraint is needed for up to two."""
     t = np.array([z.t for z in curve.curvature_zeros if z.kind == "crossing"])
     return [CollinearInflections(t)] if t.size > 2 else []

@@ -36,22 +36,22 @@ LITTLE_BEND_SHARE = 0.05
 """Curvature at an end, as a fraction of the largest curvature, up to which the end counts as almost straight."""
 
 SLIGHT_MM = 0.1
-"""Largest displacement of a drawn curve by smoothing, mm, that is a note; it is below the tolerance of a cut."""
+"""Largest displacement by smoothing, mm, that is only a note; it is below the tolerance of a cut."""
 
 SEEN = 1e-3
 """Smallest displacement by smoothing, mm, that is reported."""
 
 STEP_MM, STEP_SHARE = 0.2, 0.02
-"""Limits, in mm and as a fraction of the width, below which a step of the width is not smoothed.
+"""Steps of the width up to these limits, in mm and as a fraction of the width, are not smoothed.
 
-A step that is smoothed exceeds both limits."""
+A smoothed step exceeds both limits.
+"""
 
 MOST_WORSE = 1.05
 """Largest factor by which automatic smoothing may increase the stiffness ratio."""
 
 PLACES, SEEN_SHARE = 401, 0.1
-"""Number of stations at which curvatures are compared, and relative change of the curvature by noise that is
-reported."""
+"""Number of stations at which curvatures are compared, and relative change by noise that is reported."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,9 +95,7 @@ class Smoothing:
         if self.fairing is None:
             return self.drawn
         provenance, outlier = self.drawn.provenance, outlier_message(self.drawn)
-        if (
-            provenance is not None
-        ):  # outliers among the measured points are reported for the smoothed curve too
+        if provenance is not None:  # report outliers of the measured points for the smoothed curve too
             provenance = replace(provenance, measured=provenance.measured if outlier else None)
         return self.fairing.curve.drawn_as(provenance)
 
@@ -147,15 +145,15 @@ class Smoothing:
         if self._rod_as_drawn is None:
             return True
         rod = self._weightless_rod_on(curve)
-        # a larger ratio means a smaller least width for the same largest width
+        # a larger ratio means narrower parts of the strip
         return rod is not None and rod.ratio < MOST_WORSE * self._rod_as_drawn.ratio
 
     @property
     def change_by_noise(self) -> float:
-        """Change of the curvature by smoothing of noisy points, as a fraction of the largest curvature.
+        """Change of the curvature by smoothing noisy points, as a fraction of the largest curvature.
 
-        The change is 0 for curves without measured points, and for curves that no strip can take, because the
-        error message of such a curve already mentions the noise.
+        It is 0 for curves without measured points, and for curves that no strip can take, whose error message
+        mentions the noise.
         """
         points = measured_points(self.drawn)
         if points is None or not examine(self.drawn, self.supports or Supports()).realizable:
@@ -294,7 +292,7 @@ def smooth_curve(
 
 
 def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bool]:
-    """Return for both ends whether the curvature should be 0: at almost straight ends that are free to turn."""
+    """Return flags for both ends: True for an almost straight end that is free to turn."""
     if supports is None or all(end.angle for end in supports.ends):
         return False, False
     bent = np.abs(curve.curvature_at(np.array(curve.domain)))
@@ -306,7 +304,7 @@ def _unbent_ends(curve: PlaneCurve, supports: Supports | None) -> tuple[bool, bo
 def _smoothed(curve: PlaneCurve, smooth: float, unbent: tuple[bool, bool]) -> Fairing:
     rounded, moved = round_corners(curve, smooth)
     require_bendable(rounded)
-    if measured_points(curve) is not None:  # `round_corners` has fitted a smooth curve
+    if measured_points(curve) is not None:  # `round_corners` has already fitted a smooth curve to the points
         return Fairing(rounded, moved, smooth)
     fairing = fair_curve(rounded, smooth - moved, unbent)
     return replace(fairing, moved=fairing.moved + moved, tolerance=smooth)

@@ -14,19 +14,16 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.mechanics.stiffness_law import LaidLeaves, Leaf, LeavesLaw
 
 NODES = 401
-"""Number of nodes of the rods in the search. The stiffness is averaged around each node, so that the shape depends
-continuously on the positions of the ply ends."""
+"""Number of nodes of the rods in the search."""
 
 FINE_NODES = 1001
-"""Number of nodes of the returned rod. With fewer nodes, the error of a nearly unstable rod is 1e-4 of its
-length."""
+"""Number of nodes of the returned rod; fewer would cause errors of 1e-4 of the length of a nearly unstable rod."""
 
 SHORTEST_SHARE = 0.01
 """Shortest ply, and shortest distance between the ends of plies, as a fraction of the length."""
 
 ROUNDINGS = (0.35, 0.5, 0.65)
-"""Fractions at which the number of plies is rounded up. A search is started for each, and the best result is
-returned."""
+"""Fractions at which the number of plies is rounded up; a search starts from each, and the best result counts."""
 
 DIFFERENCE = 1e-4
 """Step of the finite differences in the search, as a fraction of the length."""
@@ -34,7 +31,7 @@ DIFFERENCE = 1e-4
 SETTLED = 1e-7
 """Relative changes, of the distance and of the positions of ply ends, below which the search ends."""
 
-MOST_TRIALS = 60  # largest number of steps of a search, each with a finite difference for every ply end
+MOST_TRIALS = 60  # largest number of steps of a search; each computes a finite difference for every ply end
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,8 +110,8 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
         )
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:
-        # if all plies have the full length, the shape does not depend on their number, so the fewest are used
-        bare = _Search(
+        # without ply ends the shape does not depend on the number of plies, so use the fewest
+        uncut = _Search(
             relaxed,
             law,
             points,
@@ -123,15 +120,15 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
             tuple(range(1, law.fewest + 1)),
             tangents,
         )
-        best = bare.answer() or best
+        best = uncut.answer() or best
     return best
 
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """Search for the positions of ply ends, in a given order, and for clamp angles.
+    """Search for the positions of ply ends and for clamp angles, with the least distance from the points `drawn`.
 
-    The result has the least distance from the points `drawn`.
+    The order of the ply ends is fixed.
 
     Attributes
     ----------
@@ -181,7 +178,7 @@ class _Search:
         return [i for i, end in enumerate(self.relaxed.supports.ends) if end.angle and not self.tangents[i]]
 
     def answer(self) -> LeafedRod | None:
-        """Return None if no stack has a rest shape."""
+        """Return the best stack, or None if no stack has a rest shape."""
         from scipy.optimize import least_squares
 
         start = np.concatenate([self.places, self.relaxed.angle[[0, -1]][self.turned]])
@@ -203,7 +200,7 @@ class _Search:
         return self._record(optimum.x, self._bent(optimum.x, shape[0]), settled=optimum.status > 0)
 
     def _missed(self, x: FloatArray, shape: list[Rod]) -> FloatArray:
-        """Return the offsets from the drawn points / (length of the rod * square root of the number of nodes).
+        """Return the offsets from the drawn points, as fractions of the length; their squares add up to a mean.
 
         The offsets are large if the stack has no rest shape.
         """
@@ -215,7 +212,7 @@ class _Search:
         return np.asarray((rod.position - self.drawn).ravel() / (rod.length * np.sqrt(NODES)))
 
     def _separated(self, places: FloatArray) -> FloatArray:
-        """Sort the positions and move them apart by the least distance, also from the ends."""
+        """Sort the positions (m,) and move them apart by the least distance, also from the ends."""
         m = places.size
         clearance = min(SHORTEST_SHARE, 0.5 / (m + 1))
         low, high = clearance * np.arange(1, m + 1), 1 - clearance * np.arange(m, 0, -1)
@@ -223,7 +220,7 @@ class _Search:
         return np.asarray(np.maximum.accumulate(gaps) + low)
 
     def _bent(self, x: FloatArray, guess: Rod) -> Rod:
-        """`x` are the positions of the ply ends and the clamp angles."""
+        """Return the rest shape for unknowns x: the positions of the ply ends, and clamp angles."""
         relaxed = self.relaxed
         s = np.linspace(0.0, relaxed.length, NODES)
         compliance, newtons = self._cells(x[: self.places.size])

@@ -18,7 +18,7 @@ Measure: TypeAlias = Literal["mean", "closest", "max"]
 Bound: TypeAlias = float | ArrayLike | Callable[[FloatArray], FloatArray] | None
 
 MET = 1e-6  # largest violation of a limit that counts as met; see `Binding.broken` for its units
-# distance, as a fraction of the diagonal of the drawn curve, above which a rod is a different curve
+# distance, as a fraction of the diagonal of the drawn curve, above which a rod counts as a different curve
 FAR_SHARE = 0.03
 
 
@@ -95,7 +95,7 @@ class Box:
         Distances are positive outside the box.
         """
         low, high = np.asarray(self.lower), np.asarray(self.upper)
-        off = np.maximum(low - points, points - high)  # distances outside the box along each axis
+        off = np.maximum(low - points, points - high)  # distances outside the box along x and y
         sign = np.where(points - high > low - points, 1.0, -1.0)
         beyond = np.maximum(off, 0)
         outside = np.hypot(beyond[:, 0], beyond[:, 1])
@@ -125,7 +125,7 @@ def _bounds_along_strip(
         ),
     ] = None,
 ) -> tuple[float | Row | None, float | Row | None]:
-    """Bounds of K / min K along the strip, as files store them."""
+    """Bounds of K / min K along the strip, as stored in files."""
     return lower, upper
 
 
@@ -138,8 +138,8 @@ class Limits:
     ratio : float, optional
         Largest stiffness ratio R = max K / min K, at least 1.
     margin : float, optional
-        Least stability margin (see `stability`). A strip is stable above 0, and safely stable from 5. For a strip
-        that bends as a plate, the margin depends on the widths. In this case, the largest width may be a few
+        Least stability margin (see `stability`). A strip is stable above 0, and safely stable from 5. For a
+        strip that bends as a plate, the margin depends on the widths, and the largest width may be a few
         percent less than its limit.
     curvature : float, optional
         Largest magnitude of kappa - kappa_0, 1/mm.

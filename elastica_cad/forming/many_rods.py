@@ -15,10 +15,10 @@ from elastica_cad.mechanics.loads import Gravity, Supports, whole_number
 from elastica_cad.refusals import note
 
 AHEAD = 64
-"""Number of curves of a stream that are submitted at a time. It suits a dozen workers and needs little memory."""
+"""Number of curves of a stream that are submitted at a time: enough for a dozen workers, with little memory."""
 
 LISTED = 1024
-"""Number of curves of a list that are submitted at a time. It suits hundreds of workers."""
+"""Number of curves of a list that are submitted at a time: enough for hundreds of workers."""
 
 _OPTIONS = {"weights", "measure", "samples", "coefficients", "section", "natural_curvature"}
 
@@ -137,7 +137,7 @@ def stream_nearest_rods(
 def _in_order_of_completion(
     tasks: Iterable["_Task"], executor: Executor | None, ahead: int
 ) -> Iterator[tuple[int, NearestRod]]:
-    """Submit at most `ahead` tasks at a time."""
+    """Compute tasks on the executor, at most `ahead` at a time; yield results as they are completed."""
     running: dict[Future[NearestRod], tuple[int, _Task]] = {}
     finished: SimpleQueue[Future[NearestRod]] = SimpleQueue()
 
@@ -180,7 +180,7 @@ class _Task(NamedTuple):
 
 
 def _attempted(task: _Task) -> NearestRod:
-    """Return a record with the status FAILED if there is an error."""
+    """Return the nearest rod, or a record with the status FAILED after an error."""
     curve, limits, keep, gravity, supports, options = task
     try:
         return nearest_rod(curve, limits, keep, gravity, supports=supports, **options)

@@ -20,31 +20,28 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length
 
 EXACT_POINTS = 5
-"""Number of points that determine a meridian, because it has five parameters. If the last point is the pole, four
-points are sufficient."""
+"""Number of points that determine a meridian of five parameters; with the pole as last point, four suffice."""
 
 SEARCH_NODES = 96
 """Approximate number of nodes on the whole meridian. There are at least `FEWEST` between two points."""
 
 FEWEST = 8  # least number of nodes between two given points
 STARTS = 30
-"""Number of initial guesses of a and b: one by regression, and random numbers with a fixed seed."""
+"""Number of initial guesses of a and b: one by regression, the others random with a fixed seed."""
 
 STEPS = 40  # largest number of steps of Newton's method
 LEAST_SHARE = 1e-3
-"""Least fraction of a Newton step that is tried. If a smaller fraction would be needed, the search ends."""
+"""Least fraction of a Newton step that is tried; the search ends if less would be needed."""
 
 SOLVED = 1e-11  # largest residual below which equations count as solved, for points scaled to the size 1
 LONGEST = 1.5
-"""Ratio of the length of a meridian to the length of a smooth curve through the points, above which the
-meridian has extra turns.
-"""
+"""Largest ratio of the length of a meridian to a smooth curve through the points; more means extra turns."""
 
 GOOD = 1e-7
 """Largest residual below which equations count as solved, as a fraction of the size of the curve."""
 
 ROUGH = 1e-2
-"""Largest residual between nodes that more nodes can reduce; a larger residual shows that there is no meridian."""
+"""Largest residual between nodes that more nodes can reduce; a larger residual means that there is no meridian."""
 
 FINER = 3
 """Largest number of times that the number of nodes is doubled."""
@@ -53,7 +50,7 @@ BETWEEN = 8
 """Number of points between two nodes at which the residual is checked."""
 
 STUCK = 0.1
-"""The nodes are doubled again if the last doubling reduced the residual to this fraction or less."""
+"""The nodes are doubled again if the last doubling reduced the residual at least to this fraction."""
 
 SETTLED = 1e-10
 """Relative change in a step at which the least-squares iteration ends."""
@@ -157,10 +154,9 @@ def _search_meridian(points: FloatArray) -> FoundMeridian:
 class _Equations:
     """Equations of a meridian.
 
-    The equations are x kappa = a + <b, gamma> at nodes, ends of pieces at the given points, and continuous angles.
-
-    The unknowns are the angles at the nodes and the length of each piece, followed by a and b (2). `points` is
-    the number of points, and `closes` is True if the last point is the pole.
+    They require x kappa = a + <b, gamma> at the nodes, ends of pieces at the given points, and continuous
+    angles. The unknowns are the angles at the nodes and the length of each piece, then a and b (2). `points`
+    is the number of points; `closes` is True if the last point is the pole.
     """
 
     def __init__(self, points: int, closes: bool, nodes: int) -> None:
@@ -213,7 +209,7 @@ class _Equations:
         return float(np.abs(self.off(unknown, points)).max())
 
     def slopes(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
-        """Return the derivatives (m, count + 2 n) of the residuals with respect to unknowns and n points."""
+        """Return the derivatives (m, count + 2 n) of the residuals by the unknowns and by n points."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         n, wide, total = self.nodes, self.width, self.pieces
         rows = np.zeros((total * (n + 3) - 1 + self.closes, self.count + 2 * total + 2))
@@ -239,7 +235,7 @@ class _Equations:
                 joint = total * (n + 2) + i - 1
                 rows[joint, first], rows[joint, first - 2] = 1.0, -1.0
         if self.closes:
-            # here `half`, `turning`, `first` and `last` have the values of the last piece of the loop above
+            # `half`, `turning`, `first` and `last` are those of the last piece
             c, s = np.cos(angles[-1, -1]), np.sin(angles[-1, -1])
             rows[-1, first:last] = self.slope[-1] * c
             rows[-1, last - 1] -= turning[-1] * s + half * (b2 * c - b1 * s)
@@ -251,7 +247,8 @@ class _Equations:
 def _first_guess(points: FloatArray, equations: _Equations) -> tuple[FloatArray, float]:
     """Return an initial guess of the unknowns from a spline through the points, and the length of the spline.
 
-    The last three unknowns are fitted to its curvature by linear regression."""
+    The guess of a and b is a linear regression of its curvature.
+    """
     curve = PlaneCurve(*fit_spline(points, 4, 1e-4), 4)
     s = np.linspace(0.0, curve.length, 4001)
     line = curve.at(s).position
@@ -288,9 +285,7 @@ def _through(
 
 
 def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> FloatArray | None:
-    """Return the solution by Newton's method, or None; steps have least norm if there are fewer equations
-    than unknowns.
-    """
+    """Return the solution by Newton's method, or None; with few equations, steps have least norm."""
     for _ in range(STEPS):
         missed = equations.off(unknown, points)
         size = float(np.linalg.norm(missed))
@@ -299,7 +294,7 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
         slopes = equations.slopes(unknown, points)[:, : equations.count]
         step = _least_step(slopes, -missed)
         share = _largest_fraction(equations, unknown, step)
-        # with `not`, the condition is also true for NaN, so that such a step is halved
+        # `not` makes the condition true for NaN, so that such a step is halved
         while not (
             float(np.linalg.norm(equations.off(unknown + share * step, points))) <= (1 - 1e-4 * share) * size
         ):
@@ -313,8 +308,7 @@ def _newton(points: FloatArray, equations: _Equations, unknown: FloatArray) -> F
 def _nearest(
     points: FloatArray, equations: _Equations, places: FloatArray, unknown: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return points on a meridian with the least sum of squared distances from the given points, and its
-    unknowns.
+    """Return the points of a meridian with the least squared distances from the given points, and its unknowns.
 
     The method is Gauss-Newton with the equations as constraints. A step is shortened until the squared
     distance plus the weighted residual of the equations decreases.
@@ -376,15 +370,14 @@ SOUGHT = 25
 """Number of points of a profile curve that the search uses."""
 
 ON_AXIS_SHARE = 1e-9
-"""Distance of the last point from the axis, as a fraction of the extent of all points, below which it is on the
-axis."""
+"""Distance of the last point from the axis, as a fraction of the size of all points, below which it is the pole."""
 
 MOST_TURNS = 20
-"""Largest number of turns of a meridian. With more turns it is not useful for a strip, and the integration takes
-too long."""
+"""Largest number of turns of a meridian; more are useless for a strip and slow to integrate."""
 
 HOPELESS = "the strips of a surface of revolution cannot follow these points; move the points"
-# distance from the axis, as a fraction of the largest distance, below which `TO_THE_POLE` is added to the message
+# distance of the points from the axis, as a fraction of the largest, below which `TO_THE_POLE` ends the
+# message
 NEAR_AXIS_SHARE = 0.05
 TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farther away"
 """End of a message if the last point is close to the axis."""
@@ -392,7 +385,8 @@ TO_THE_POLE = "; so near to the axis end them on it (x = 0), or on a ring farthe
 NARROW_SHARE = 1e-3
 """Distance from the axis at which a meridian ends by default, as a fraction.
 
-The fraction is relative to the sum of the length of the meridian and the distance of its start from the axis."""
+It is relative to the length of the meridian plus the distance of its start from the axis.
+"""
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from elastica_cad.forming.nearest_task import SearchPoint
 
 
-_UNLIKE = 0.05  # distance, in diagonals of the target, above which a rod no longer resembles it
+_UNLIKE = 0.05  # distance, in diagonals of the drawn curve, above which a rod no longer resembles it
 
 
 class Status(Enum):
@@ -57,8 +57,8 @@ class Binding:
     limit : float or None
         Value of the limit if it is a single number; curvatures are in 1/mm, lengths in mm.
     cost : float
-        Decrease of the distance, mm, to first order, per unit by which the limit is relaxed. For a kept property,
-        it is per mm or rad by which the property may change.
+        Decrease of the distance, mm, per unit by which the limit is relaxed, or per mm or rad by which a kept
+        property may change. The value is a first-order estimate.
     broken : float
         Violation of the limit. The violation is in rad for angles, a multiple of the length of the drawn curve
         for positions and lengths, and a fraction of the limit for other limits.
@@ -86,8 +86,7 @@ class NearestRod:
     mean_deviation : float
         Root mean square distance, mm, between points at the same fraction of the length.
     binding : tuple of Binding
-        Limits and kept properties that are violated, followed by those that increase the distance, each with the
-        largest effect first.
+        Violated limits and kept properties, then those that increase the distance; the largest effect first.
     violation : float
         Largest violation of any limit; see `Binding.broken` for its units.
     iterations : int
@@ -174,7 +173,7 @@ class NearestRod:
         from elastica_cad.forming.editable_curve import editable_curve
 
         section = self.rod.section
-        # the curvature of a stack of plies jumps where plies end
+        # the curvature of a stack jumps at ends of plies, which a smooth curve cannot follow
         if section is not None and section.stack is not None:
             return self.rod.curve
         return editable_curve(self.rod)
@@ -229,7 +228,7 @@ class NearestRod:
 
 
 _MOST_ADVICE = 4  # largest number of active limits for which suggestions are made
-# distance from the target below which no suggestions are made, in diagonals of the target
+# distance below which no suggestions are made, in diagonals of the drawn curve
 _SLIGHT_DIAGONALS = 1e-3
 _NEGLIGIBLE = 0.01  # least effect of a suggested change, as a fraction of the distance
 _LEAST_REPORTED = 1e-4
@@ -293,7 +292,7 @@ _NAMES = {
 
 
 def _limit_name(near: NearestRod, binding: Binding) -> str:
-    """Return the name of a limit for messages; empty for conditions that were not requested."""
+    """Return the name of a limit in messages; empty for a condition that was not requested."""
     limits, kind = near.limits, binding.name
     if kind == "ratio":
         if limits.ratio is None and limits.width is None:

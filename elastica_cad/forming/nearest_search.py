@@ -44,12 +44,12 @@ class SearchSettings(NamedTuple):
     Attributes
     ----------
     steps, unmet_steps : int
-        Total number of steps after which no further initial guess is tried. `unmet_steps` is used if no result has
-        met the limits, or if the first result violated the margin. For a stalled search, the largest possible
-        number of steps is added.
+        Total number of steps after which no further initial guess is tried. `unmet_steps` applies until a
+        result meets the limits, and if the first result violated the margin. A stalled search counts as the
+        largest possible number of steps.
     tensions : tuple of float
-        Tensions of straight initial guesses, as fractions of the tension that alone provides the margin. Guesses
-        under tension are stable, and unloaded guesses do not buckle.
+        Tensions of straight initial guesses, as fractions of the tension that alone provides the margin.
+        Guesses under tension are stable.
     long_distance, long_factor : float
         If the distance exceeds `long_distance`, an initial guess is tried whose length is `long_factor` times
         the length of the target.
@@ -78,8 +78,8 @@ class SearchSettings(NamedTuple):
     rescalings : int
         Largest number of repeated searches until the scale of the sections agrees with the rod.
     scale_reserve, scale_change : float
-        Settings for a margin that depends on the widths. `scale_reserve` is a factor on the largest scale, as a
-        reserve for other widths. `scale_change` is the least factor between scales that are tried.
+        For a margin that depends on the widths: factor on the largest scale, as a reserve for other widths,
+        and least factor between scales that are tried.
     scale_factors : tuple of float
         Factors on the scale that are tried for a margin that depends on the widths.
     margin_fraction : float
@@ -148,7 +148,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
     if before is not None and (near := _from_before(task, problem, before)) is not None:
         return _compared(Search(task, problem, near, (), near.iterations, before.off), [near])
     outcomes = [minimize(problem, _start(task, problem))]
-    # if the first result violates the margin, fewer steps are spent on other initial guesses
+    # a first result that violates the margin leaves fewer steps for other initial guesses
     tight = outcomes[0].violation > MET and task.limits.margin is not None
     for enough, start in _starts(task, problem):
         best = min(outcomes, key=_rank)
@@ -156,7 +156,7 @@ def _search(task: NearestTask, before: SearchPoint | None = None) -> Search:
         most = SETTINGS.unmet_steps if tight or best.violation > MET else SETTINGS.steps
         good = _is_optimum(best) and task.off(best.point) / task.target.diagonal < enough
         if not good and (spent < most or enough == np.inf):
-            # known optima are compared by mean distance, so they are not used for the largest distance
+            # known optima are compared by mean distance, which the measure "max" does not minimise
             optima = [] if task.request.measure == "max" else list(filter(_is_optimum, outcomes))
             outcomes.append(minimize(problem, start(), known=optima))
     best = min(outcomes, key=_rank)
@@ -169,7 +169,7 @@ def _is_optimum(outcome: RodOutcome) -> bool:
 
 
 def _rescaled(search: Search, margin: float | None) -> Search:
-    """Return the search repeated until the sections are as large as the limits allow for the resulting rod."""
+    """Repeat the search until the sections of the resulting rod are as large as the limits allow."""
     for _ in range(SETTINGS.rescalings):
         settled = search.task.settled(search.best.point)
         if (
@@ -202,10 +202,9 @@ def _rescaled(search: Search, margin: float | None) -> Search:
 
 
 def _narrowed(search: Search, task: NearestTask) -> Search:
-    """Continue with the scale of `task`, then with smaller scales until the limits are met.
+    """Continue with the scale of `task`, then with smaller scales, until the limits are met.
 
-    Only a part of the margin is required first. Narrower strips may meet a margin that wider strips do not
-    meet.
+    Only a part of the margin is required first. Narrower strips may meet a margin that wider strips violate.
     """
     margin = task.limits.margin or 0.0
     for factor in SETTINGS.scale_factors:
@@ -224,7 +223,7 @@ def _continued_search(search: Search, task: NearestTask) -> Search:
 
 
 def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) -> RodOutcome | None:
-    """Return None if the result violates limits or is much farther from the drawn curve than before."""
+    """Continue a similar search; return None if the result violates limits or is much farther away."""
     z = before.seen_from(task.target, problem.grid.unknowns)
     rod = None if z is None else problem.grid.shoot(z)
     if rod is None or not np.isfinite(rod.moments[-1]):
@@ -236,13 +235,13 @@ def _from_before(task: NearestTask, problem: RodProblem, before: SearchPoint) ->
 
 
 def _compared(search: Search, outcomes: Sequence[RodOutcome]) -> Search:
-    """Return the search with an equally near rod of least ratio, or with a list of other equally near results."""
+    """Return the search with an equally near rod of least ratio, or with all equally near results."""
     task, problem, best, _, steps, _ = search
     free = task.is_scaled_freely or task.is_light
     if free and task.off(best.point) < SETTINGS.exact_distance * task.target.diagonal:
-        lean = _with_least_ratio(task, best)
-        if lean is not None:
-            tight, problem, best = lean
+        least = _with_least_ratio(task, best)
+        if least is not None:
+            tight, problem, best = least
             return search._replace(task=tight, problem=problem, best=best, steps=steps + best.iterations)
     return search._replace(ties=tuple(_ties(task, problem, best, outcomes)))
 
@@ -252,8 +251,7 @@ def _with_least_ratio(
 ) -> tuple[NearestTask, RodProblem, RodOutcome] | None:
     """Return an equally near rod with the least stiffness ratio for the target, or None.
 
-    If a rod can follow the target exactly, the distance does not depend on the ratio, and the search may end with
-    an unnecessarily large ratio.
+    Many rods can follow such a target exactly, and the search may end with an unnecessarily large ratio.
     """
     K = best.point.stiffness
     law = None if task.section is None or task.is_light else task.section.law
@@ -301,11 +299,11 @@ def _rank(outcome: RodOutcome) -> tuple[bool, float]:
 
 
 def _starts(task: NearestTask, problem: RodProblem) -> Iterator[tuple[float, Callable[[], MappedRod]]]:
-    """Yield further initial guesses as functions.
+    """Yield further initial guesses, as functions with a mean distance below which they are not needed.
 
-    Each has a mean distance, in diagonals, below which it is not needed.
+    The distance is in diagonals of the target.
 
-    Guesses with an infinite distance are tried until a result meets the limits, whatever the number of steps.
+    Guesses with an infinite distance are tried until a result meets the limits.
     """
     chord = task.target.position[-1] - task.target.position[0]
     chord = chord / max(float(np.hypot(*chord)), SETTINGS.closed_gap)
@@ -332,8 +330,7 @@ def _start(
 ) -> MappedRod:
     """Return an initial rod, found by lifted steps (see `lift`) from the target with constant stiffness.
 
-    With a `seed`, random waves are added to the target, and the stiffness varies randomly, to reach other local
-    optima.
+    With a `seed`, target and stiffness are varied randomly, to reach other local optima.
     """
     grid, target = problem.grid, task.target
     u, n = grid.unknowns, grid.edges
@@ -361,15 +358,16 @@ def _start(
 
 
 _STRICTER = 6  # largest number of attempts, each with stricter limits than the last
-_BEYOND = 1.2  # limits are tightened by this multiple of their violation
+_BEYOND = 1.2  # factor on the violation of a limit, by which the limit is tightened
 _WHOLE = 1e-9  # largest rounding error of a computed number of plies
 
 
 def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
     """Return the nearest stack of glued plies.
 
-    The nearest rod of continuously varying thickness, the taper, is approximated by plies. If the stack violates a
-    limit, this is repeated with stricter limits for the taper."""
+    Plies approximate the nearest rod of continuously varying thickness, the taper. If the stack violates a
+    limit, the limits of the taper are tightened.
+    """
     curve, limits, keep = request.curve, request.limits or Limits(), request.keep or Keep()
     if limits.stiffness_bounds is not None or keep.points or keep.symmetry or keep.line:
         raise InputError(
@@ -377,7 +375,7 @@ def _find_leaves(request: RodSpec, law: LeavesLaw) -> NearestRod:
             "limits"
         )
     again = partial(_again, request)
-    # n plies are (n / k)^3 times as stiff as k plies
+    # n plies are (n / k)^3 times as stiff as k plies, so the ratio limits the fewest
     fewest = int(np.ceil(law.leaves / limits.largest_ratio ** (1 / 3) - _WHOLE))
     law = replace(law, fewest=min(max(law.fewest, fewest), law.leaves))
     laid, steps = None, 0
@@ -515,8 +513,8 @@ def nearest_rod(
         pre-bent strip agree within 1 %.
     start : NearestRod, optional
         Result of a similar request, such as the same curve before a small change. The search begins with its
-        rod. This takes two thirds of the time, or a tenth if many initial guesses were needed. If the result
-        violates limits or is much farther away than before, the search is repeated from new initial guesses.
+        rod. This saves a third of the time or more. If the result violates limits or is much farther away
+        than before, the search is repeated from new initial guesses.
 
     Returns
     -------

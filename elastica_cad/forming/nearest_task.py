@@ -60,7 +60,7 @@ class NearestTask:
     grows : bool
         True if the sections of a rod without weight are finally made as large as the limits allow.
     keeps_scale : bool
-        True if the scale is fixed and the width at each node is limited, for stiffnesses that depend on the
+        True if the scale is fixed and the width is limited at each node, because the stiffness depends on the
         curvature.
     """
 
@@ -116,7 +116,7 @@ class NearestTask:
     def is_scaled_freely(self) -> bool:
         """True if K has no scale during the search.
 
-        K has no scale without a section law, and for laws whose limits depend on the curvature of the rod.
+        K has no scale without a section law, or if the limits of the law depend on the curvature of the rod.
         """
         return self.section is None or self.section.law.follows_bend
 
@@ -137,7 +137,7 @@ class NearestTask:
         return replace(self, limits=limits, section=section)
 
     def settled(self, mapped: MappedRod) -> "NearestTask":
-        """Return the task with the largest allowed widths for a rod, or the task itself if they are unchanged."""
+        """Return the task with the largest allowed widths for a rod, or itself if they are unchanged."""
         if self.section is None or not self.is_scaled_freely:
             return self
         bend = mapped.moments / mapped.stiffness / self.target.size
@@ -146,9 +146,9 @@ class NearestTask:
 
     @property
     def without_followed_margin(self) -> "NearestTask":
-        """The task without its limit of the margin, if the margin depends on an undetermined scale.
+        """Return the task without its limit of the margin, if the margin depends on an undetermined scale.
 
-        Otherwise the task itself.
+        Otherwise return the task itself.
         """
         if self.section is None or not self.is_scaled_freely or self.limits.margin is None:
             return self
@@ -180,9 +180,9 @@ class NearestTask:
 
     @property
     def in_smaller_sections(self) -> "NearestTask | None":
-        """Task with smaller sections, which withstand the curvature of the target.
+        """Return the task with smaller sections, which withstand the curvature of the target.
 
-        None if the sections are not changed.
+        Return None if the sections need not change.
         """
         if self.section is None or self.is_scaled_freely or self.request.gravity is None:
             return None
@@ -206,7 +206,7 @@ class NearestTask:
         least = float(mapped.stiffness.min())
         length = mapped.length * size
         profile = Profile(self.basis.knots * length, self.basis.coefficients(mapped.z) / least)
-        # without weight and section law, the rod has the state that the search found
+        # without weight and section law, the state that the search found is final
         if self.request.gravity is None and section is None:
             s = np.linspace(0.0, length, self.nodes)
             profile, K = scaled_to_least(profile, s)
@@ -224,7 +224,7 @@ class NearestTask:
     def _state_of(
         self, mapped: MappedRod, K: FloatArray, rest: float | FloatArray, load: FloatArray
     ) -> RodState:
-        """Return the state in mm. K (n,) is the stiffness with the minimum 1, and `load` (n, 2) is the weight."""
+        """Return the state in mm, for stiffnesses K (n,) of at least 1 and weights `load` (n, 2) of the nodes."""
         size = self.target.size
         position = mapped.position * size + self.target.origin
         system = RodSystem(
@@ -303,7 +303,7 @@ class SearchPoint:
     def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
         """Return the unknowns of this rod in the units of another target.
 
-        Return None if `unknowns` is a different set of unknowns.
+        Return None if the unknowns differ from `unknowns`.
         """
         u = self.unknowns
         if unknowns != u:

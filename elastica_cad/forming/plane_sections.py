@@ -23,7 +23,7 @@ SHOWN_PLACES = 3
 """Largest number of positions that a message lists."""
 
 CRACK_SHARE = 1e-5
-"""Distance below which border vertices are merged, as a fraction of the extent of the borders."""
+"""Distance below which vertices of borders are merged, as a fraction of the extent of the borders."""
 
 FARTHEST_MM = 1e9
 """Largest coordinate, mm."""
@@ -303,7 +303,7 @@ def _reason_for_no_section(mesh: Mesh, local: FloatArray, height: FloatArray) ->
 
 
 def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray) -> list[FloatArray]:
-    """`above` is True for vertices above the plane."""
+    """Return chains of points in which the faces meet the plane; `above` is True for vertices above the plane."""
     side = above[mesh.faces]
     faces = mesh.faces[side.any(axis=1) & ~side.all(axis=1)]
     if not len(faces):
@@ -324,7 +324,7 @@ def _chained(mesh: Mesh, local: FloatArray, height: FloatArray, above: BoolArray
 def _walks(links: IntArray, count: int) -> list[list[int]]:
     """Return chains of nodes that follow the links (m, 2).
 
-    They end at nodes with one link or more than two links.
+    They end at nodes that do not have two links.
     """
     at: list[list[int]] = [[] for _ in range(count)]
     for k, (a, b) in enumerate(links.tolist()):

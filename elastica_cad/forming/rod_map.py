@@ -68,11 +68,10 @@ class StiffnessBasis:
 
 
 SAME_SCALE = 1e-5
-"""Relative difference of scales below which the search is not repeated with the new scale."""
+"""Relative change of the scale below which the search is not repeated with the new scale."""
 
 FULL_STRAIN = 1 - 2e-5
-"""Fraction of a strain limit that is used. The rest is a reserve for errors of the strain between nodes and of
-fitted sizes."""
+"""Fraction of a strain limit that is used; the rest covers errors of the strain between nodes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,8 +97,8 @@ class SectionScale:
     def of(cls, law: BoundedLaw, limits: Limits, *, heavy: bool) -> "SectionScale":
         """Return the relation with the largest scale or, without weight, with the scale for the largest curvature.
 
-        The shape of a rod without weight does not depend on the scale. Thin strips withstand larger curvatures
-        than thick strips. This also applies to laminates whose backing is as wide as the base.
+        The shape of a rod without weight does not depend on the scale, and thin sections withstand larger
+        curvatures than thick sections.
         """
         least, largest = law.limits
         ratio = limits.largest_ratio
@@ -116,7 +115,7 @@ class SectionScale:
                     largest=Length(largest),
                 )
             ratio = min(ratio, most / low)
-            # if stiffness and strain depend on the curvature, the scale is determined later
+            # if stiffness and strain depend on the curvature, the scale is determined after the search
             if not (heavy or law.follows_bend):
                 thin, thick = cls(law, low, ratio).strain(np.array([1.0, most / low]), limits.strain)
                 if thin < thick:
@@ -145,12 +144,11 @@ class SectionScale:
         return replace(self, scale=float(np.exp(brentq(room, low, high)))) if room(low) > 0 else self
 
     def bearing(self, bend: FloatArray, limits: Limits) -> Self | None:
-        """Return the relation with the scale reduced so far that the sections withstand `bend`.
+        """Return the relation with a scale that is reduced until the sections withstand `bend`.
 
         `bend` (n,) is kappa - kappa_0, 1/mm.
 
-        Return None if the scale need not or cannot be reduced. Thin sections may withstand a curvature that breaks
-        the thickest sections.
+        Return None if the scale need not or cannot be reduced.
         """
         least, largest = self.law.limits
         if limits.sheet is None or not (least > 0 and np.isfinite(largest)):
@@ -183,16 +181,17 @@ class SectionScale:
         return self.law.bent(bend, rest).bending_stiffness(most)
 
     def weight(self, stiffness: FloatArray, *, size: float) -> tuple[FloatArray, FloatArray]:
-        """Return the weight per length (n,) for K (n,), and its derivative with respect to K.
+        """Return the weight per length (n,) for K (n,), and its derivative by K.
 
-        The weight is divided by the scale and multiplied by the cube of `size`, mm."""
+        The weight is divided by the scale and multiplied by the cube of `size`, mm.
+        """
         EI = self.scale * stiffness
         tangent = TangentWeight.of(self.law, EI)
         over = size**3
         return (tangent.fixed / self.scale + tangent.slope * stiffness) * over, tangent.slope * over
 
     def carried_by(self, rod: Rod, stiffness: FloatArray) -> Rod:
-        """Return the rod with this scale, and with gravity also with the weight for K (n,) at the nodes."""
+        """Return the rod with this scale and, under gravity, with the weight for K (n,) at the nodes."""
         EI = self.scale * stiffness
         scaled = replace(rod, bending_stiffness=float(EI.min()), section=self.law)
         if rod.gravity is None:
@@ -293,7 +292,7 @@ class MappedRod(DiscreteRod):
 class Sensitivities:
     """Derivatives of a rod with n edges with respect to its p unknowns.
 
-    An optional last column p is the change that brings it into equilibrium.
+    An optional last column p is the change that brings the rod into equilibrium.
 
     Attributes
     ----------
@@ -384,7 +383,7 @@ class StripGrid:
 
     @cached_property
     def shares(self) -> FloatArray:
-        """Lengths around the nodes (n+1,) for a rod of length 1: half of the edges beside each node."""
+        """Lengths (n+1,) around the nodes of a rod of length 1: half of both adjacent edges."""
         return node_weights(1 / self.edges, self.edges)
 
     @cached_property
@@ -410,7 +409,7 @@ class StripGrid:
         return bool(np.any(self.e))
 
     def shoot(self, z: FloatArray) -> MappedRod:
-        """Return the rod in equilibrium. The last moment of the rod is not finite if numbers overflow."""
+        """Return the rod in equilibrium. Its last moment is not finite if numbers overflow."""
         K, force, length = self._stiffness_forces_length(z)
         u = self.unknowns
         angles, moments = shoot(
@@ -451,7 +450,7 @@ class StripGrid:
         K, M, T, length = rod.stiffness, rod.moments, rod.tangents, rod.length
         edge, w = length / n, length * self.shares
 
-        # unknowns alpha_1, M_1, ..., alpha_{n+1}; right-hand sides: derivatives of the recursion with respect to z
+        # unknowns alpha_1, M_1, ..., alpha_{n+1}; right-hand sides: derivatives of the recursion by z
         right = np.zeros((2 * n + 1, columns), order="F")
         drive_angle, drive_moment = right[0::2], right[1::2]
         np.multiply((-w * M / K**2)[:, None], self.basis, out=drive_angle[:, u.stiffness])
@@ -504,7 +503,7 @@ class StripGrid:
         """Return the unit lower triangular band matrix of the recursion for (alpha_1, M_1, ..., alpha_{n+1})."""
         band = np.empty((3, 2 * self.edges + 1))
         band[0] = 1
-        band[1, 0:-1:2] = rod.edge_length * rod.pull  # -dM_i / dalpha_i
+        band[1, 0:-1:2] = rod.edge_length * rod.pull  # derivative -dM_i / dalpha_i
         band[1, 1::2] = -(rod.length * self.shares / rod.stiffness)[1:]
         band[1, -1] = 0
         band[2] = -1

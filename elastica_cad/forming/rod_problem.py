@@ -37,7 +37,7 @@ from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.mechanics.loads import LENGTHS_APART, RestCurvature
 from elastica_cad.refusals import Length
 
-# largest usable derivative of an angle, rad per unknown; squares of larger derivatives overflow
+# largest usable derivative of an angle, rad per unknown, whose square does not overflow
 _TOO_SENSITIVE = 1e50
 
 
@@ -72,7 +72,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return [c.values(point) for c in self.constraints]
 
     def rows(self, point: MappedRod, values: Sequence[FloatArray]) -> tuple[FloatArray, ConstraintRows]:
-        """Return the unknowns of a rod in equilibrium, and its linearised constraints with these values."""
+        """Return the unknowns of a rod in equilibrium, and the linearised constraints."""
         return point.z, self._stacked(self.grid.sensitivities(point), values)
 
     def linearize(self, point: MappedRod) -> Linearization[MappedRod] | None:
@@ -110,11 +110,11 @@ class RodProblem(NonlinearProgram[MappedRod]):
         return float(np.mean((first.position - other.position) ** 2))
 
     def for_open_points(self) -> "RodProblem":
-        """Return the problem without the constraints that are only meaningful near equilibrium."""
+        """Return the problem without the constraints that have a meaning only near equilibrium."""
         return replace(self, constraints=tuple(c for c in self.constraints if not c.near_balance_only))
 
     def _moved(self, d: Sensitivities, change: FloatArray) -> MappedRod:
-        """Return the rod after a change (p + 1,), to first order: see `linearize`."""
+        """Return the rod after a change (p + 1,), to first order."""
         z = self._clipped(d.rod.z + change[:-1])
         angles, moments = d.angles @ change, d.moments @ change
         return self.grid.assemble(z, d.rod.all_angles + angles, d.rod.moments + moments)
@@ -131,9 +131,7 @@ class RodProblem(NonlinearProgram[MappedRod]):
     def _stacked(
         self, sensitivities: Sensitivities, values: Sequence[FloatArray] | None = None
     ) -> ConstraintRows:
-        """If the derivatives have a last column for the change to equilibrium, the values are those in
-        equilibrium.
-        """
+        """Return the linearised constraints; a column for the change to equilibrium also changes their values."""
         p = sensitivities.rod.z.size
         if not self.constraints:
             none, empty = np.zeros(0), np.zeros(0, dtype=int)
@@ -151,10 +149,10 @@ class RodProblem(NonlinearProgram[MappedRod]):
         )  # fmt: skip
 
 
-_SAME_LENGTH = 1e-6  # reserve for rounding errors, as a fraction of the length range of a pre-bent strip
-# tolerance of the symmetry of a pre-bent strip, as a fraction of the typical curvature
+_SAME_LENGTH = 1e-6  # reserve for rounding errors, as a fraction of the range of lengths of a pre-bent strip
+# tolerance of the symmetry of a pre-bent strip, as a fraction of its typical curvature
 _SAME_CURVATURE = 1e-6
-_LENGTHS = (0.2, 5.0)  # default limits of the length, as multiples of the target's length
+_LENGTHS = (0.2, 5.0)  # default limits of the length, as multiples of the length of the drawn curve
 
 RodOutcome: TypeAlias = Outcome[MappedRod]
 
@@ -162,8 +160,8 @@ RodOutcome: TypeAlias = Outcome[MappedRod]
 class Search(NamedTuple):
     """Result of a search: its last task and problem, the best outcome, and equally near outcomes.
 
-    `steps` is the number of steps from all initial guesses. `off` is the mean distance after the last search from
-    all of them, in diagonals of the target.
+    `steps` is the number of steps from all initial guesses. `off` is the mean distance after the last such
+    search, in diagonals of the target.
     """
 
     task: NearestTask
@@ -372,7 +370,7 @@ def _symmetry(task: NearestTask, kind: Symmetry) -> Constraint:
 
 
 def _coefficient_bounds(task: NearestTask, count: int) -> tuple[FloatArray, FloatArray]:
-    """Each bound is the strictest in the support of its basis function."""
+    """Return bounds of the coefficients of K: each is the strictest in the support of its basis function."""
     ratio = task.limits.largest_ratio
     low, high = np.ones(count), np.full(count, ratio)
     if task.limits.stiffness_bounds is None:
@@ -406,14 +404,15 @@ def _pair(point: FloatArray) -> tuple[float, float]:
     return float(point[0]), float(point[1])
 
 
-# fraction of the largest effect; smaller effects are within the accuracy of the quadratic program
+# smaller effects of a limit, as a fraction of the largest effect, are within the accuracy of the quadratic
+# program
 _IDLE = 1e-6
 
 
 def list_bindings(task: NearestTask, problem: RodProblem, outcome: Outcome[MappedRod]) -> tuple[Binding, ...]:
     """Return the violated limits, followed by the limits that increase the distance.
 
-    Both are sorted by the effect of a relative change, the largest first.
+    Both are sorted by the effect of a relative change, largest first.
     """
     size, limits, u = task.target.size, task.limits, problem.grid.unknowns
     if task.request.measure == "max":

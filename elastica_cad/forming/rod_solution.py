@@ -50,7 +50,7 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
 
 
 def _weight_on(weight: Weight | None, factor: float) -> Weight | None:
-    """Return the weight with its masses at the same fractions of a length that smoothing changed by this factor."""
+    """Return the weight with its masses at the same fractions of a length that smoothing multiplied by `factor`."""
     if weight is None:
         return None
     return replace(weight, masses=tuple(replace(mass, at=factor * mass.s) for mass in weight.masses))
@@ -61,7 +61,7 @@ WIDTH_TOLERANCE_MM = 0.1
 
 
 def _with_widest(rod: Rod, widths: WidthRange) -> Rod:
-    """Warn if the largest width is less than the requested width."""
+    """Return the rod, with a warning if its largest width is less than the requested width."""
     widest = rod.profile.extremes[1] * (rod.bending_stiffness or 0.0) / PlainSection(widths.sheet).rigidity
     if widths.largest is None or widest > widths.largest - WIDTH_TOLERANCE_MM:
         return rod

@@ -33,7 +33,7 @@ class RodSpec(RodRequest):
     widths : WidthRange, optional
         Limits of the width of a solid strip that carries loads.
     outline_widths : (float or None, float or None)
-        Requested largest and least width of the strip, mm, with which `smooth_curve` decides.
+        Requested largest and least width of the strip, mm, for `smooth_curve`.
     weights, measure, coefficients
         Options of the search for the nearest rod, as in `nearest_rod`.
     """

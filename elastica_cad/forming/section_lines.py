@@ -94,7 +94,7 @@ class SectionLine:
         above = height >= 0
         i = np.flatnonzero(above[:-1] != above[1:])
         cuts = i + height[i] / (height[i] - height[i + 1])
-        if not self.is_closed:  # intersections at an end do not split an open line
+        if not self.is_closed:  # an open line is not split at its ends
             cuts = cuts[(cuts > 0) & (cuts < len(self.points) - 1)]
         return self._split(cuts) if cuts.size else (self,)
 
@@ -109,7 +109,7 @@ class SectionLine:
         return self._split(np.sort(corners)) if corners.size else (self,)
 
     def _split(self, cuts: FloatArray) -> tuple["SectionLine", ...]:
-        """Return the pieces between cuts, which are indices of points plus fractions of the following side."""
+        """Return the pieces between cuts; a cut is the index of a point plus a fraction of the next side."""
         last = len(self.points) - 1
         index = np.arange(last + 1)
         at = np.column_stack([np.interp(cuts, index, column) for column in self.points.T])
@@ -280,7 +280,7 @@ def _clip_to_right_half(points: FloatArray) -> list[FloatArray]:
 def _nearest(points: FloatArray, place: FloatArray) -> float:
     """Return the position on a polyline that is nearest to a point.
 
-    The position is the index of a vertex plus a fraction of the following side.
+    The position is the index of a vertex plus a fraction of the next side.
     """
     step = np.diff(points, axis=0)
     u = np.clip(((place - points[:-1]) * step).sum(axis=1) / (step**2).sum(axis=1), 0.0, 1.0)
@@ -295,8 +295,7 @@ def place_in_words(point: FloatArray) -> Point:
 
 
 SMOOTHED_POINTS, MOST_SMOOTHED = 240, 5_000
-"""Default and largest number of smoothed points. The number is limited because the matrix of the smoothing is
-dense."""
+"""Default and largest number of smoothed points; the matrix of the smoothing is dense."""
 
 FALSE_TURN_RAD = np.radians(4.0)
 """Angle, rad, below which a bend between two inflections counts as an artefact of the mesh."""
@@ -320,7 +319,7 @@ AT_CORNERS = Change("split_corners", True)
 """Change that is suggested for a line with a corner."""
 
 AT_TWO_PLACES = Change("split", True)
-"""Change that is suggested for a closed line: to split it at a plane or at two points."""
+"""Change that is suggested for a closed line: a split at a plane or at two points."""
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(8)
 
@@ -458,7 +457,7 @@ def _curve(
 def _filled(points: FloatArray) -> FloatArray:
     """Insert points so that no side is longer than 1/240 of the length.
 
-    A coarse mesh has few vertices, and a curve fitted only to them could deviate from the sides between them.
+    Otherwise a curve fitted to the few vertices of a coarse mesh could deviate from the sides.
     """
     s = lengths_along(points)
     counts = np.maximum(np.ceil(np.diff(s) / s[-1] * FILLED_POINTS), 1).astype(int)
@@ -473,7 +472,7 @@ def _place(line: SectionLine, point: FloatArray) -> str:
 
 
 def _refuse_corners(line: SectionLine, tolerance: float) -> None:
-    """A corner beside a side shorter than the tolerance counts as roughness."""
+    """Refuse a line with a sharp corner; beside a side shorter than the tolerance a corner counts as roughness."""
     turned, sides = _inner_turns(line.points), np.diff(lengths_along(line.points))
     turned = np.where(np.minimum(sides[:-1], sides[1:]) > tolerance, turned, 0.0)
     if turned.max(initial=0.0) > SHARP_TURN_RAD:
@@ -485,7 +484,7 @@ def _refuse_corners(line: SectionLine, tolerance: float) -> None:
 
 
 def _sharp_corner_message(line: SectionLine, tolerance: float) -> str:
-    """Return an empty text if the line has no sharp corner."""
+    """Return a message about the sharpest corner of a line, or an empty text."""
     turned = _inner_turns(line.points)
     if turned.max(initial=0.0) < SHARP_TURN_RAD:
         return ""
@@ -591,7 +590,7 @@ def smooth_polyline(
     if spans.size and spans.shape[1:] != (2,):
         raise InputError("parts to smooth must be rows (k, 2) of finite lengths along the points, in mm")
     counted = np.any([(middle >= a) & (middle <= b) for a, b in spans], axis=0) if len(spans) else True
-    # the wavelength is at most four line lengths, for which the result is a parabola; more causes rounding errors
+    # at four line lengths the result is already a parabola, and larger wavelengths cause rounding errors
     share = min(wavelength, 4 * s[-1]) / (2 * np.pi * at[1])
     third = third * (np.broadcast_to(counted, middle.shape) * share**3)[:, None]
     system = np.eye(count) + third.T @ third
@@ -645,7 +644,7 @@ def remove_false_inflections(
             break
         try:
             simpler = PlaneCurve(*fit_spline(even, 4, most / 20), 4)
-        # a fit fails for kinks at the ends of the smoothed part, which a longer wavelength may avoid
+        # a fit fails at kinks beside the smoothed part, which a longer wavelength may avoid
         except NotConvergedError:
             continue
         if not len(_false_bends(simpler, turn)):

@@ -24,7 +24,7 @@ def parallel_planes(
 ) -> tuple[Frame, ...]:
     """Return planes perpendicular to `normal` (3,), at the distances `offsets` (k,), mm, from `point` (3,).
 
-    The y axis of each plane is as near to `up` as possible.
+    The y axis of each plane points as nearly along `up` as possible.
 
     Examples
     --------
@@ -161,7 +161,7 @@ NAMED_REASONS = 6
 """Largest number of reasons that a message lists."""
 
 SAME_PLANE = 1e-9
-"""Difference of angles or offsets below which planes are equal, as a fraction of the largest value."""
+"""Difference of angles or offsets below which two planes are the same, as a fraction of the largest value."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -439,7 +439,7 @@ def _reasons(reports: Sequence[str]) -> str:
 
 
 def _refuse_twice(name: str, values: Sequence[float], period: float = np.inf) -> None:
-    """`values` are angles with a `period`, or offsets."""
+    """Refuse equal planes; `values` are angles with a `period`, or offsets."""
     order = np.argsort(np.mod(values, period), kind="stable")
     ring = np.append(order, order[:1]) if np.isfinite(period) else order
     steps = np.diff(np.asarray(values)[ring])

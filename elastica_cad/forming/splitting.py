@@ -27,7 +27,7 @@ from elastica_cad.refusals import Length, Listed, note
 _SHORTEST_SHARE = 1e-4  # largest parameter range of an empty part, as a fraction of the range of the curve
 # number of positions that are tried for each support, between its first and its last possible position
 _CHOICES = 5
-_ROUNDS = 2  # number of successive grids, each finer and around the best positions of the last
+_ROUNDS = 2  # number of grids of positions; each is finer than the last, around its best positions
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,9 +78,8 @@ def split(
 ) -> Splitting:
     """Return the fewest supports along a curve that make every piece realizable, with the least ratios.
 
-    The pieces are separate strips, each clamped at both of its ends: a support holds position and angle. Places
-    are arc lengths from the start of the whole curve. For one strip that slides over a rail, or that a pin or cord
-    holds, pass `between` to `optimal_rod` instead.
+    The pieces are separate strips, each clamped at both ends: a support holds position and angle. For one
+    strip with rails, pins or cords between its ends, pass `between` to `optimal_rod` instead.
 
     A part of a realizable curve is realizable too, with the same line and at most the same ratio. Therefore the
     number of pieces is least if each piece is as long as possible. The same search from the other end gives the
@@ -187,7 +186,7 @@ class _Cut:
             return self.ratio_of(start, end) <= self.ratio
         try:
             piece, held, tolerance = self._held(start, end)
-            if piece.is_closed:  # a whole closed curve is not a piece, because it has no ends
+            if piece.is_closed:  # a closed curve has no ends, so it is not a piece
                 return False
             return examine(piece, held, tolerance=tolerance).realizable
         except InputError:
@@ -220,7 +219,7 @@ class _Cut:
         while far - near > self.short / 10:
             middle = (near + far) / 2
             near, far = (middle, far) if self.takes(start, middle) else (near, middle)
-        # less than `least` beyond the mark `sure` is a numerical error: no strip can pass the mark, so end there
+        # a piece that passes the mark by less than `least` is a numerical error: end at the mark
         return near if near - sure > self.least else sure
 
     def _reach_of_places(self, start: float, near: float, far: float) -> float:
@@ -258,7 +257,7 @@ def _forwards(cut: _Cut) -> list[float]:
     start, high = cut.curve.domain
     supports: list[float] = []
     while not cut.takes(start, high):
-        # leave a last piece, because a closed curve needs at least one support
+        # a closed curve needs at least one support, so leave a last piece
         end = min(cut.reach(start), high - 10 * cut.short)
         if end <= start:
             raise NotRealizable(_stuck(cut, start))
@@ -276,7 +275,7 @@ def _earliest(cut: _Cut, latest: Sequence[float]) -> Sequence[float]:
         earliest = cut.turned(np.array(_forwards(mirrored))).tolist()
     except NotRealizable:
         return latest
-    # the numbers of supports can differ by rounding errors if the pieces are as long as possible
+    # rounding errors may change the number of supports if pieces are as long as possible
     return earliest if len(earliest) == len(latest) else latest
 
 
@@ -299,7 +298,7 @@ def _stuck(cut: _Cut, place: float) -> EquilibriumCheck:
 
 
 def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, float]]) -> list[float]:
-    """Return the positions of supports, within their ranges, that minimize the sum of squared stiffness ratios.
+    """Return the positions of supports, within their ranges, with the least sum of squared stiffness ratios.
 
     The minimum is a shortest path on a grid of positions; the grid is refined several times.
     """
@@ -317,8 +316,7 @@ def _placed(cut: _Cut, latest: Sequence[float], ranges: Sequence[tuple[float, fl
 
 
 def _shortest_path(cut: _Cut, stages: Sequence[FloatArray]) -> list[float]:
-    """Return positions, one from each array of `stages`, with the least sum of squared stiffness ratios of
-    the pieces.
+    """Return one position from each array of `stages`, with the least sum of squared stiffness ratios.
 
     The list is empty if every choice has a piece that no strip can take.
     """

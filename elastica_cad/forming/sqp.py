@@ -1,8 +1,8 @@
-"""Sequential quadratic programming with a trust region and an exact penalty: problem, iterates and steps.
+"""Sequential quadratic programming with a trust region and an exact penalty.
 
-A point has p unknowns z and a state, such as the angles of a rod. In equilibrium the state satisfies the state
-equations, so that z determines it. The search uses points nearly in equilibrium, with derivatives that predict the
-point in equilibrium to first order.
+A point has p unknowns z and a state, such as the angles of a rod. In equilibrium, z determines the state by
+the state equations. The search uses points nearly in equilibrium, with derivatives that predict the point in
+equilibrium to first order.
 """
 
 from abc import ABC, abstractmethod
@@ -22,7 +22,8 @@ Point = TypeVar("Point")
 KEY_STRIDE = 1_000_000
 """Factor in the key of a row: key = constraint * KEY_STRIDE + index.
 
-The factor is larger than the number of values of any constraint."""
+No constraint has so many values.
+"""
 
 
 class ProgramSettings(NamedTuple):
@@ -61,8 +62,8 @@ class ProgramSettings(NamedTuple):
         The search ends if `patience` steps reduce the violation to more than the fraction `stall_fraction`,
         unless the violation is less than `stall_violation`.
     same_optimum : float
-        Distance from a known optimum at which a search ends, as a fraction of the distance of that optimum from
-        the target.
+        Distance from a known optimum, as a fraction of its own distance from the target, at which a search
+        ends.
     sensitivity : float
         Square root of the second derivative of the objective, per scale, above which the scale of an unknown is
         reduced.
@@ -81,7 +82,7 @@ class ProgramSettings(NamedTuple):
     tolerated_defect : float
         Largest accepted defect if Newton corrections do not converge. The effect of such a defect is about 1 %.
     defect_reduction : float
-        Fraction of the present defect below which the defect of a rejected point makes it acceptable.
+        A rejected point is accepted if its defect is below this fraction of the present defect.
     reliability : float
         Largest uncertainty of the merit, as a fraction of the predicted decrease.
     large_violation : float
@@ -96,7 +97,7 @@ class ProgramSettings(NamedTuple):
     correction_bound : float
         Bound of these Newton steps and of their multipliers, as a multiple of the violation.
     correction_accuracy : float
-        Accuracy of these Newton steps. The accuracy is low, because the next step corrects the error.
+        Accuracy of these Newton steps; it is low, because the next step corrects the error.
     """
 
     steps: int = 80
@@ -245,9 +246,7 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def apart(self, first: Point, other: Point) -> float:
-        """Return the mean of the squared distances between the nodes of two points, in the unit of the
-        objective.
-        """
+        """Return the mean squared distance between the nodes of two points, in the unit of the objective."""
 
     @abstractmethod
     def values(self, point: Point) -> Sequence[FloatArray]:
@@ -271,11 +270,11 @@ class NonlinearProgram(ABC, Generic[Point]):
 
     @abstractmethod
     def fallback(self) -> Point:
-        """Return a point in equilibrium, for a search that cannot start or end with a point of its own."""
+        """Return a point in equilibrium, for a search that cannot start or end otherwise."""
 
     @abstractmethod
     def for_open_points(self) -> "NonlinearProgram[Point]":
-        """Return the program without the constraints that are only meaningful near equilibrium."""
+        """Return the program without the constraints that have a meaning only near equilibrium."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -290,7 +289,7 @@ _NONE_ACTIVE = ActiveSet(np.zeros(0, dtype=int), np.zeros(0))
 
 
 def _row_keys(rows: ConstraintRows) -> IntArray:
-    """Return a key for each row that is the same for all points."""
+    """Return a key for each row that does not depend on the point."""
     return rows.constraint * KEY_STRIDE + rows.index
 
 
@@ -327,7 +326,7 @@ class Iterate(Generic[Point]):
             free = clearance > SETTINGS.bound_tolerance * program.scale
             s = program.scale[free]
             gap = self.active.aim[there] - rows.value[here]
-            # with more rows than free unknowns, least squares mainly satisfies the rows with large derivatives
+            # with more rows than free unknowns, rows with large derivatives dominate the least squares
             change[:-1][free] = np.linalg.lstsq(rows.jacobian[here][:, free] * s, gap, rcond=1e-10)[0] * s
         return change
 
@@ -367,7 +366,7 @@ class Iterate(Generic[Point]):
 
     def is_reliable(self, promise: float, highest_penalty: float) -> bool:
         """Return True if the error of the predicted equilibrium is small compared with the decrease `promise`."""
-        # necessary for every objective
+        # this is necessary for every objective
         if not self.defect**2 * highest_penalty < SETTINGS.reliability * promise:
             return False
         weight = 1.0 if self.local.model.peaks.size else float(np.sqrt(2 * max(self.objective, 0.0)))
@@ -399,7 +398,7 @@ class Iterate(Generic[Point]):
 def iterate_at(
     program: NonlinearProgram[Point], point: Point, active: ActiveSet = _NONE_ACTIVE
 ) -> Iterate[Point] | None:
-    """Return the iterate of a point, which need not be in equilibrium, or None if its derivatives overflow."""
+    """Return the iterate of a point, or None if its derivatives overflow."""
     local = program.linearize(point)
     return None if local is None else Iterate(program, local, active)
 
@@ -414,10 +413,10 @@ def follow_step(
 ) -> Iterate[Point] | None:
     """Return the iterate after a step (p + 1,), or None if its state does not converge.
 
-    The state first changes linearly. Newton steps then bring the point into equilibrium and the active rows to
-    their predicted values, with the least change of the unknowns. The Newton steps end when the second-order
-    error is small compared with the predicted decrease. Steps can be much larger than if the state were
-    computed anew for the new unknowns, and the Maratos effect is avoided.
+    The state first changes linearly. Newton steps then bring the point into equilibrium and the active rows
+    to their predicted values, with the least change of the unknowns. They end when the second-order error is
+    small compared with the predicted decrease. This allows larger steps than a new computation of the state,
+    and avoids the Maratos effect.
     """
     here, change = start, step
     for _ in range(SETTINGS.newton_steps):
@@ -495,7 +494,7 @@ def lift(program: NonlinearProgram[Point], start: Point, steps: int) -> Point:
         point = here.local.moved(change)
         after = program.objective(point)
         changed = float(np.abs(here.local.state_jacobian @ change).max())
-        # the second term estimates by how much the distance may increase in the step to equilibrium
+        # the second term estimates how much the distance increases in the step to equilibrium
         if (rank := float(np.sqrt(2 * after)) + 0.1 * changed**2) < least:
             best, least = point, rank
         if (
@@ -607,8 +606,8 @@ class _Walk(Generic[Point]):
         reliable = here.is_reliable(worth, highest)
         if reliable and promised <= floor and not here.restores_feasibility(step):
             if promised < -floor and self.radius > SETTINGS.ascent_radius:
-                # the model itself predicts an increase, so the step does not solve the quadratic program:
-                # try a shorter step with full damping
+                # the step does not solve its quadratic program, because the model predicts an increase:
+                # shorten the step, with full damping
                 self.damping_fraction, self.radius = 1.0, 0.25 * self.radius
                 return False
             self.settled = True
@@ -628,9 +627,9 @@ class _Walk(Generic[Point]):
     def _nearer(
         self, trial: Iterate[Point] | None, promise: float, highest_penalty: float
     ) -> Iterate[Point] | None:
-        """Return an iterate that is nearer to equilibrium, or None.
+        """Return an iterate nearer to equilibrium, or None.
 
-        The iterate is used if the predicted merit in equilibrium is not reliable.
+        It is needed if the predicted merit in equilibrium is not reliable.
         """
         here = self.here
         nearer = follow_step(here, here.change, self.active, promise, highest_penalty)
@@ -642,9 +641,9 @@ class _Walk(Generic[Point]):
         return nearer
 
     def _adapt(self, gain: float, size: float, *, accepted: bool) -> None:
-        """Change radius and damping after a step.
+        """Change radius and damping after a step of length `size`, in scales.
 
-        `size` is its length in scales, and `gain` the achieved fraction of the predicted decrease.
+        `gain` is the achieved fraction of the predicted decrease.
         """
         if gain > 0.75:
             self.radius = max(self.radius, min(5.0, 2 * size))
@@ -654,9 +653,9 @@ class _Walk(Generic[Point]):
 
 
 def _begin(program: NonlinearProgram[Point], start: Point) -> Iterate[Point]:
-    """Return the first iterate: the start, if its defect is small.
+    """Return the first iterate: the start if its defect is small.
 
-    Otherwise it is the point in equilibrium with the same unknowns, or the fallback of the program.
+    Otherwise return the point in equilibrium with the same unknowns, or the fallback of the program.
     """
     point = program.clip(start)
     here = iterate_at(program, point)
@@ -703,7 +702,7 @@ def _solve_step(
     program, local = here.program, here.local
     rows, model, z = local.rows, local.model, local.z
     p = z.size
-    # reduce the scales of very sensitive unknowns, which would otherwise reduce the accuracy of all others
+    # reduce the scales of very sensitive unknowns, because they would reduce the accuracy of all others
     curved = model.hessian.diagonal() * (program.scale / SETTINGS.sensitivity) ** 2
     fine = np.sqrt(np.maximum(1.0, curved))
     s = program.scale / fine
@@ -712,7 +711,7 @@ def _solve_step(
     upper = np.minimum((program.upper - z) / s, radius * fine)
     jacobian, value, penalty, one_sided = rows.jacobian * s, rows.value, rows.penalty, rows.one_sided
     if model.peaks.size:
-        # an additional unknown t is at least as large as every peak; the large penalty makes these rows exact
+        # one more unknown t is at least as large as every peak; the large penalty makes this exact
         k, top = model.peaks.size, float(model.peaks.max())
         hessian, gradient = np.pad(hessian, (0, 1)), np.append(gradient, 1.0)
         lower, upper = np.append(lower, -2 * top - 1e-9), np.append(upper, 2 * top + 1e-9)
@@ -770,11 +769,11 @@ def _make_exact(program: NonlinearProgram[Point], point: Point) -> Point:
         missed = float(np.where(rows.one_sided, aim, np.abs(aim)).max(initial=0.0))
         if missed < least:
             best, least = point, missed
-        elif least <= SETTINGS.clearance:  # only rounding errors remain
+        elif least <= SETTINGS.clearance:  # only rounding errors are left
             break
         if missed <= SETTINGS.exact_violation or missed > SETTINGS.correctable_violation:
             break
-        # scales s with which the derivatives are at most 1, because one unknown may dominate all rows
+        # scale the unknowns to derivatives of at most 1, because one unknown may dominate all rows
         s, p = program.scale / np.maximum(1.0, np.linalg.norm(rows.jacobian * program.scale, axis=0)), z.size
         bound = SETTINGS.correction_bound
         lower, upper = ((limit - z) / s / missed for limit in (program.lower, program.upper))

@@ -43,9 +43,8 @@ class StraightEnds:
     ) -> "StraightEnds":
         """Return an open curve without straight pieces of 1 mm or more at ends whose angle is held.
 
-        Straight curves, polylines, and curves fitted to measured points are not divided. Curves with a
-        `RestCurvature` are not divided either, because its arc length is measured from the start of the whole
-        curve.
+        Straight curves, polylines, and curves fitted to measured points are not divided. Neither are curves
+        with a `RestCurvature`, whose arc length starts at the drawn start.
         """
         counted = isinstance(natural_curvature, RestCurvature)
         if curve.is_closed or curve.is_straight or counted or measured_points(curve) is not None:

@@ -25,11 +25,13 @@ from elastica_cad.mechanics.equilibrium_check import largest_move
 from elastica_cad.mechanics.loads import require_curve
 from elastica_cad.mechanics.theorem1 import InflectionLine, NotRealizable
 
-_ALONG = 0.1  # weight of a move along the curve relative to a move across it
-_BEND = 0.005  # a change of the curvature by 1 / length counts as a move by this fraction of the length
-_STRETCH = 0.05  # a change of the velocity d/dt by 100 % counts as a move by this fraction of the length
-_LINE_STEP = 0.02  # change of the line that counts as a move of the curve by this fraction of its length
-_RANK = 1e-11  # relative size of singular values up to which conditions count as dependent
+_ALONG = 0.1  # weight of a displacement along the curve, relative to a displacement across it
+# a change of the curvature by 1 / length counts as a displacement by this fraction of the length
+_BEND = 0.005
+_STRETCH = 0.05  # a change of the speed d/dt by 100 % counts as a displacement by this fraction of the length
+# change of the line that counts as a displacement of the curve by this fraction of its length
+_LINE_STEP = 0.02
+_RANK = 1e-11  # relative size of singular values below which conditions count as dependent
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,9 +139,8 @@ class CurveChanges:
     def compliance(self) -> PanelFunction:
         """Derivatives (r,) by u of the compliance C = 1/K = kappa / M at fixed parameters.
 
-        They are dC = (d kappa - C dM) / M, with curvature kappa and moment M. For allowed moves, numerator and
-        denominator are zero only at an inflection. There the quotient is interpolated by the polynomial through
-        the Gauss nodes.
+        They are dC = (d kappa - C dM) / M, with curvature kappa and moment M. At an inflection, numerator and
+        denominator are zero, and the polynomial through the Gauss nodes interpolates the quotient.
         """
         state, curve = self.state, self.state.curve
         _, b = state.line
@@ -187,7 +188,7 @@ class CurveChanges:
         d1 = curve.evaluate(nodes.t, 1)
         speed = np.linalg.norm(d1, axis=1)
         fractions = np.linspace(0.0, 1.0, nodes.t.size)
-        # nodes move along the curve too, so that they remain at equal distances
+        # nodes also move along the curve, to stay at equal distances
         slide = (fractions[:, None] * length - before[panel] - along.at(panel, x)) / speed[:, None]
         half = (np.diff(panels.edges) / 2)[panel]
         K_slope = state.balance.stiffness.slope_at(panel, x) / (state.scale * half)
@@ -203,27 +204,27 @@ class CurveChanges:
         return np.asarray(by.stiffness @ K + by.angles @ angles + force + by.length * length)
 
 
-# penalty of a violated bound, in the unit of half the mean square distance (relative to the length); it is
-# far above all multipliers
+# penalty of a violated bound, relative to half the mean square distance; far above all multipliers
 _PENALTY = 0.1
 _ROW_PENALTY = 10.0  # penalty of a step condition that cannot be satisfied, above the penalty of every bound
-# accuracy of a step relative to the penalty; half a mean square distance of 1e-8 then still has an effect
+# accuracy of a step, relative to the penalty, at which half a mean square distance of 1e-8 still has an
+# effect
 _ACCURACY = 1e-12
-_MARGIN_UNIT = 50.0  # typical error of the margin, used as its unit
+_MARGIN_UNIT = 50.0  # error of the margin that counts as 1
 _COARSE = 3.0  # a step to more than this multiple of the present or permitted ratio is refused
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0  # targets of one step: factor of the ratio, and increase of the margin
 # initial, largest and smallest radius of the trust region, as a fraction of the curve's length
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
-_SETTLED = 1e-3  # the search ends if the predicted gain of a step is below this fraction of the distance
+_SETTLED = 1e-3  # predicted gain of a step, as a fraction of the distance, below which the search ends
 _RESOLUTION = (
-    # least gain of a step, in the unit of the distance; smaller gains are rounding errors
+    # least gain of a step, in the unit of the distance; a smaller gain is a rounding error
     1e-12
 )
 _INSIDE = 1e-5  # relative distance from the bounds, so that they hold between the samples too
 _ENFORCED = 1e-11
 """Largest error of a satisfied constraint, as a fraction of the length of the curve or in rad."""
 
-_ROUNDS = 12  # samples are added where a step would violate the bounds, at most this number of times
+_ROUNDS = 12  # largest number of times that samples are added where a step would violate the bounds
 
 
 @dataclass(frozen=True)
@@ -236,7 +237,7 @@ class Bounds:
     def broken(self, state: EquilibriumCurve) -> float:
         """Return the violation of the bounds.
 
-        It is 1/ratio minus 1/present ratio, plus the missing margin over a typical margin.
+        It is 1/ratio minus 1/present ratio, plus the missing margin over `_MARGIN_UNIT`.
         """
         excess = max(0.0, 1 / self.ratio - 1 / state.ratio)
         if self.margin is None:
@@ -246,7 +247,7 @@ class Bounds:
     def from_here(self, state: EquilibriumCurve) -> "Bounds":
         """Return bounds for the next step, between the present values and these bounds.
 
-        Small steps lead to the nearest of many minima.
+        Such small steps lead to the nearest of many minima.
         """
         ratio = max(self.ratio, _RATIO_PART * state.ratio)
         if self.margin is None:
@@ -254,7 +255,7 @@ class Bounds:
         return Bounds(ratio, min(self.margin, state.margin + _MARGIN_PART))
 
     def inside(self) -> "Bounds":
-        """Return slightly stricter bounds, so that the curve is within the given bounds between samples, too."""
+        """Return slightly stricter bounds, so that the given bounds hold between the samples too."""
         ratio = 1 + (self.ratio - 1) * (1 - _INSIDE)
         return Bounds(ratio, None if self.margin is None else self.margin + _INSIDE * _MARGIN_UNIT)
 

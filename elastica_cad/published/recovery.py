@@ -1,4 +1,4 @@
-"""Two algorithms of the paper that move control points: for a smaller ratio (7.2) and for stability (6.4)."""
+"""Algorithms of the paper that move control points: for a smaller ratio (7.2) and for stability (6.4)."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -61,8 +61,8 @@ def optimize_ratio(
 ) -> OptimizedRatio:
     """Return the curve after the least move of its control points to a stiffness ratio of at most `target`.
 
-    A local step keeps the curve as close as possible to the drawn curve and reduces the ratio to the target. It
-    is computed to first order, within a trust region. A global step finds the inflection line of least ratio
+    A local step, computed to first order within a trust region, reduces the ratio to the target and keeps the
+    curve as close as possible to the drawn curve. A global step finds the inflection line of least ratio
     (paper, Eq. 4). The ratio is that of the continuous curve, so the target is also a limit between samples.
 
     Parameters
@@ -169,10 +169,10 @@ def recover_stability(
 ) -> RecoveredStability:
     """Return the curve whose control points are moved as little as possible to a stable rest shape.
 
-    As in Algorithm 2 of the paper, stiffness, force and stability are computed from the control points, without a
-    forward simulation. Every intermediate curve is an equilibrium. The paper moves the conjugate point beyond the
-    end. Here the lowest eigenvalue of the second variation is increased to `margin`, because it is a smooth
-    function near the limit of stability. The ratio of the continuous curve is bounded.
+    As in Algorithm 2 of the paper, stiffness, force and stability are computed from the control points, and
+    every intermediate curve is an equilibrium. The paper moves the conjugate point beyond the end. Here the
+    lowest eigenvalue of the second variation is increased to `margin`, because it is a smooth function near
+    the limit of stability. The ratio of the continuous curve is bounded.
 
     Parameters
     ----------

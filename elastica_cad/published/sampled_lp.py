@@ -129,7 +129,7 @@ def sampled_rows(
     n = curvature.size
     g = (position @ np.array([e[1], -e[0]]))[::-1]
     w, kappa = weights[::-1], curvature[::-1]
-    # unknowns K_n, F_n, G_n, K_{n-1}, ...; band[d, j] is the entry d rows below the diagonal of column j
+    # unknowns K_n, F_n, G_n, K_{n-1}, ...; band[d, j] is the entry of column j, d rows below the diagonal
     band = np.zeros((4, 3 * n))
     band[0, 0::3], band[0, 1::3], band[0, 2::3] = kappa, 1.0, 1.0
     band[1, 0::3], band[2, 0::3] = -w, -w * g
