@@ -1,10 +1,14 @@
 """Every English template as random letters: a test that fails then, and is not of wording, found a reader of words.
 
-A plugin of pytest: `make campaign-letters`. A test asserts wording where the statement that fails holds a text.
+A plugin of pytest: `make campaign-letters`. A test asserts wording where the statement that fails holds a text, or
+a variable whose value a regular expression read from one.
 """
 
+import ast
+import inspect
 import random
 import re
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -44,4 +48,20 @@ def pytest_runtest_makereport(call):
 def _asserts_wording(found) -> bool:
     own = [entry for entry in found.traceback if TESTS in Path(entry.path).parents]
     raised = Path(found.traceback[-1].path)
-    return PACKAGE not in raised.parents and any(TEXT.search(str(entry.statement)) for entry in own[-1:])
+    return PACKAGE not in raised.parents and any(
+        TEXT.search(str(entry.statement)) or _holds_match(entry) for entry in own[-1:]
+    )
+
+
+def _holds_match(entry) -> bool:
+    """Return True if the statement uses a variable whose value a regular expression gave, directly or by others."""
+    function = ast.parse(textwrap.dedent(inspect.getsource(entry.frame.code.raw)))
+    settings = [node for node in ast.walk(function) if isinstance(node, ast.Assign | ast.AugAssign | ast.For)]
+    matched: set[str] = set()
+    for node in sorted(settings, key=lambda node: node.lineno):
+        value = ast.unparse(node.iter if isinstance(node, ast.For) else node.value)
+        if re.search(r"\bre\.", value) or matched & set(re.findall(r"\w+", value)):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            names = (name for target in targets for name in ast.walk(target))
+            matched |= {name.id for name in names if isinstance(name, ast.Name)}
+    return bool(matched & set(re.findall(r"\w+", str(entry.statement))))

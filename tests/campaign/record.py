@@ -5,6 +5,7 @@ docs/trust.md is written anew. The exit code is that of the command.
 """
 
 import json
+import signal
 import subprocess
 import sys
 from datetime import UTC, datetime
@@ -39,6 +40,7 @@ def page(kept: dict[str, dict[str, str]]) -> str:
 def run(words: list[str]) -> tuple[int, str]:
     """Exit code and last line of a command, whose output is shown as it comes."""
     last = ""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # behind a shell's & tests of Ctrl-C would fail
     with subprocess.Popen(
         words, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
     ) as process:
