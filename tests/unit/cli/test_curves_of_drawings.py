@@ -178,7 +178,9 @@ def test_pen_curves_are_faired_told_and_left_alone_when_asked(drawing, tmp_path)
         else:
             assert 0 < moved <= (smooth or 0.1)
             assert report["smoothing"]["ratio_as_drawn"] == pytest.approx(ratios.get(0, 1.557), rel=1e-3)
-            assert f"moved the curve by at most {moved:.2g} mm" in done.stderr
+            # a movement of at most 0.1 mm is a note in the report
+            noted = done.stderr if smooth else done.stdout
+            assert f"moved the curve by at most {moved:.2g} mm" in noted
             assert "The width of the strip jumps" not in done.stderr
     assert ratios[1.5] < ratios[None] < ratios[0]
 
