@@ -38,7 +38,7 @@ from elastica_cad.strip.styles import Layout
 from elastica_cad.strip.tab_seats import EndPose, TabSeat, rest_in_seats
 
 CUTS = 8
-"""Number of stations between two nodes of the rod at which the width of the material is measured."""
+"""Number of stations between two nodes of the rod at which the net width is measured."""
 
 
 def rod_as_built(
@@ -115,53 +115,52 @@ def _cell_stations(rod: Rod) -> FloatArray:
 
 
 def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
-    """Return the mean over half an edge before and after each node, of values at `_cell_stations`."""
+    """Return the means of values at `_cell_stations` over half an edge before and after each node."""
     halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
     inner = (halves[1:-1:2] + halves[2::2]) / 2
     return np.concatenate([halves[:1], inner, halves[-1:]])
 
 
 CUT, CUT_GRAIN = 1.15, 0.7
-"""Factor on `crack_energy` for a slot in an isotropic sheet, and exponent for a sheet with grain.
-
-The base of the exponent is sqrt(E / G), divided by its value for an isotropic sheet.
+"""`CUT` is the factor on `crack_energy` for a slot in an isotropic sheet. For a sheet with grain it is
+multiplied by the ratio of sqrt(E / G) to its isotropic value, to the power of `CUT_GRAIN`.
 
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
-"""Factors on `crack_energy` for a step of the width and for a tab, and distance of unstressed corners from a tab.
+"""Constants of unstressed corners. `STEP` and `TAB` are the factors on `crack_energy` for a step of the width
+and for a tab. `TAB_REACH` is the distance of the unstressed corners from the tab, as a fraction of the
+difference between the widths of strip and tab.
 
-The factor of a tab is for the Poisson ratio 0, because a tab prevents curling across the strip. The distance
-is a fraction of the difference between the widths of strip and tab. The value is for an isotropic sheet; the
-distance is proportional to sqrt(E / G). Fitted to finite elements
+`TAB` is for the Poisson ratio 0, because a tab prevents curling across the strip. `TAB_REACH` is for an
+isotropic sheet; the distance is proportional to sqrt(E / G). Fitted to finite elements
 (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 RESTRAINT, WIDE_TAB = 0.35, 0.4
-"""Reach of a clamp as a multiple of the strip's width, and least relative width of a tab that acts as a clamp.
-
-The reach is the length along which a clamp prevents curling across the strip. The width of the tab is relative
-to the strip's width. For narrower tabs the reach is proportional to the square of the tab's width.
+"""`RESTRAINT` is the length along which a clamp prevents curling across the strip, as a multiple of the
+strip's width. `WIDE_TAB` is the least width of a tab that acts as a clamp, as a fraction of the strip's
+width. For narrower tabs the length is proportional to the square of the tab's width.
 
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 FREE_EDGE = 0.63
-"""Width without effect in torsion at both edges of a strip together, as a multiple of the thickness
+"""Total width at both edges of a strip that does not resist torsion, as a multiple of the thickness
 (Saint-Venant)."""
 
 LEAST_SHARE = 0.01
 """Least width assumed to remain beside a slot, as a fraction of the strip's width. It prevents a division by
-zero for slots across the whole strip."""
+zero."""
 
 PLATES = "plates"
 
 LEAST_SHEARING = 0.8
-"""Ratio G / E relative to an isotropic sheet; a sheet with a smaller ratio counts as a sheet with grain."""
+"""Ratio G / E over its isotropic value, below which a sheet counts as a sheet with grain."""
 
 SHEAR_CAUSES = frozenset({"slots", "narrow tabs", "steps of width"})
 
 
 def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
-    """Return the factors (n,) on the stiffness at the nodes for pairs of position and added length, mm."""
+    """Return the factors (n,) on the stiffness at the nodes due to cuts at (position, added length), mm."""
     at, lengths = np.array(added_lengths).T
     node = np.clip(at / rod.length, 0.0, 1.0) * (rod.s.size - 1)
     before = np.minimum(node.astype(int), rod.s.size - 2)
@@ -174,7 +173,7 @@ def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> Floa
 def stiffness_factors(
     rod: Rod, layout: Layout, slots: Sequence[Slot], tab_widths: tuple[float | None, float | None]
 ) -> dict[str, FloatArray]:
-    """Return factors (n,) on the designed stiffness at the nodes, by cause. They hold in the designed shape.
+    """Return factors (n,) on the designed stiffness at the nodes, by cause, for the designed shape.
 
     - "slots": cuts and the unstressed corners beside them.
     - "narrow tabs": unstressed corners at ends that are wider than their tabs.
@@ -185,7 +184,7 @@ def stiffness_factors(
     - "anticlastic bending": stiffening by prevented curling across the strip, or across its ligaments.
     - "borders that curl": change of the stiffness of a laminate, because its borders curl.
 
-    The first three add an angle at one position. Causes without effect are left out.
+    The first three causes add a bend at one position. Causes without effect are left out.
 
     Parameters
     ----------
@@ -199,7 +198,7 @@ def stiffness_factors(
     width, nu = layout.width, min(layout.sheet.poisson_ratio, 0.5)
     grain = float(np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio))
     curl = _curl(rod, layout)
-    free = np.zeros(2)  # fraction of the stiffening by prevented curling that is lost at the ends
+    free = np.zeros(2)  # fraction of the anticlastic stiffening that is lost near each end
     if curl is not None and layout.backing is None and layout.pattern is None:
         free = 1 / curl.designed[[0, -1]] - 1 + nu**2
     added_lengths = {
@@ -210,7 +209,7 @@ def stiffness_factors(
     factors = {cause: _cut_factors(places, rod) for cause, places in added_lengths.items() if places}
     s, n = _cell_stations(rod), rod.s.size
     leaning = _leaning(layout, s)
-    if leaning is not None:  # average the compliance, because the angles are proportional to it
+    if leaning is not None:  # average the compliance, because deflections are proportional to it
         factors["leaning ligaments"] = 1 / _cell_means(1 / leaning, n)
     if curl is not None and layout.section is None:
         factors[ANTICLASTIC if layout.backing is None else "borders that curl"] = curl.designed
@@ -232,7 +231,7 @@ class Curl:
     factor: BendFactor
 
     def on(self, rod: Rod) -> Rod:
-        """Return a rod whose stiffness depends on its curvature and equals that of `rod` in the designed shape."""
+        """Return a rod with curvature-dependent stiffness, equal to that of `rod` in the designed shape."""
         below = rod.law
         if isinstance(below, CurlingLaw):  # the new law for curling replaces the law of the rod
             below = below.below
@@ -240,7 +239,7 @@ class Curl:
 
 
 def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
-    """Return the dependence of the nodes' stiffness on their curvature, or None.
+    """Return the dependence of the nodes' stiffness on their curvature, or None if the widths do not curl.
 
     Plates over joints are ignored.
     """
@@ -260,9 +259,9 @@ def _curl(rod: Rod, layout: Layout) -> Curl | None:
 
 
 def curling_by_design(rod: Rod, design: Rod, layout: Layout) -> Rod:
-    """Return the rod with a stiffness that depends on its curvature.
+    """Return the rod with the curvature-dependent stiffness of its design.
 
-    If the design does not include this effect, return the rod itself.
+    If the stiffness of the design is constant, return the rod unchanged.
     """
     curl = _curl(design, layout) if design.follows_bend else None
     return rod if curl is None else curl.on(rod)
@@ -271,11 +270,9 @@ def curling_by_design(rod: Rod, design: Rod, layout: Layout) -> Rod:
 def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
     """Return the designed rod with a stiffness that depends on its curvature.
 
-    It is used to compute shapes for moved ends.
-
     If the widths are `corrected`, the stiffness in the designed shape is the relative stiffness K of the
-    design. Otherwise the rod is not in equilibrium until its rest shape is computed. The effect is ignored for
-    a single sheet whose Poisson ratio is only an estimate.
+    design. Otherwise the rod is not in equilibrium until its rest shape is computed. The stiffness stays
+    constant for a single sheet whose Poisson ratio is only an estimate.
     """
     sheet = layout.section is None and layout.sheet.poisson_known
     if rod.follows_bend or isinstance(rod.law, CurlingLaw) or not (sheet or layout.backing):
@@ -288,7 +285,6 @@ def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
 
 
 def _with_factors(built: Rod, factors: Sequence[FloatArray]) -> Rod:
-    """Return the rod with another stiffness and the same weight, before its rest shape is computed."""
     B, K = built.bending_stiffness or 1.0, built.stiffness
     changed = K * np.prod([np.ones(K.size), *factors], axis=0)
     changed_rod = built.with_stiffness(Profile.interpolate(built.s, changed))
@@ -305,7 +301,7 @@ def _with_factors(built: Rod, factors: Sequence[FloatArray]) -> Rod:
 def _lengths_added_by_slots(
     slots: Sequence[Slot], width: Profile, corner: float
 ) -> list[tuple[float, float]]:
-    """Return the position of each slot, and the length of strip that bends by the angle the slot adds, mm."""
+    """Return (position, added length) of each slot, mm. The slot bends like this added length of strip."""
     places = []
     for slot in slots:
         points, widths = slot.center_line(width)
@@ -317,21 +313,21 @@ def _lengths_added_by_slots(
 
 
 def _crowded_slots(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
-    """Return the positions, mm, of the first two slots closer together than the depth of the deeper slot."""
+    """Return the positions, mm, of the first two slots that are closer together than the deeper one is deep."""
     points = (slot.center_line(width)[0] for slot in slots)
     lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
     return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
 
 
 def idle_length(width: float, narrow: float, thickness: float) -> float:
-    """Return the added length, mm, divided by `crack_energy`, at a step of the width down to `narrow` mm.
+    """Return the added length, mm, of a step from `width` to `narrow` mm, divided by `crack_energy`.
 
-    The added length is the length of strip that bends by the angle that the unstressed corners add.
+    Unstressed corners beside the step let the strip bend further, as if it were longer by the added length.
 
-    Such strips joined side by side form a wide sheet with a row of collinear cracks between the narrow parts.
-    For crack length 2a and spacing w, the stress intensity is proportional to sqrt(tan(pi a / w)), in bending
-    as in tension (Westergaard, J. Appl. Mech. 6, 1939). For short cracks the result tends to depth^2 / width.
-    The narrow part is less stiff in torsion near its free edges, so its width is reduced by `FREE_EDGE`.
+    Many such strips side by side are like a wide sheet with a row of collinear cracks. For crack length 2a
+    and spacing w, the stress intensity is proportional to sqrt(tan(pi a / w)), in bending as in tension
+    (Westergaard, J. Appl. Mech. 6, 1939). For short cracks the result tends to depth^2 / width. The narrow
+    part is less stiff in torsion near its free edges, so its width is reduced by `FREE_EDGE`.
     """
     net = narrow**2 / (narrow + FREE_EDGE * thickness)
     return float(-2 / np.pi**2 * width * np.log(np.sin(np.pi / 2 * net / width)))
@@ -340,10 +336,10 @@ def idle_length(width: float, narrow: float, thickness: float) -> float:
 def _lengths_added_by_tabs(
     layout: Layout, tab_widths: tuple[float | None, float | None], grain: float, restraint: FloatArray
 ) -> list[tuple[float, float]]:
-    """Return the position and the added length, mm, of unstressed corners at each end wider than its tab.
+    """Return (position, added length), mm, of each end that is wider than its tab, due to unstressed corners.
 
-    A tab prevents curling across the strip near it. This reduces the added length by `restraint` (2,) at
-    start and end, as multiples of the width.
+    A tab prevents curling across the strip nearby, which reduces the added length by `restraint` times the
+    width. `restraint` (2,) is for start and end.
     """
     places, h = [], layout.sheet.thickness
     for end, inwards, tab, stiffer in zip(
@@ -363,7 +359,7 @@ def _lengths_added_by_tabs(
 
 
 def _lengths_added_by_steps(layout: Layout, corner: float) -> list[tuple[float, float]]:
-    """Return the position and the added length, mm, of the unstressed corners at each step of the width."""
+    """Return (position, added length), mm, of each step of the width, due to unstressed corners."""
     if layout.pattern is not None or layout.backing is not None or layout.size is not None:
         return []
     places = []
@@ -386,7 +382,7 @@ def _curling_width(layout: Layout, s: FloatArray) -> FloatArray:
 
 
 HELD_NODES = 241
-"""Number of nodes of the rod for the shape in the holders. Its error is a few millionths of the length."""
+"""Number of nodes of the rod for the shape in the holders. The error is a few millionths of the length."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -440,9 +436,9 @@ class StripAsMade:
         plates: LapPlates | None,
         whole: Callable[[], Sequence[Layer]],
     ) -> "StripAsMade":
-        """Return the model of a strip that is cut with tabs and slots and may be joined from pieces by plates.
+        """Return the model of a strip with tabs and slots, possibly joined from pieces by plates.
 
-        `whole` returns the layers without slots; it is called only if they are needed.
+        `whole` returns the layers without slots, and is called only if needed.
         """
         design = rod if rod.s.size <= HELD_NODES else resample(rod, HELD_NODES)
         widths = np.array([tab.width for tab in fix_tab_widths(layout.width, ends)])
@@ -469,12 +465,12 @@ class StripAsMade:
 
     @cached_property
     def rod(self) -> Rod:
-        """Rod with all effects on its stiffness together; the stiffness depends on the curvature.
+        """Rod with all effects on its stiffness, including the effect of its curvature.
 
         It is not in equilibrium until its rest shape is computed.
         """
         rod = _with_factors(self.cut, list(self.factors.values()))
-        # the lap joint is stiffer, and its rest curvature depends on the shape in which it was glued
+        # a lap joint is stiffer, and its rest curvature is the one in which it was glued
         if self.lap is not None:
             rod = replace(_with_factors(rod, [self.lap.share]), natural_curvature=self.lap.rest)
         return rod if self.curl is None else self.curl.on(rod)
@@ -503,7 +499,7 @@ class StripAsMade:
     def loaded(self) -> Rod:
         """Rest shape with both ends held as designed, or the design if no rest shape was found.
 
-        As in `rest`, the stiffness is the stiffness before the strip is bent.
+        As in `rest`, its `stiffness` is that of the unbent strip.
         """
         try:
             return self.rest()
@@ -511,9 +507,9 @@ class StripAsMade:
             return self.design
 
     def held(self, seats: Seats, uncorrected: "StripAsMade", tolerance: MakingTolerance) -> HeldShape:
-        """Return the shape in the holders, with the deviation due to each cause alone.
+        """Return the shape in the holders, and the deviation that each cause alone would produce.
 
-        Those deviations belong to the `uncorrected` strip.
+        The deviations by cause are computed for `uncorrected`, the strip without compensation.
         """
         rod, poses = rest_in_seats(self.rod, self.design, seats, self.tab_ratios(self.rod))
         parts = uncorrected.parts(seats, poses)
@@ -551,7 +547,7 @@ class StripAsMade:
 
     @property
     def _cut_breadth(self) -> FloatArray | None:
-        """Width (n,), mm, of the parts side by side, or None if the strip is planed or turned."""
+        """Width (n,), mm, of the bands that curl side by side, or None if the strip is planed or turned."""
         return _curling_width(self.layout, self.design.s) if self.layout.size is None else None
 
     def _notes(self, seats: Seats) -> tuple[str, ...]:
@@ -587,10 +583,11 @@ class StripAsMade:
 
     @cached_property
     def _leaf_ends(self) -> FloatArray:
-        """Displacement (n, 2), mm, of the full-length ply, because the neutral axis jumps where shorter plies end.
+        """Displacement (n, 2), mm, of the full-length ply, because the neutral axis jumps where shorter plies
+        end.
 
-        The displacement is zero for strips without plies. The full-length ply is centred on the curve and is
-        held there at its ends. The neutral axis is offset from it, so the force in the strip adds a moment.
+        It is zero for strips without plies. The neutral axis is off the centre of the full-length ply, so the
+        force in the strip adds a moment.
         """
         design, stack = self.design, self.layout.stack
         if stack is None:
@@ -605,7 +602,7 @@ class StripAsMade:
         return np.asarray(axis + shape_responses(design, moments, apart=off[-1:] - axis[-1:])[:, 0] - off)
 
     def parts(self, seats: Seats, poses: tuple[EndPose, EndPose]) -> dict[str, float]:
-        """Return the deviation from the design, mm, due to each cause alone, to first order.
+        """Return the deviation from the design, mm, that each cause alone produces, to first order.
 
         A cause changes the curvature at each node under the designed moment, or moves and turns an end.
         Anticlastic bending is computed as if the widths did not compensate it.

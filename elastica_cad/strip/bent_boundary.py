@@ -44,8 +44,8 @@ class SpaceCurve:
 class PlacedSegment:
     """A plane segment with its frame in space.
 
-    Its parameter is the distance from the start for a `Line`, the angle for an `Arc`, and the parameter of
-    the curve for a `Spline`.
+    Its parameter is the distance from the start of a `Line`, mm, the angle of an `Arc`, rad, and the
+    parameter of a `Spline`.
     """
 
     segment: Segment
@@ -61,7 +61,7 @@ class SpaceSurface:
     degree: tuple[int, int]
 
     def turned(self) -> "SpaceSurface":
-        """Return the same surface, seen from the same side, by the parameters (-v, u)."""
+        """Return the same surface with the parameters (-v, u), which keeps the direction of its normal."""
         u, v = self.knots
         points = self.control_points[:, ::-1].swapaxes(0, 1)
         return SpaceSurface((-v[::-1], u), points, self.degree[::-1])
@@ -86,7 +86,7 @@ class CylinderSurface:
 class ExtrudedSurface:
     """A plane segment extruded along the z axis of its frame.
 
-    Its u is the parameter of the segment, and v is the height, mm.
+    The parameter u is that of the segment, and v is the height, mm.
     """
 
     profile: PlacedSegment
@@ -96,7 +96,7 @@ Surface: TypeAlias = SpaceSurface | PlaneSurface | CylinderSurface | ExtrudedSur
 
 
 def trace_turn(surface: Surface) -> FloatArray:
-    """Return the (2, 2) matrix that maps parameters (u, v) to the parameters of the surface in a CAD kernel.
+    """Return the (2, 2) matrix that maps (u, v) to the parameters of the surface in a CAD kernel.
 
     OpenCASCADE integrates areas and volumes span by span in v, but with a single quadrature rule in u. If u
     were along the strip, the error of the volume could exceed 10 %. B-spline surfaces are therefore passed
@@ -107,10 +107,7 @@ def trace_turn(surface: Surface) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class StraightTrace:
-    """A straight edge in the (u, v) plane of a surface.
-
-    It is origin + parameter * direction, and `direction` is a unit vector.
-    """
+    """A straight edge in the (u, v) plane of a surface: origin + parameter * direction, a unit vector."""
 
     origin: tuple[float, float]
     direction: tuple[float, float]
@@ -144,8 +141,8 @@ class EdgeUse:
 class Face:
     """Trimmed surface.
 
-    The first loop is the outer loop. The normal of the surface is d/du cross d/dv. Seen against the normal,
-    the face is to the left of its loops. `outward` is False if the normal points into the body.
+    The first loop is the outer loop. The normal of the surface is d/du cross d/dv. The face is to the left of
+    its loops when the normal points to the viewer. `outward` is False if the normal points into the body.
     """
 
     surface: Surface
@@ -162,7 +159,7 @@ class Boundary:
     vertices : (k, 3) array
         Positions of the vertices, mm.
     edges, faces
-        Edges refer to rows of `vertices`; faces refer to indices of `edges`.
+        `start` and `end` of an edge are rows of `vertices`. Faces refer to edges by index.
     """
 
     vertices: FloatArray
@@ -180,16 +177,16 @@ class Boundary:
         return all(sorted(directions) == [-1, 1] for directions in ways)
 
 
-DEGREE = 5  # degree of the bent faces
+DEGREE = 5  # degree of the spline faces of the bent strip
 POSITION_TOLERANCE = 1e-6  # largest error of the centre line, mm
 SURFACE_TOLERANCE = 5e-8  # largest error of edges on the bent faces, mm
-MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more cannot be approximated
-# positions in a span, as fractions, at which the error is measured
+MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more is refused
+# positions in a span, from 0 to 1, at which the error is measured
 PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
 LEAST_SPANS = 3  # least number of spans in an edge; kernels fail to fillet edges of one or two spans
 MOST_PARTS = 4  # largest number of parts into which one refinement divides a span
-SAFETY_FACTOR = 1.1  # safety factor on the number of parts that follows from the error
-FLAT_WALL_MM = 1e-9  # largest change of y, mm, along a side wall for which the wall counts as plane
+SAFETY_FACTOR = 1.1  # the error suggests a number of parts; this factor makes it safe
+FLAT_WALL_MM = 1e-9  # a side wall whose y changes by less, mm, is a plane
 LARGEST_INITIAL_TURN = 0.2  # largest change of direction in an initial span, rad
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
@@ -197,7 +194,7 @@ Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
 @dataclass(frozen=True, eq=False)
 class BentMap:
-    """Map from (x, y, up) to points in space, for a part of the strip without jumps of the curvature.
+    """Map from the flat to the bent strip, for a part without jumps of the curvature.
 
     The point (x, y) of the flat strip at the height `up` above mid-thickness is mapped to C(x) - up N(x) + y
     Z. C is the centre line, N is its left normal, and Z is the direction across the strip. C and N have the
@@ -240,13 +237,13 @@ class BentMap:
     def curves(
         self, parts: Sequence[tuple[Segment, float, float]], heights: Sequence[float]
     ) -> list[list[SpaceCurve]]:
-        """Return the space curves of parts of flat segments, at every height.
+        """Return the curves in space that parts of flat segments are bent into, at every height.
 
-        `parts` are segments with a first and last parameter. The curves of a part have the same B-spline basis at
+        Each part is a segment with its first and last parameter. Its curves have the same B-spline basis at
         all heights.
 
-        The curves are exact if x is linear in the parameter of the segment (long sides, lines). Others are
-        fitted to 5e-8 mm.
+        Lines and long sides are exact, because x is linear in their parameter. Other curves are fitted to
+        5e-8 mm.
         """
         curves = []
         for segment, first, last in parts:
@@ -300,9 +297,9 @@ class BentMap:
     def _common_knots(
         self, segment: Segment, even: tuple[float, float], limits: tuple[float, float]
     ) -> tuple[FloatArray, int]:
-        """Return knots and degree of a basis that contains both a segment and the map along it.
+        """Return knots and degree of a spline basis that contains a segment and its bent image.
 
-        `even` contains the offset and the slope of x as a linear function of the segment's parameter.
+        `even` is the offset and the slope of x as a linear function of the segment's parameter.
         """
         (offset, speed), (first, last) = even, limits
         t, continuity = self._smoothness
@@ -333,7 +330,7 @@ def _in_thirds(edges: FloatArray, continuity: IntArray, degree: int) -> tuple[Fl
 
 
 def bent_maps(rod: Rod, frame: Frame, reach: float) -> tuple[BentMap, ...]:
-    """Return the maps of the parts of a rod between jumps of its curvature, from start to end.
+    """Return the maps of a rod from start to end, one for each part between jumps of its curvature.
 
     `reach` is the largest distance of a face from the centre line, mm.
 
@@ -375,9 +372,9 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
 
 
 def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
-    """Return a function from arc length to position and unit tangent, and the breaks of the curve.
+    """Return a function that gives position and unit tangent at an arc length, and the breaks of the curve.
 
-    A break is a pair of arc length and number of continuous derivatives.
+    A break is its arc length and the number of derivatives that are continuous there.
     """
     curve = rod.curve
     scale = curve.length / rod.length
@@ -391,9 +388,9 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
 
 
 def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
-    """Return the geometric continuity of the curve at a knot.
+    """Return the number of geometrically continuous derivatives of the curve at a knot.
 
-    It may exceed the continuity of the parametrisation.
+    The derivatives by the parameter may be less continuous.
     """
     if continuity >= 2:
         return continuity
@@ -452,15 +449,14 @@ def _divide_spans(edges: FloatArray, parts: IntArray) -> FloatArray:
 
 
 ROUNDED_MM = 1e-12
-"""Largest difference, mm, between the x coordinates of the ends of a line that counts as perpendicular to the
-strip."""
+"""A line counts as perpendicular to the strip if the x coordinates of its ends differ by less, mm."""
 
 Map: TypeAlias = Frame | BentMap  # tangent plane of a tab, or map of the bent part
 
 
 @dataclass
 class BoundaryMaker:
-    """Builder of the vertices, edges and faces of a strip from the regions of its flat pattern.
+    """Builder of the boundary of a strip from the regions of its flat pattern.
 
     It builds a surface at one height, or a solid between two heights.
     """
@@ -515,7 +511,7 @@ class BoundaryMaker:
             ]
 
     def _add_faces(self, region: Region) -> None:
-        """Add the faces at every height. Seen from above, a face is to the left of its loops."""
+        """Add the faces at every height. They are to the left of their loops, seen from above."""
         shape = self.maps[region.interval]
         surfaces: list[Surface]
         if isinstance(shape, Frame):
@@ -537,7 +533,10 @@ class BoundaryMaker:
             self.faces.append(Face(surface, loops, outward=level == len(self.heights) - 1))
 
     def _add_side(self, piece: SegmentPart, shape: Map) -> None:
-        """Add the side wall along a piece of a loop; u is the parameter of the piece, and v is the height."""
+        """Add the side wall along a piece of a loop.
+
+        Its u is the parameter of the piece; its v is the height.
+        """
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
         height = self.heights[1] - self.heights[0]
@@ -600,7 +599,7 @@ class BoundaryMaker:
 
 
 def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace | Segment]:
-    """Return the edges of a side wall at these heights, as curves in the parameters of the wall's surface.
+    """Return the edges of a side wall at `heights`, in the parameters of the wall's surface.
 
     On a B-spline surface these curves have the knots of the surface, because CAD kernels integrate over a face
     from knot to knot of these curves.
@@ -630,7 +629,7 @@ def _plane_through(origin: FloatArray, along: FloatArray, up: FloatArray) -> Fra
 
 
 def _y_limits(segment: Segment) -> tuple[float, float]:
-    """Return the least and largest y of a segment; for splines, of the control points."""
+    """Return the least and largest y of a segment, or of the control points of a spline."""
     if isinstance(segment, Line):
         (_, y), (_, to_y) = segment.start.tolist(), segment.end.tolist()
         return min(y, to_y), max(y, to_y)

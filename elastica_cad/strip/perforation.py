@@ -36,17 +36,17 @@ from elastica_cad.strip.styles import (
 )
 
 FIT_MM = 2e-5
-"""Largest error of the fitted outline width, net width and hole width, mm. The sum of all ligaments then has an
-error of 1e-4 mm."""
+"""Largest error of the fitted outline width, net width and hole width, mm. Together these errors change the
+sum of all ligaments by at most 1e-4 mm."""
 
 FIT_ROUNDING = 1e-12
-"""Relative rounding error of the fitted widths."""
+"""Relative rounding error of the widths, added to `FIT_MM`."""
 
 INSET_FRACTION = 1e-9
-"""Distance from a jump at which the fitted spline begins or ends, as a fraction of the length of the spline."""
+"""Distance of the ends of a fitted spline from a jump of the width, as a fraction of the spline's length."""
 
 CLEAR_OF_SLOTS_MM = 0.02
-"""Chord error, mm, of the polylines that are used for distances between holes and slots."""
+"""Chord error, mm, of the polylines with which distances between holes and slots are measured."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,13 +101,13 @@ class DiamondPattern:
         return self.row_length / 2 - self.bridge
 
     def slopes(self, s: FloatArray) -> FloatArray:
-        """Return the slope (n,) of the sides of the diamonds relative to the strip at stations `s` (n,)."""
+        """Return the slopes (n,) of the sides of the diamonds to the centre line at stations `s` (n,), mm."""
         holes = self.width(s) - self.material(s)
         return np.asarray(holes / (2 * self.columns * self.side_length), dtype=float)
 
     @cached_property
     def joints(self) -> FloatArray:
-        """Stations (2 rows + 1,), mm, at the tips of diamonds. The neighbouring diamonds are widest there."""
+        """Stations (2 rows + 1,), mm, at the tips of diamonds, where the diamonds beside them are widest."""
         return np.linspace(0.0, self.width.length, 2 * self.rows + 1)
 
     def __post_init__(self) -> None:
@@ -121,8 +121,7 @@ class DiamondPattern:
     def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
         """Return the holes as closed anticlockwise loops in order along the strip, clear of tabs and slots.
 
-        If less than half of a hole remains beside a slot, and the corner radius does not fit this part, the part
-        is omitted.
+        A part of less than half a hole is omitted if the corner radius does not fit in.
         """
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
         clear = [
@@ -158,7 +157,6 @@ class DiamondPattern:
         return rows
 
     def _divide_at_slot(self, row: "_Row", j: int, cut: Path) -> list["_Row"]:
-        """Return the parts of the row on both sides of a slot, or the row if hole j is clear of the slot."""
         if self._apart(row.loop(j), cut):
             return [row]
         (low, _), (high, _) = cut.bounds
@@ -180,7 +178,7 @@ class DiamondPattern:
 
     @cached_property
     def _rows(self) -> list["_Row"]:
-        """Rows of full diamonds, alternating with rows of diamonds in the gaps."""
+        """Rows of full diamonds alternating with rows of diamonds in the gaps."""
         first, last = self.joints[:-1] + self.bridge / 2, self.joints[1:] - self.bridge / 2
         first[0], last[-1] = self.joints[0], self.joints[-1]
         stretches = self._stretches
@@ -194,7 +192,7 @@ class DiamondPattern:
 
     @property
     def _stretches(self) -> list["_Stretch"]:
-        """Parts of the pattern between the tips of holes and the jumps of the widths, as splines."""
+        """Parts of the pattern between hole tips and jumps of the width, with the widths as splines."""
         breaks = [*self.width.breaks, *self.material.breaks]
         jumps = np.array([s for s, continuity in breaks if continuity < 0])
         inner = self.joints[1:-1]
@@ -229,12 +227,12 @@ class DiamondPattern:
 
 @dataclass(frozen=True, eq=False)
 class _Row:
-    """Holes side by side: a row of full diamonds, or of diamonds in the gaps with half diamonds at the edges."""
+    """A row of holes side by side: full diamonds, or diamonds in the gaps and half diamonds at the edges."""
 
     stretches: tuple["_Stretch", ...]
     columns: int
     full: bool
-    lost: float = 0.0  # length of the row, mm, that tabs and slots remove
+    lost: float = 0.0  # length, mm, that tabs and slots remove
 
     @property
     def across(self) -> int:
@@ -255,7 +253,7 @@ class _Row:
 
     @cached_property
     def sides(self) -> list[list[tuple[Spline, Spline]]]:
-        """Lower and upper sides of the holes for every part of the row. Upper sides are reversed."""
+        """Lower and upper sides of the holes for every part of the row. The upper sides run backwards."""
         return [stretch.sides(self.columns, self.across, full=self.full) for stretch in self.stretches]
 
     def loop(self, j: int) -> Path:
@@ -267,7 +265,7 @@ class _Row:
 
 @dataclass(frozen=True, eq=False)
 class _Stretch:
-    """Part of the pattern as cubic splines with common knots.
+    """Part of the pattern, with its widths as cubic splines on common knots.
 
     `values` (m, 3) are the coefficients of the outline width, the net width and the width of a full
     diamond, mm.
@@ -284,13 +282,17 @@ class _Stretch:
             return self
         inner = self.knots[(self.knots > a) & (self.knots < b)]
         knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
-        sites = np.clip(greville(knots, 3), a, b)  # rounding errors of a mean of equal knots
+        # keeps the mean of equal knots from rounding beyond the ends
+        sites = np.clip(greville(knots, 3), a, b)
         values = bezier_spans(self.knots, 3).basis(sites) @ self.values
         solved = np.linalg.solve(bezier_spans(knots, 3).basis(sites), values)
         return _Stretch(knots, np.asarray(solved, dtype=float))
 
     def sides(self, columns: int, across: int, *, full: bool) -> list[tuple[Spline, Spline]]:
-        """Return the lower and the upper side, which is reversed, of each of `across` holes side by side."""
+        """Return the lower and the upper side of each of `across` holes side by side.
+
+        The upper side runs backwards.
+        """
         w, m, diamond = self.values.T
         t, pitch = m / (2 * columns + 2), (w - m) / columns
         gap = pitch - diamond
@@ -307,11 +309,11 @@ class _Stretch:
 
 
 STEEP_RAD = np.radians(30.0)
-"""Inclination of ligaments, rad, above which a warning is added, because inclined ligaments are stiffer than
-computed from their width."""
+"""Warn if ligaments are inclined by more than this angle, rad, because they are then stiffer than their width
+suggests."""
 
 TIP_FRACTION = 0.03
-"""Extra material at rounded tips, as a fraction of the net width, above which a warning is added."""
+"""Warn if rounded tips add more material than this fraction of the net width."""
 
 SLENDERNESS = 3.0
 """Default length of a diamond, as a multiple of the spacing of the columns."""
@@ -401,14 +403,14 @@ class Perforated:
         return Layout(sheet, outer, material, scale, pattern=pattern, warnings=warnings)
 
     def tip_zone(self, layout: Layout) -> float:
-        """Return half the length, mm, of the zones with extra material at rounded corners.
+        """Return half the length, mm, of the zones where rounded tips of holes leave extra material.
 
         Their centres are `layout.pattern.joints`.
         """
         if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
             return 0.0
         s = stations_of(layout.width.length, layout.width, layout.material)
-        # half diamonds have the smallest angle of all holes
+        # half diamonds have the sharpest tips
         return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
     def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:
@@ -434,10 +436,10 @@ class Perforated:
         return tuple(warnings)
 
     def _excess(self, pattern: DiamondPattern) -> FloatArray:
-        """Return the maximum extra net width (n,), mm, near each joint due to rounded tips.
+        """Return the largest extra width (n,), mm, that rounded tips leave near each joint of the pattern.
 
-        A circle of radius r in a corner with half angle a ends where the corner is 2 r (sec a - tan a)
-        wide. Half diamonds have half the angle of full diamonds and end farther from the joint.
+        A corner with half angle a and radius r begins where the sharp corner is 2 r (sec a - tan a) wide.
+        Half diamonds have half the angle of full diamonds, so they begin farther from the joint.
         """
         slope = pattern.slopes(pattern.joints)
         others, halves = (
@@ -449,7 +451,7 @@ class Perforated:
 
 
 class _Fit:
-    """Range of the bending stiffness for which ligaments and holes meet all limits."""
+    """Bending stiffnesses for which ligaments and holes meet all limits."""
 
     def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
         self.style, self.rod = style, rod
@@ -482,7 +484,9 @@ class _Fit:
         self.highest = self.by_ligaments.highest
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
-        """Return the bending stiffness, N mm2, where K = 1: of the rod, or else the largest for `max_width`."""
+        """Return the bending stiffness, N mm2, where K = 1: that of the rod or, without it, the largest for
+        `max_width`.
+        """
         if self.lowest > self.highest * (1 + SEEN_APART):
             raise InputError(self._infeasible())
         rigidity, (low, high) = self.section.rigidity, self.rod.profile.extremes
@@ -533,7 +537,7 @@ class _Fit:
         return scale
 
     def _infeasible(self) -> str:
-        """Return the message for a pattern that no bending stiffness makes possible."""
+        """Return the message if no bending stiffness meets all limits."""
         style, rigidity = self.style, self.section.rigidity
         i, need = self._least_outline()
         ways = []
@@ -566,10 +570,10 @@ class _Fit:
         )  # fmt: skip
 
     def _least_outline(self) -> tuple[int, float]:
-        """Return the station index where the outline is too narrow, and a sufficient width or infinity, mm.
+        """Return the station where the outline is too narrow, by index, and a sufficient width, mm, or
+        infinity.
 
-        An outline of constant width must be widened along its whole length, which also increases the least
-        net width.
+        An outline of constant width must be widened everywhere, which also increases the least net width.
         """
         rigidity = self.section.rigidity
         need = self.lowest * self.K / rigidity + self.holes
@@ -587,7 +591,7 @@ class _Fit:
         return section.scale_range(self.w - 2 * columns * self.style.least_hole, self.K).feasible
 
     def _too_little(self, scale: float) -> str:
-        """Return a sentence on the limit that a bending stiffness violates, and the station."""
+        """Return which limit a bending stiffness violates, and where."""
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             i = self.by_ratio.lowest_at
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])

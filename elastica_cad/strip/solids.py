@@ -27,20 +27,22 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.tapered_solids import RoundSolid, side_view
 
 COLLINEAR_TOLERANCE = 1e-14
-"""Twice the least area of the triangle at a corner of a convex hull, as a fraction of the square of the largest
+"""Collinearity tolerance of `convex_corners`: twice the area of a triangle over the square of the largest
 extent."""
 
 
 def centred_thickness(strip: Strip) -> float:
-    """Return the thickness, mm, of all layers of a strip, or of the full-length ply of a stack.
+    """Return the thickness, mm, that is centred on the curve.
 
-    It is centred on the curve.
+    It is that of all layers together, or of the full-length ply of a stack.
     """
     return strip.layers[-1 if strip.layout.stack is None else 0].high
 
 
 def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
-    """Return x and y of every joint in the flat strip, mm, and the direction, 1 or -1, of the joint's x axis."""
+    """Return x and y, mm, of every joint in the flat strip, and the sign of the joint's x axis along the
+    strip.
+    """
     places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
     for number, hole in enumerate(strip.holes, start=1):
         x, y = map(float, hole.bounds.mean(axis=0))
@@ -49,7 +51,7 @@ def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
 
 
 def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Frame]:
-    """Return the joints and, for every hole, joints on the "top" and "bottom" face of the strip."""
+    """Return the joints, and for every hole two more joints, on the "top" and "bottom" face of the strip."""
     frames = dict(joints)
     for name, frame in joints.items():
         if name.startswith("hole"):
@@ -60,27 +62,26 @@ def _with_faces(joints: Mapping[str, Frame], thickness: float) -> dict[str, Fram
 
 
 def turned(frame: Frame, sign: int) -> Frame:
-    """Return the frame, rotated by 180 degrees about its z axis if `sign` is -1."""
+    """Return the frame, turned by 180 degrees about its z axis if `sign` is -1."""
     return frame if sign == 1 else Frame(frame.origin, -frame.x_axis, -frame.y_axis)
 
 
 GLUE_MM = 5e-4
-"""Gap between the sheets of a body, mm. CAD kernels lose parts of solids that touch, and fail with a gap of 1e-4
-mm."""
+"""Gap between the sheets of a body, mm. CAD kernels lose parts of touching solids, and fail with a gap of
+1e-4 mm."""
 
 JOINT_GAP_MM = 0.01
 """Gap between the ends of a closed strip, mm. It is far larger than the tolerance of CAD kernels."""
 
 FEW_SPANS = 8
-"""Largest number of spans of a spline that is extruded without a check of the area that the CAD kernel
-computes."""
+"""Number of spans up to which a spline is extruded without comparing the area computed by CAD kernels."""
 
 AREA_TOLERANCE = 1e-4
 """Largest error of the area of a face in a CAD kernel, as a fraction of the area of the part."""
 
 GAUSS_RULE = np.polynomial.legendre.leggauss(16)
-"""Points in -1..1 and weights of the quadrature rule that OpenCASCADE uses along an extruded spline, for any
-number of spans."""
+"""Points in -1..1 and weights of the quadrature rule that OpenCASCADE uses along an extruded spline. The rule
+is the same for any number of spans."""
 
 BESIDE_MM = 20.0  # distance, mm, between the flat and the bent strip in a file
 
@@ -125,9 +126,8 @@ class FlatSolid:
     def of(cls, strip: Strip, frame: Frame | None = None) -> "FlatSolid | RoundSolid":
         """Return the flat strip, or the base of a laminate.
 
-        In its frame, x = 0 is the start of the bent part, and z = 0 is the lower face.
-
-        The names of joints are the same as in `BentSolid`.
+        In its frame, x = 0 is the start of the bent part, and z = 0 is the lower face. Joints have the same
+        names as in `BentSolid`.
         """
         return cls.layers(strip, frame)[0]
 
@@ -182,7 +182,7 @@ class FlatSolid:
 
 
 def _misread_area(sides: Sequence[Spline]) -> float:
-    """Return the error of the areas below splines, mm2, if one quadrature rule covers all spans of a spline."""
+    """Return the error of the areas below splines, mm2, that one quadrature rule for all spans causes."""
     points, weights = GAUSS_RULE
     off = 0.0
     for side in sides:
@@ -196,7 +196,7 @@ def _misread_area(sides: Sequence[Spline]) -> float:
 
 
 def _tapered_solid(strip: Strip, frame: Frame, *, bent: bool) -> "FlatSolid | RoundSolid":
-    """Return a planed strip or a round rod, flat on the xy plane of `frame`, or bent in that plane."""
+    """Return a planed strip or a round rod, flat on the xy plane of `frame` or bent in that plane."""
     section, size, width = strip.layout.section, strip.layout.size, strip.layout.width
     assert size is not None
     view = side_view(strip, bent=bent)
@@ -254,11 +254,11 @@ class BentSolid:
 
     @cached_property
     def joints(self) -> Mapping[str, Frame]:
-        """Frames at which other parts are joined, by name.
+        """Frames at which other parts are joined, by name, with the origin at mid-thickness.
 
-        "start" and "end" of the bent part and "hole1", "hole2", ... are at mid-thickness. Their z axis is
-        normal to the strip and points to its upper face. Their x axis is along the strip; at the ends it points
-        outward. "hole1:top" and "hole1:bottom" are on the faces of the strip, with z outward.
+        The names are "start" and "end" (of the bent part), "hole1", "hole2" and so on. The z axis is normal
+        to the upper face. The x axis is along the strip; at the ends it points outward. "hole1:top" and
+        "hole1:bottom" are on the faces of the strip, with z outward.
         """
         stations = [0.0, *(float(part.knots[-1]) for part in self.maps if isinstance(part, BentMap))]
         frames = {}
@@ -295,11 +295,11 @@ class BentSolid:
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BodyRecord", ...]:
         """Return every sheet of the bent strip.
 
-        All sheets together are centred on the curve. Only the base has joints.
+        Their total thickness is centred on the curve. Only the base has joints.
 
         In a stack of glued plies, the full-length ply is centred on the curve, and the other plies are on its
-        upper face. A planed strip is an extruded side view, and a rod is round. The lap of a closed strip is a
-        separate body on the inside, where it is glued. The errors are the same as in `of`.
+        upper face. The lap of a closed strip is a separate body on the inside, where it is glued. Errors are
+        those of `of`.
         """
         require_record(strip, Strip, "what is bent", "a Strip")
         frame = frame_or_plain(frame)
@@ -331,10 +331,7 @@ class BentSolid:
 
     @classmethod
     def _ring(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
-        """Return a closed strip without its lap.
-
-        Its ends have a gap, because CAD kernels fail on bodies that touch.
-        """
+        """Return a closed strip without its lap, with a gap because CAD kernels fail on touching bodies."""
         half, layer = strip.sheet.thickness / 2, strip.layers[0]
         outline = clip_across(layer.outline, 0.0, strip.rod.length - JOINT_GAP_MM)
         return cls.wrapped(
@@ -349,7 +346,6 @@ class BentSolid:
 
     @classmethod
     def _lap(cls, strip: Strip, frame: Frame | None) -> "BentSolid":
-        """Return the lap of a closed strip, which is glued to the inside of its start."""
         width, thickness = strip.end_widths[1], strip.sheet.thickness
         tab = fix_tab_widths(strip.width, strip.ends)[1]
         inside = -1.0 if strip.rod.curvature[0] > 0 else 1.0
@@ -379,14 +375,14 @@ class BentSolid:
         outline, holes : Path
             Closed loops, mm.
         heights : (lower, upper)
-            Heights of the two faces above the curve, mm. Up is the right side of the curve.
+            Heights of the two faces, mm, positive to the right of the curve.
         frame : Frame, optional
             Plane of the curve.
         joints : mapping of str to (x, y, way), optional
             Positions of the joints in the flat pattern, mm. `way` is 1 if the x axis of the joint is along the
             strip, else -1.
         between : float
-            Thickness of the strip, mm, which adds joints of holes on both faces; 0 for none.
+            Thickness of the strip, mm, to add joints on both faces at every hole; 0 for none.
 
         Raises
         ------
@@ -414,16 +410,16 @@ class BentSolid:
 
 
 def glued(records: Sequence["BodyRecord | PrismSolid"]) -> "tuple[BodyRecord | PrismSolid, ...]":
-    """Return the sheets of a strip for a single body, with gaps of `GLUE_MM` between them.
+    """Return the sheets of a strip with gaps of `GLUE_MM`, to be put into a single body.
 
-    Boolean operations of OpenCASCADE need solids that share faces or do not touch, and shared faces are
-    not reliable where base and backing are equally wide.
+    OpenCASCADE needs solids that share faces or do not touch. Shared faces are unreliable where base and
+    backing are equally wide.
     """
     return tuple(_moved_apart(record, number * GLUE_MM) for number, record in enumerate(records))
 
 
 def _moved_apart(record: "BodyRecord | PrismSolid", gap: float) -> "BodyRecord | PrismSolid":
-    """Return a sheet moved by `gap` mm, away from the curve or along z."""
+    """Return a sheet moved by `gap` mm away from the curve; a flat sheet is moved along z."""
     if not gap or isinstance(record, PrismSolid):
         return record
     if isinstance(record, BentSolid):
@@ -440,7 +436,7 @@ def bent_sheets(strip: Strip) -> tuple[Sheet, ...]:
 
 
 def bent_colors(strip: Strip, color: tuple[float, ...] | None = None) -> tuple[tuple[float, ...], ...]:
-    """Return the screen colour of each body of `BentSolid.layers`. `color` is the colour of the base sheet."""
+    """Return the screen colour of each body of `BentSolid.layers`. The base sheet has the colour `color`."""
     base = strip.layers[0].sheet
     return tuple(
         color if color is not None and sheet is base else sheet_color(sheet) for sheet in bent_sheets(strip)
@@ -452,7 +448,7 @@ BodyRecord: TypeAlias = FlatSolid | BentSolid | RoundSolid
 
 
 def frame_beside(strip: Strip, frame: Frame) -> Frame:
-    """Return the frame on the xy plane in which the flat strip is beside the strip that is bent in `frame`."""
+    """Return the xy plane for a flat strip that is drawn beside the strip bent in `frame`."""
     outline = strip.outline.bounds
     reach = max(tab.length for tab in strip.ends) + sum(layer.sheet.thickness for layer in strip.layers)
     low, high = strip.rod.position.min(axis=0) - reach, strip.rod.position.max(axis=0) + reach

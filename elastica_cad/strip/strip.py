@@ -99,7 +99,8 @@ FILLETS = (
     (3.505, -2.109, 0.069),
 )
 DEEPEST, GRAIN = 20.0, 0.7
-"""Largest t / r of the chart for `corner_factor`, and exponent of sqrt(E / G) relative to an isotropic sheet.
+"""Constants of `corner_factor`. `DEEPEST` is the largest ratio t / r in the chart: shoulder depth over fillet
+radius. `GRAIN` is the exponent of sqrt(E / G), relative to an isotropic sheet, for sheets with grain.
 
 In `FILLETS`, row i is multiplied by (2 t / width)^i and column j by (t / r)^(j / 2). The exponent is fitted to
 finite elements (`tests/campaign/finite_elements/shoulders.py`)."""
@@ -108,12 +109,12 @@ finite elements (`tests/campaign/finite_elements/shoulders.py`)."""
 def corner_factor(sheet: Sheet, width: float, tab: float) -> float:
     """Return the strain in the corners beside a tab, divided by the mean strain across the tab.
 
-    Strip and tab are bent by the same moment. The factor is based on a flat bar in tension with shoulders of depth
-    t and fillets of radius r (Pilkey, Peterson's Stress Concentration Factors, chart 3.1). In a bent plate its
-    excess over 1 is multiplied by (1 + nu) / (3 + nu), as beside an elliptic hole (Goodier, Phil. Mag. 22, 1936).
-    The fillet radius is assumed to be the thickness of the sheet. A sharp corner has about the same strain,
-    averaged over a quarter of the thickness, or less if the tab is clamped up to the shoulder. Solid elements in
-    CalculiX agree within 15 %.
+    Strip and tab are bent by the same moment. The factor is based on a flat bar in tension with shoulders of
+    depth t and fillets of radius r (Pilkey, Peterson's Stress Concentration Factors, chart 3.1). In a bent
+    plate its excess over 1 is multiplied by (1 + nu) / (3 + nu), as beside an elliptic hole (Goodier, Phil.
+    Mag. 22, 1936). The fillet radius is assumed to be the thickness of the sheet. In a sharp corner, the mean
+    strain over a quarter of the thickness is about the same. It is lower if the tab is clamped up to the
+    shoulder. Solid elements in CalculiX agree within 15 %.
 
     Parameters
     ----------
@@ -172,7 +173,6 @@ class Shoulder:
         )
 
     def __str__(self) -> str:
-        """Return a sentence on the strain of the tab."""
         judged, bears = self.verdict, self.sheet.max_strain
         peak = judged.used * bears
         strain, limit = distinct_digits(100 * peak, 100 * bears, ".2g")
@@ -190,7 +190,6 @@ class Shoulder:
 
 
 def _overstrained_tabs(layout: Layout, ends: Ends, strains: Sequence[LayerStrain]) -> tuple[Shoulder, ...]:
-    """Return the ends of a strip at which the moment strains the tab beyond the limit."""
     if layout.size is not None:  # the tabs of a planed or turned strip are as wide as the strip
         return ()
     shoulders = []
@@ -204,14 +203,14 @@ def _overstrained_tabs(layout: Layout, ends: Ends, strains: Sequence[LayerStrain
         shoulders += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow)
             for layer in strains
-            # beyond this limit, there is already a warning about the end of the strip
+            # a strip strained beyond the limit at its end has its own warning
             if layer.strain[station] <= layer.limit
         ]
     return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
 
 
 LINEAR_CREEP_FRACTION = 0.5
-"""Strain, as a fraction of the strain limit, above which creep grows faster than the stress."""
+"""Fraction of the strain limit above which creep grows faster than the stress."""
 
 STRAIGHT_FRACTION = 1e-6
 """Curvature, as a fraction of the largest curvature, below which the strip counts as straight."""
@@ -230,10 +229,10 @@ def _breadth_message(width: Profile, tapered: dict[str, Profile], digits: str) -
 
 
 def _mark_on_backing(curvature: FloatArray) -> str:
-    """Return the side of the bend, INSIDE or OUTSIDE, to which the engraved faces of a laminate point.
+    """Return "INSIDE" or "OUTSIDE": the side of the bend that the engraved face of a laminate is on.
 
-    Seen from the start, the backing is on the right of the curve. If the sense of bending changes, the
-    word is for the bend at the start, with "AT START".
+    Seen from the start, the backing is on the right of the curve. If the curvature changes sign, the word is
+    for the start of the strip and is followed by "AT START".
     """
     small = STRAIGHT_FRACTION * float(np.abs(curvature).max(initial=0.0))
     bent = curvature[np.abs(curvature) > small]
@@ -244,7 +243,6 @@ def _mark_on_backing(curvature: FloatArray) -> str:
 
 
 def _backing_message(mark: str) -> str:
-    """Return a sentence on the side of the bend on which the backing is; empty for a straight strip."""
     if not mark:
         return ""
     texts = {
@@ -263,7 +261,7 @@ def _backing_message(mark: str) -> str:
 
 
 def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str:
-    """Return a sentence on the joint of a closed strip and the load there, where `width` is in mm."""
+    """Return how the ends of a closed strip are joined, and the load there. `lap` and `width` are in mm."""
     how = (
         note(
             "glue the tab of {lap} at its end, bent along the curve, to the inside of its start",
@@ -297,7 +295,7 @@ def _warn_of_strains(strains: Sequence[LayerStrain], bends: Bends) -> Iterator[s
 
 
 def _warn_of_width(width: Profile, length: float, field: FieldName, *, closed: bool) -> Iterator[str]:
-    """Yield warnings about different widths at both ends of a closed strip, and about strips wider than long."""
+    """Yield a warning for a closed strip with unequal end widths, and for a strip wider than long."""
     start, end = width([0.0, length]).tolist()
     if closed and abs(end - start) > UNEVEN_JOINT_MM:
         yield note(
@@ -331,7 +329,7 @@ def _warn_of_plywood(layers: Sequence[Layer], strains: Sequence[LayerStrain], be
 
 
 def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Creep | None]) -> Iterator[str]:
-    """Yield warnings if creep of the most strained layer is not linear, or if the strip snaps after creep."""
+    """Yield a warning if creep of the most strained layer is nonlinear, or if creep makes the strip snap."""
     if strained.largest > LINEAR_CREEP_FRACTION * strained.limit:
         yield note(
             "The strain of {strain:.2f} % is more than {share:.0f} % of the sheet's limit, so creep there is "
@@ -352,7 +350,8 @@ def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Cre
 
 
 _sideways: WeakKeyDictionary[Rod, dict[Hashable, SidewaysStability]] = WeakKeyDictionary()
-"""Stability against leaving the plane, by rod and then by the fields of a strip that set its cross sections."""
+"""Cache of `strip_sideways`. The first key is the rod; the second contains everything that sets the cross
+sections."""
 
 
 def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
@@ -379,7 +378,7 @@ def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
 
 
 FINE_EDGES = 1600
-"""Least number of edges of the rod for the shape as built. The error is then negligible."""
+"""Least number of edges of the rod in `deviation_as_built`. The discretization error is then negligible."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -493,7 +492,9 @@ class Strip:
         return self._repr_svg_() + rows_table(repr(self), summary.strip_rows(self))
 
     def table(self) -> dict[str, FloatArray]:
-        """Return the columns (n,) of `Rod.table` in N and N mm, with widths in mm and largest surface strains."""
+        """Return the columns (n,) of `Rod.table` in N and N mm, the widths in mm, and the largest surface
+        strains.
+        """
         columns, B = self.rod.table(), self.bending_stiffness
         for name, physical in {
             "moment_1_per_mm": "moment_Nmm", "force_x_1_per_mm2": "force_x_N", "force_y_1_per_mm2": "force_y_N",
@@ -514,7 +515,7 @@ class Strip:
 
     @property
     def tapered(self) -> dict[str, Profile]:
-        """Profile of "thickness" or "diameter", mm, if it varies instead of the width; else empty."""
+        """Varying "thickness" or "diameter", mm, of a strip that does not vary in width; otherwise empty."""
         section, size = self.layout.section, self.layout.size
         if section is None or size is None or section.quantity not in ("thickness", "diameter"):
             return {}  # in a stack of plies, their number varies instead
@@ -548,10 +549,7 @@ class Strip:
         return cut_layers(self.layout, self.ends, self.slots, holes, name=self.label or "strip")
 
     def cut_as(self, other: "Strip") -> "Strip":
-        """Return this strip with the layers of another strip with the same `cut_key`.
-
-        The layers are then computed once.
-        """
+        """Return this strip with the computed layers of another strip that has the same `cut_key`."""
         vars(self)["layers"] = other.layers
         return self
 
@@ -581,7 +579,7 @@ class Strip:
     def mirrored(self) -> "Strip":
         """Return the strip turned over about its centre line (y to -y).
 
-        It bends into the same curve. A symmetric strip is returned itself.
+        It bends into the same curve. A symmetric strip is returned unchanged.
         """
         start, end = (tab.mirrored() for tab in self.ends)
         if not self.slots and (start, end) == self.ends:
@@ -638,12 +636,12 @@ class Strip:
 
     @property
     def strain_warnings(self) -> tuple[str, ...]:
-        """Warnings about each layer, tab and cut with a strain above the limit. The cuts are for pins and ties."""
+        """Warnings about each layer, tab, and cut for a pin or tie that is strained beyond its limit."""
         return (*_warn_of_strains(self.strains, self._bends), *map(str, self._shoulders))
 
     @cached_property
     def _shoulders(self) -> tuple[Shoulder | StrainedCut, ...]:
-        """Tabs, and cuts for pins and ties, with a strain above the limit."""
+        """Tabs, and cuts for pins and ties, that are strained beyond the limit."""
         shoulders = _overstrained_tabs(self.layout, self.ends, self.strains)
         return (*shoulders, *strained_cuts(self.rod, self.layout))
 
@@ -678,7 +676,7 @@ class Strip:
 
     @cached_property
     def crept(self) -> Creep | None:
-        """Strip after creep with its ends held all the time, or None without a creep factor.
+        """Strip after creep with its ends held all the time, or None if `creep` is 0.
 
         Raises
         ------
@@ -718,7 +716,10 @@ class Strip:
 
     @property
     def bending_stiffness(self) -> float:
-        """Bending stiffness E I where K = 1, N mm2. Forces of the rod times this value are in N."""
+        """Bending stiffness E I where the relative stiffness K is 1, N mm2.
+
+        Forces of the rod times this value are in N.
+        """
         return self.layout.bending_stiffness
 
     @cached_property
@@ -751,7 +752,8 @@ class Strip:
     def rod_to_bend(self) -> Rod:
         """Rod for moving the ends of the strip: see `bend_strip`.
 
-        It includes the effect of curling across the strip, and it is axially elastic.
+        Its stiffness includes the effect of curling across the strip. It also stretches and shortens under
+        axial force.
         """
         from elastica_cad.strip.as_made import rod_to_bend
 
@@ -764,9 +766,10 @@ class Strip:
 
     @property
     def compressed_length(self) -> float:
-        """Length, mm, by which the force along the strip shortens it in the designed shape; negative if longer.
+        """Length, mm, by which the force along the strip shortens it in the designed shape; negative if the
+        force stretches it.
 
-        The design rests where it is drawn if the ends are closer together by this length.
+        The strip rests on the drawn curve if its ends are held closer together by this length.
         """
         rod = self.rod_to_bend
         assert rod.compression is not None
@@ -785,7 +788,8 @@ class Strip:
         return cut_layers(self.layout, self.ends, (), name="strip") if cut else self.layers
 
     def held(self, start: TabSeat | None = None, end: TabSeat | None = None) -> "HeldShape":
-        """Return the shape of the finished strip in its holders. An end without a holder is held as designed.
+        """Return the shape of the finished strip in its holders. An end whose holder is None is clamped as
+        designed.
 
         Raises
         ------
@@ -813,7 +817,7 @@ class Strip:
 
     @cached_property
     def sideways(self) -> SidewaysStability:
-        """Stability against leaving the plane of the curve; strips that differ in their slots only share it."""
+        """Stability against leaving the plane of the curve. Slots are ignored."""
         section = value_key((self.style, self.sheet, self.correction, self.max_width, self.min_width))
         known = _sideways.setdefault(self.rod, {})
         if section not in known:
@@ -823,8 +827,8 @@ class Strip:
     def reactions(self) -> Reactions:
         """Return the forces (N) and moments (N mm) that the supports exert on the strip.
 
-        The internal force is -lambda B (Eq. 2), so the supports push the start by lambda(0) B and the end by
-        -lambda(L) B.
+        The internal force is -lambda B (Eq. 2), with the bending stiffness B. The supports therefore push the
+        start by lambda(0) B and the end by -lambda(L) B.
         """
         B, moment = self.bending_stiffness, self.rod.moment
         start, end = B * self.rod.support_forces
@@ -839,8 +843,8 @@ class Strip:
 
         All have the same origin and the same holes in the tabs.
 
-        In a laminate, the position of the backing is marked on the base. An engraved word on both sheets gives the
-        side of the bend to which the engraved face points.
+        In a laminate, the position of the backing is marked on the base. Both sheets are engraved with INSIDE
+        or OUTSIDE, the side of the bend that the engraved face is on.
         """
         lap = self.ends[1].length if self.is_closed else 0.0
         engraved = f"{self.engraved} {self._backing_mark}".strip()
@@ -936,7 +940,7 @@ def strip_names(placed: Sequence[Placed]) -> tuple[str, ...]:
 
 
 def distinct_names(placed: Sequence[Placed]) -> tuple[str, ...]:
-    """Return the names of `strip_names`, with the number of the strip after names that occur more than once."""
+    """Return the names of `strip_names`; equal names are followed by the number of their strip."""
     names = strip_names(placed)
     count = Counter(names)
     return tuple(f"{name} (strip {i})" if count[name] > 1 else name for i, name in enumerate(names, start=1))

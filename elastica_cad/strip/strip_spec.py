@@ -56,11 +56,12 @@ GravityOption: TypeAlias = Gravity | bool | Sequence[float] | None
 """Gravity of a request: a `Gravity`, True for the weight of the sheet along -y, or a direction."""
 
 Loads: TypeAlias = "tuple[PointMass | PointForce, ...] | Weight"
-"""Loads of a request: masses and forces in addition to the weight of the strip, or the whole weight in newtons."""
+"""Loads of a request: masses and forces in addition to the weight of the strip, or a `Weight` that replaces
+it."""
 
 
 def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> tuple[Gravity | None, float]:
-    """Return gravity in the plane of the curve of a strip, and the fraction of a weight that acts in this plane."""
+    """Return gravity in the plane of the strip's curve, and the fraction of a weight that acts in this plane."""
     if gravity is None or isinstance(gravity, bool):
         return (sheet.gravity() if gravity else None), 1.0
     if isinstance(gravity, Gravity):
@@ -88,7 +89,7 @@ def _with_masses_in_plane(loads: Loads, share: float) -> Loads:
 
 
 def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight | None:
-    """Return the weight for `optimal_rod`; `share` is the fraction of a mass that acts in the plane."""
+    """Return the weight for `optimal_rod`. `share` is the fraction of a weight that acts in the plane."""
     felt = _with_masses_in_plane(loads, share)
     if isinstance(felt, Weight):
         return felt
@@ -97,7 +98,6 @@ def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight 
 
 
 def _direction(direction: object) -> tuple[float, ...]:
-    """Return the direction of gravity as two or three numbers."""
     row = (
         tuple(direction)
         if isinstance(direction, Sequence | np.ndarray) and not isinstance(direction, str)
@@ -116,11 +116,10 @@ def _direction(direction: object) -> tuple[float, ...]:
 NEAREST_CALL = (
     "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve then is."
 )
-"""Instruction for Python that is added to errors about a curve that may not change."""
+"""Instruction for Python users, added to errors about a curve that may not change."""
 
 
 def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
-    """Raise InputError for a seam beyond the end of the curve or on an open curve."""
     if seam_position is not None and seam_position > curve.length:
         raise InputError(
             "{field} is {seam:g}, which is not on the curve: set a place from 0 to {length:.4g}, or leave "
@@ -142,7 +141,7 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
 def _check_section_law(
     law: BoundedLaw, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
 ) -> None:
-    """Raise InputError for a section law that cannot be combined with style, tabs, slots, sheet or widths."""
+    """Raise InputError if the section law cannot be combined with another field of the request."""
     shaped = bool(slots) or any(tab != Tab(tab.length) for tab in ends)
     shaped = shaped and getattr(law, "quantity", "") != "width"
     if not isinstance(style, Plain) or sized or shaped:
@@ -205,10 +204,9 @@ def _check_conflicts(spec: RodSpec) -> None:
 def _limits_with_sheet_and_widths(
     limits: Limits, sheet: Sheet, style: Style, *, max_width: float | None, min_width: float | None
 ) -> Limits:
-    """Return the limits of a strip without a section law, with the limits from sheet and widths.
+    """Return the limits, narrowed by the sheet and the requested widths.
 
-    The width of a solid strip can be limited by `limits.width` and by `max_width` and `min_width`. The
-    result is the intersection of both ranges.
+    The width of a solid strip must be within both `limits.width` and `max_width` and `min_width`.
     """
     if (
         limits.sheet is not None
@@ -238,7 +236,7 @@ def _limits_with_sheet_and_widths(
                 where={"field": (name, "limits.width")},
             )
     narrowest, widest = min_width or low, max_width or high
-    if narrowest > widest:  # `_ratio_of_widths` raises the error for this case
+    if narrowest > widest:  # `_ratio_of_widths` raises the error
         return limits
     return replace(limits, width=(narrowest, widest))
 
@@ -271,9 +269,9 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
 
 @contextmanager
 def changes_suggested_in_python(curve: PlaneCurve, may_change: bool) -> Iterator[None]:
-    """Add a note to errors about the curve, with the argument that allows a nearby curve.
+    """Add a note to errors about the curve: the argument that lets the curve change.
 
-    The nearest curve is not computed, because this can take too long for the calling program.
+    The nearest curve itself is not computed, because this can take too long.
     """
     try:
         yield
@@ -285,7 +283,7 @@ def changes_suggested_in_python(curve: PlaneCurve, may_change: bool) -> Iterator
 
 
 SAME_LENGTH = 1e-9
-"""Relative difference below which two elasto-gravity lengths are equal."""
+"""Relative difference below which two elasto-gravity lengths count as equal."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -561,7 +559,7 @@ class StripSpec(EqualByValue):
             self._require_alone()
 
     def _require_alone(self) -> None:
-        """Raise InputError for fields that cannot be combined with elements and point forces."""
+        """Raise InputError for fields that cannot be combined with rails, pins, ties and point forces."""
         curve = self._curve_from_seam
         conflicts = {
             "a law": ("law", self.law is not None),
@@ -598,7 +596,7 @@ class StripSpec(EqualByValue):
 
     @property
     def in_plane(self) -> "StripSpec":
-        """Equivalent request in the coordinates of the curve's plane, without a frame in space."""
+        """Equivalent request whose directions are in the plane of the curve, without `frame`."""
         if self.frame is None:
             return self
         gravity, share = self._gravity_and_fraction
@@ -613,8 +611,8 @@ class StripSpec(EqualByValue):
     def rod_spec(self) -> RodSpec:
         """Request from which the rod of this strip is computed.
 
-        It does not depend on the ends, slots and label of the strip. Widths have an effect only through loads,
-        limits, a section law or smoothing.
+        It does not contain the tabs, slots and label. Widths enter only through loads, limits, a section law
+        or smoothing.
         """
         gravity, share = self._gravity_and_fraction
         layers: LaminateLayers | None = None
@@ -641,7 +639,7 @@ class StripSpec(EqualByValue):
             smooth=self.smooth,
             section=self._section(share),
             widths=self._widths,
-            # smoothing depends on the widths only if the outline may have a step
+            # smoothing uses the widths only to find steps of the outline
             outline_widths=(self.max_width, self.min_width)
             if may_step(self._curve_from_seam)
             else (None, None),
@@ -649,7 +647,7 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def run_ins(self) -> StraightEnds:
-        """Drawn curve, and its bent part between the straight ends that become tabs."""
+        """Drawn curve, and its bent part between straight ends that become tabs."""
         if not self.straight_ends or (self.curve.has_corners and not self.smooth):
             return StraightEnds(self.curve, self.curve)
         return StraightEnds.of(self.curve, self.supports, self.natural_curvature)
@@ -691,7 +689,7 @@ class StripSpec(EqualByValue):
 
     @property
     def _widths(self) -> WidthRange | None:
-        """Limits of the width of a solid strip whose loads determine its stiffness, or None."""
+        """Limits of the width, if the loads on a solid strip determine its stiffness; otherwise None."""
         sized = self.max_width is not None or self.min_width is not None
         if not sized or not self.loads or self.law is not None or not isinstance(self.style, Plain):
             return None
@@ -702,18 +700,18 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def _curve_from_seam(self) -> PlaneCurve:
-        """Curve to which the strip is bent.
+        """Curve to which the strip is bent, starting at the seam if it is closed.
 
-        A closed curve starts at the seam, or by default at the point of least curvature if the curve may
-        not change.
+        By default, a closed curve that may not change starts at the point of least curvature.
         """
         curve = self.run_ins.bent
-        # the request for the rod raises the error for corners
+        # the request for the rod reports the corners
         if not curve.is_closed or (curve.has_corners and not self.smooth):
             return curve
         if self.seam_position is not None:
             return begin_at(curve, self.seam_position)
-        counted = isinstance(self.natural_curvature, RestCurvature)  # from the start
+        # its stations are counted from the start of the curve
+        counted = isinstance(self.natural_curvature, RestCurvature)
         return curve if self.limits or self.keep or counted else begin_at(curve, flattest_place(curve))
 
     @property
@@ -722,24 +720,27 @@ class StripSpec(EqualByValue):
         sheet = self.material
         if self.compensate is not None or self.law is not None or not isinstance(self.style, Plain):
             return False
-        # the compensation does not support loads, or weight together with elements between the ends
+        # the compensation supports neither loads nor weight together with elements between the ends
         free = not self.loads and not (self.between and self.gravity_in_plane is not None)
         return sheet.poisson_known and sheet.poisson_ratio > 0 and free
 
     @property
     def _width_law(self) -> WidthLaw:
-        """Section law of a solid strip with the requested largest width, or else the least width."""
+        """Section law of a solid strip with the requested largest width or, without it, the least width."""
         if self.max_width is not None:
             return WidthLaw(self.material, 0.0, self.max_width)
         return WidthLaw(self.material, self.min_width or 0.0, np.inf)
 
     def _section(self, share: float) -> BoundedLaw | None:
-        """Return the section law, with the density scaled to the weight that acts in the plane of the curve."""
+        """Return the section law.
+
+        Its density is multiplied by the fraction of the weight that acts in the plane.
+        """
         law: BoundedLaw | None = self.law
         felt = self.gravity_in_plane
         asks_for_margin = self.limits is not None and self.limits.margin is not None
         if law is None and self.makes_up_for_curl and (felt is not None or asks_for_margin):
-            # the section law determines the weight of the strip and its stability if it bends as a plate
+            # if the strip bends as a plate, the section law determines its weight and stability
             law = self._width_law
             share = 1.0 if felt is None else (self.material.elasto_gravity_length / felt.length) ** 3
         if law is None and felt is None and isinstance(self.style, Laminated):
@@ -756,7 +757,7 @@ class StripSpec(EqualByValue):
 
     @property
     def _makeable_limits(self) -> Limits:
-        """Limits including those from sheet and widths, so that the nearest strip can be cut and bent."""
+        """Limits of the request, narrowed by sheet and widths so that the nearest strip can be cut and bent."""
         limits = Limits() if self.limits is None else self.limits
         if self.ignore_limits:
             return limits
@@ -794,10 +795,11 @@ class StripSpec(EqualByValue):
         )  # fmt: skip
 
     def bend(self, rod: Rod) -> Strip:
-        """Return the strip of a rod before joints, compensation and the checks whether it can be made."""
+        """Return the strip of a rod, without joints, compensation or checks for the workshop."""
         if self.makes_up_for_curl and rod.section is None:
             rod = replace(rod, section=self._width_law)
-        if isinstance(self.style, Laminated):  # the style computes the section from the stiffness of the rod
+        # the style computes the section of a laminate from the rod's stiffness
+        if isinstance(self.style, Laminated):
             rod = replace(rod, section=None)
         tabs_note = self.tabs_message
         notes = (*([] if tabs_note is None else [tabs_note]), *self.rod_spec.smoothing.notes)
@@ -821,14 +823,7 @@ class StripSpec(EqualByValue):
         return replace(self, **fields)
 
     def with_change(self, change: Change) -> "StripSpec | None":
-        """Return the request with a change that a refusal suggests, or None if the change does not apply.
-
-        Examples
-        --------
-        >>> spec = StripSpec(PlaneCurve.spline([(0, 0), (50, 60), (100, 0)], degree=2), "pom-0.5", max_width=9)
-        >>> spec.with_change(Change("max_width", 12.0)).max_width, spec.with_change(Change("unit", "cm"))
-        (12.0, None)
-        """
+        """Return the request with a suggested change, or None if the change does not apply to it."""
         require_record(change, Change, "a change", "a Change")
         if change.field == "nearest":
             if self.may_change:
@@ -846,10 +841,7 @@ class StripSpec(EqualByValue):
         return self.changed(**{change.field: change.value})
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
-        """Return the layers from which the rod of a laminate is computed.
-
-        Gravity must be in the plane of the curve.
-        """
+        """Return the layers for the rod of a laminate. Gravity must act fully in the plane of the curve."""
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
             raise InputError(
                 "the own weight of a laminate acts fully in the plane of the curve and follows from its "

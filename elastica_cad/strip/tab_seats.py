@@ -71,7 +71,7 @@ class TabSeat:
 
     @classmethod
     def pocket(cls, length: float, thickness: float, play: float, *, name: str = "pocket") -> "TabSeat":
-        """Return a straight pocket around the tab, with the play `play`, mm, on either face."""
+        """Return a straight pocket around the tab, with a gap of `play` mm on each face."""
         require_positive(length, f"{name}: the length")
         require_positive(thickness, f"{name}: the thickness")
         if not (is_number(play) and play >= 0):
@@ -82,7 +82,9 @@ class TabSeat:
 
     @cached_property
     def edges(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Outward and left coordinates (k,) of all points, and the side of each: 1 for left, -1 for right."""
+        """`into` and `left` (k,) of all points, mm, and the touched face of the tab: 1 for left, -1 for
+        right.
+        """
         into, left = np.concatenate([self.left, self.right]).T.copy()
         return into, left, np.repeat([1.0, -1.0], [len(self.left), len(self.right)])
 
@@ -93,18 +95,18 @@ class TabSeat:
 
     @property
     def room(self) -> float:
-        """Clearance of the tab in its designed direction, mm; 0 if the holder presses the tab."""
+        """Clearance across the tab at its designed angle, mm; 0 if the holder presses the tab."""
         return max(0.0, float(self.left[:, 1].min() - self.right[:, 1].max()) - self.thickness)
 
     @property
     def places(self) -> tuple[float, ...]:
-        """Rounded coordinates of all points, to compare holders."""
+        """Rounded coordinates of all points; equal for equal holders."""
         return tuple(np.round([*self.left.ravel(), *self.right.ravel()], 9).tolist())
 
     def moved(self, shift: float, turn: float) -> "TabSeat":
-        """Return the holder after a shift, mm, and a turn, rad, both to the left.
+        """Return the holder shifted to the left by `shift`, mm, and turned to the left by `turn`, rad.
 
-        It turns about the end of the bent part.
+        The centre of rotation is the end of the bent part.
         """
         cos, sin = np.cos(turn), np.sin(turn)
         rotation = np.array([[cos, sin], [-sin, cos]])
@@ -138,7 +140,9 @@ class TabSeat:
 
     @cached_property
     def turning(self) -> tuple[float, float]:
-        """Largest turns of the tab, rad, to the right (negative) and to the left, as seen outward."""
+        """Angles, rad, by which the tab can turn to the right (negative) and to the left, seen from the
+        strip.
+        """
         return -self._stop(-1), self._stop(1)
 
     def _stop(self, sense: int) -> float:
@@ -148,7 +152,7 @@ class TabSeat:
         (a, b), (c, d) = self.left.T, self.right.T
         most = (b - (a * sin + self.thickness / 2) / cos).min(axis=1)
         least = (d + (self.thickness / 2 - c * sin) / cos).max(axis=1)
-        # the tab might fit again at larger angles, but it cannot turn beyond the first contact
+        # the tab might fit again at larger angles, but it stops at the first contact
         room = most - least
         jams = np.flatnonzero(room[1:] < -1e-12)
         if not jams.size:
@@ -201,12 +205,17 @@ class SeatedEnd:
 
     @property
     def bending(self) -> FloatArray:
-        """Hessian (m, m) of the energy of the tab divided by B, for the angles of its pieces, 1/mm."""
+        """Hessian (m, m), 1/mm, of the bending energy of the tab over the stiffness B of the rod.
+
+        Its unknowns are the angles of the pieces.
+        """
         return np.asarray(self.stiffness / self.piece * _chain(self.pieces))
 
     @cached_property
     def sideways(self) -> FloatArray:
-        """Derivatives (k, m), mm, of the gaps with respect to the angles of the pieces."""
+        """Derivatives (k, m), mm, of the gaps between holder and tab with respect to the angles of the
+        pieces.
+        """
         into, _, side = self.seat.edges
         begins = self.piece * np.arange(self.pieces)
         covered = np.minimum(np.maximum(into[:, None] - begins, 0.0), self.piece)
@@ -218,7 +227,8 @@ class SeatedEnd:
         return np.array([-np.sin(angle), np.cos(angle)])
 
     def load(self, rod: Rod, left: FloatArray, length: float) -> tuple[float, float]:
-        """Return the derivatives of the energy divided by B with respect to shift and turn, 1/mm2.
+        """Return the derivatives of the energy over the bending stiffness B with respect to shift and turn,
+        1/mm2.
 
         They are force and moment of the holder on the rod. The argument `left` is the result of the method `left`.
         """
@@ -226,9 +236,8 @@ class SeatedEnd:
         return sign * float(rod.force[k] @ left), -sign * float(rod.moment[k]) / length
 
     def walls(self, part: FloatArray, length: float) -> tuple[FloatArray, FloatArray]:
-        """Return the derivatives (k, 2 + m) of the gaps with respect to `part`, and the gaps (k,), mm.
-
-        `part` (2 + m,) are the unknowns of this end.
+        """Return the derivatives (k, 2 + m) of the gaps by the unknowns `part` of this end, and the gaps
+        (k,), mm.
         """
         pose = float(part[0]), float(part[1]) / length
         gaps = self.seat.gaps(*pose, self.way)
@@ -242,8 +251,9 @@ class SeatedEnd:
 
 
 def _chain(pieces: int) -> FloatArray:
-    """Return the Hessian (m, m) of the energy of a chain of m pieces whose joints have the stiffness 1."""
-    # the joint at the bent part has the stiffness of half a piece
+    """Return the Hessian (m, m) of the energy of a chain of m pieces whose joints have stiffness 1."""
+    # the first joint is next to the bent part, which belongs to it for half a piece only, so it is twice as
+    # stiff
     springs = np.ones(pieces)
     springs[:1] = 2.0
     joints = np.eye(pieces) - np.eye(pieces, k=-1)
@@ -266,7 +276,7 @@ def _constrained_step(
     Parameters
     ----------
     hessian, gradient : (n, n), (n,) arrays
-        Hessian and gradient of the energy divided by B.
+        Hessian and gradient of the energy over the bending stiffness B.
     walls : ((k, n), (k,)) arrays
         Gradients of the gaps at all contacts, and the gaps, mm.
     length : float
@@ -427,7 +437,9 @@ class _ContactProblem:
         return bend(near, start=places[0], end=places[1], angles=(held[0], held[1]))
 
     def reactions(self, rod: Rod) -> FloatArray:
-        """Return the derivatives of the energy divided by B with respect to the shifts and turns, 1/mm2."""
+        """Return the derivatives of the energy over the bending stiffness B with respect to the shifts and
+        turns, 1/mm2.
+        """
         loads = [end.load(rod, end.left(self.design), self.design.length) for end in self.seated]
         return np.array(loads).ravel()
 
@@ -439,7 +451,6 @@ class _ContactProblem:
         return np.asarray((ends + ends.T) / 2)
 
     def without_room(self, q: FloatArray) -> str:
-        """Return the message about the tab that overlaps its holder most."""
         each = [
             (seated_end, float(seated_end.walls(part, self.design.length)[1].min()))
             for seated_end, part in self.parts(q)
@@ -455,7 +466,7 @@ class _ContactProblem:
     def wall_bends(self, q: FloatArray, pushes: FloatArray) -> FloatArray:
         """Return the sum of the second derivatives of the gaps times the contact forces, 1/mm3.
 
-        `pushes` (k,) are the contact forces divided by B.
+        `pushes` (k,) are the contact forces divided by the bending stiffness B.
         """
         blocks, at, scale = [], 0, np.array([1.0, 1 / self.design.length])
         for end, part in self.parts(q):
@@ -481,12 +492,11 @@ class _ContactProblem:
         penalty: float = OVERLAP_PENALTY,
         reach: float = np.inf,
     ) -> QuadraticSolution:
-        """Return the next step of sequential quadratic programming.
-
-        `reach` is the largest change of an unknown, mm.
+        """Return the next step of sequential quadratic programming; no unknown changes by more than `reach`
+        mm.
         """
         length = self.design.length
-        # Hessian H of the tabs, 1/mm3; the Hessian of the rod for the shifts and turns is added below
+        # H: Hessian of the energy of the tabs, 1/mm3; the rod's part is added below
         H = _block_diagonal(
             [_block_diagonal([np.zeros((2, 2)), end.bending / length**2]) for end in self.seated]
         )
@@ -520,17 +530,18 @@ SOFTEST_SPRING = 1e-4
 each step."""
 
 MOST_LEAN_ITERATIONS = 36
-"""Largest number of iterations for the displacement of a holder; usually about six are needed."""
+"""Largest number of iterations in `lean_against`; usually about six are needed."""
 
 LEAN_STEP_FRACTION = 1e-7
-"""Length of the step, as a fraction of the length of the strip, at which the iteration ends."""
+"""Step, as a fraction of the length of the strip, at which the iteration of `lean_against` ends."""
 
 
 @dataclass(frozen=True)
 class Lean:
     """Displacement of a holder: `shift` to the left, mm, and `turn` to the left, rad.
 
-    `slopes` are the slopes of the pieces of the tab at rest, to the left. `piece` is the length of a piece, mm.
+    `slopes` are the slopes of the pieces of the resting tab, positive to the left. `piece` is the length of a
+    piece, mm.
     """
 
     shift: float
@@ -539,7 +550,8 @@ class Lean:
     piece: float
 
     def touched(self, wall: FloatArray) -> tuple[float, float]:
-        """Return where the tab at rest touches a wall of the displaced holder, and its slope there.
+        """Return where the resting tab touches a wall of the displaced holder, and the slope of the tab
+        there.
 
         The position is in mm into the tab.
 
@@ -555,7 +567,9 @@ class Lean:
 
     @cached_property
     def _at_rest(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Slopes of the pieces of the tab (k,), and the two coordinates of their ends (k + 1,), mm."""
+        """Slopes of the pieces of the resting tab (k,), and the coordinates `into` and `left` of their ends
+        (k + 1,), mm.
+        """
         slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # a rigid tab is a single straight piece
         bent = np.append(0.0, np.cumsum(slopes)) * self.piece
         return slopes, np.asarray(self.piece * np.arange(slopes.size + 1), dtype=float), bent
@@ -564,10 +578,9 @@ class Lean:
 def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = np.inf) -> Lean:
     """Return the displacement of a holder that gives the loaded tab its designed position.
 
-    Force and moment of the strip press the tab against some points of the holder. In the displaced holder, these
-    points touch the tab in its designed position, and the play is on the other sides. Under the constant load, an
-    end that touches no wall would move without limit. Therefore springs resist its motion. Each iteration uses
-    softer springs, until the displacement no longer changes.
+    Force and moment of the strip press the tab against some points of the holder. The holder is displaced
+    until these points touch the tab in its designed position. While an end touches no wall, nothing but a
+    spring resists the load. Each iteration uses softer springs, until the displacement no longer changes.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Limits of a workshop, and faults of parts that cannot be cut or handled."""
+"""Limits of a workshop, and faults of parts that it cannot cut or handle."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -25,13 +25,13 @@ from elastica_cad.strip.styles import PLAIN, Plain, outline_field
 
 LEAST_STRIP_MM = 3.0  # narrower strips break when they are lifted out, whatever the sheet
 LEAST_WIDTH_THICKNESSES = 3.0  # least width, in thicknesses, because a narrower strip twists
-LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because of the heat of both cuts
+LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because both cuts heat it
 LEAST_LIGAMENT_MM = 0.5  # least width of material between two laser cuts; less may burn away
 LARGEST_PANEL_MM = (3050.0, 1525.0)  # size, mm, of the largest sheet of plywood or board that is sold
-# width of a vertical slot, as a multiple of the tab's thickness, above which it cannot hold the tab
+# largest width of a vertical slot that holds its tab, as a multiple of the tab's thickness
 WIDEST_SLOT_THICKNESSES = 6.0
 FILLED_SLOT_MM = 1.6  # largest width, mm, of a slot that can hold a thin tab with glue on both sides
-LARGEST_SLENDERNESS = 600.0  # ratio of length to least width above which a flat strip cannot be handled
+LARGEST_SLENDERNESS = 600.0  # ratio of length to least width above which a flat strip is too floppy to handle
 
 
 @dataclass(frozen=True)
@@ -139,11 +139,13 @@ DEFAULT_LIMITS = FabricationLimits()
 # number of points on a length of cut equal to the least width; widths then have an error of 1 %
 SAMPLES_PER_WIDTH = 12
 LONGEST_PART = 2.0  # length of chords in the search for pairs, as a multiple of the least width
-# least cosine between a width and both inward normals; material in corners above 50 degrees is not thin
+# points face each other if the cosines between their connection and both normals are at least this; in a
+# corner wider than 50 degrees, no points do
 LEAST_FACING_COSINE = 0.9
-# largest derivative of the width along the strip; then both long edges are inclined by 26 degrees
+# largest slope of the width along the strip at which `_is_obviously_wide` applies: each edge then slopes by
+# 26 degrees
 STEEPEST_WIDTH_SLOPE = 1.0
-# search distances, as fractions of the least width, in the order of the search
+# distances, as fractions of the least width, that are searched one after the other
 _SEARCH_DISTANCES = np.array([1 / 16, 1 / 4, 1])
 CHORD_ERROR_FRACTION = 0.02  # chord error of the cuts as a fraction of the least width
 
@@ -164,7 +166,7 @@ class ThinPlace:
 def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: float) -> tuple[ThinPlace, ...]:
     """Return the places where the material between two cuts is narrower than `least`, the narrowest first.
 
-    Of places that are closer to each other than `least`, only the narrowest is returned.
+    Places closer together than `least` are reported as one, the narrowest.
 
     Parameters
     ----------
@@ -179,7 +181,8 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     >>> [place.width for place in find_thin_places([plate], [hole], 2.0)]
     [1.0]
     """
-    reach = (1 + 2 * CHORD_ERROR_FRACTION) * least  # chords of holes are too far apart by the errors of both
+    # material between chords of two holes looks too wide by both chord errors
+    reach = (1 + 2 * CHORD_ERROR_FRACTION) * least
     parts = _Chords.of(outlines, holes, CHORD_ERROR_FRACTION * least).divided(LONGEST_PART * least)
     near = parts.at(_chords_near_others(parts, reach))
     if not near.loop.size:
@@ -202,7 +205,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
 
 
 def _width_between_circles(circle: Path, hole: Path, *, inside: bool) -> float | None:
-    """Return the least width of material between two circles, mm, of which one may be inside the other."""
+    """Return the least width of material, mm, between two circles side by side or one inside the other."""
     (first, *others), (second, *more) = circle.segments, hole.segments
     if circle is hole or others or more or not (isinstance(first, Arc) and isinstance(second, Arc)):
         return None
@@ -211,7 +214,7 @@ def _width_between_circles(circle: Path, hole: Path, *, inside: bool) -> float |
 
 
 def _chords_near_others(chords: "_Chords", least: float) -> IntArray:
-    """Return the indices (n,) of chords that face another chord across less than `least` mm of material."""
+    """Return the indices (n,) of chords that have another chord less than `least` mm across the material."""
     i, j = near_pairs(chords.middle, chords.middle, (1 + LONGEST_PART) * least)
     inward = chords.inward
     opposed = np.sum(inward[i] * inward[j], axis=1) < 1 - 2 * LEAST_FACING_COSINE**2
@@ -223,12 +226,12 @@ def _chords_near_others(chords: "_Chords", least: float) -> IntArray:
 def _opposed_points(
     points: FloatArray, normals: FloatArray, searching: IntArray, reach: float, least: float
 ) -> tuple[IntArray, IntArray]:
-    """Return index pairs (k,) of points at most `reach` apart with nearly opposite normals.
+    """Return index pairs (k,) of points at most `reach` apart whose normals are nearly opposite.
 
-    The leading point of each pair is among `searching`. The normals times `least` are appended to the
-    coordinates, so that one search compares positions and normals.
+    The first point of each pair is among `searching`. Points and normals are compared in one search: the
+    normals times `least` are appended to the coordinates.
     """
-    # for points that face each other, the sum of the normals is at most 2 sin(acos(LEAST_FACING_COSINE)) long
+    # the normals of points that face each other add up to at most 2 sin(acos(LEAST_FACING_COSINE))
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
     radius = np.hypot(reach, 2 * least * np.sqrt(1 - LEAST_FACING_COSINE**2))
     i, j = near_pairs(here, there, float(radius))
@@ -240,8 +243,8 @@ def _widths_across(
 ) -> tuple[IntArray, IntArray, FloatArray]:
     """Return index pairs (k,) of points that face each other across the material, and their distances, mm.
 
-    Only the closest pair of each point is returned. Short distances are searched before long ones, because
-    a long search distance gives very many pairs between slots that are close together.
+    Each point is paired with the closest one only. Short distances are searched first, because a long search
+    distance gives very many pairs between close slots.
     """
     pairs: list[tuple[IntArray, IntArray, FloatArray]] = []
     searching = np.arange(len(points))
@@ -268,7 +271,6 @@ def _widths_across(
 
 
 def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float) -> IntArray:
-    """Return the index of the narrowest place in each group of places closer together than `least`."""
     order = np.argsort(width, kind="stable")
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
@@ -287,7 +289,9 @@ def _narrowest(point: IntArray, width: FloatArray) -> IntArray:
 
 @dataclass(frozen=True, eq=False)
 class _Chords:
-    """Midpoints and vectors (m, 2), mm, of chords with the material on the left, and indices of the cuts."""
+    """Midpoints and vectors (m, 2), mm, of chords along the cuts with the material on the left, and the index
+    of each chord's cut.
+    """
 
     middle: FloatArray
     vector: FloatArray
@@ -295,7 +299,7 @@ class _Chords:
 
     @classmethod
     def of(cls, outlines: Sequence[Path], holes: Sequence[Path], flat: float) -> "_Chords":
-        """Return the chords of closed cuts, at most `flat` mm from the cuts."""
+        """Return chords along closed cuts; they deviate from the cuts by at most `flat` mm."""
         lines = [anticlockwise(path.points(flat)) for path in (*outlines, *holes)]
         lines[len(outlines) :] = [line[::-1] for line in lines[len(outlines) :]]
         vectors = np.concatenate([np.roll(line, -1, axis=0) - line for line in lines])
@@ -316,7 +320,7 @@ class _Chords:
         return np.column_stack([-self.vector[:, 1], self.vector[:, 0]]) / self.length[:, None]
 
     def divided(self, longest: float) -> "_Chords":
-        """Return the chords divided into equal parts that are at most `longest` mm long."""
+        """Return the chords, divided into equal parts of at most `longest` mm."""
         parts = np.maximum(1, np.ceil(self.length / longest - 1e-9)).astype(np.int64)
         count = np.repeat(parts, parts)[:, None]
         whole = self.at(np.repeat(np.arange(parts.size), parts))
@@ -324,7 +328,9 @@ class _Chords:
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
-        """Return True (m,) for chords at most `least` mm across the material from the same row of `others`."""
+        """Return True (m,) for each chord with the chord of the same row of `others` within `least` mm across
+        the material.
+        """
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
         ahead = np.sum(ends * normals, axis=2)
@@ -335,7 +341,7 @@ class _Chords:
 
 
 LARGER_THAN_STOCK = 2.0
-"""Size of a part, as a multiple of the length of the stock, above which it is refused without a search for thin
+"""Size, as a multiple of the length of the stock, above which a part is refused without a search for thin
 places."""
 
 LEAST_LENGTH_RATIO = 4.0
@@ -377,7 +383,6 @@ class Fault:
 
 
 def _faults_message(faults: Iterable[Fault]) -> str:
-    """Return the faults as sentences, with each suggestion only once."""
     by_cure: dict[tuple[str, str], list[str]] = {}
     for fault in faults:
         by_cure.setdefault((fault.part, fault.cure), []).append(fault.what)
@@ -406,8 +411,7 @@ def find_strip_faults(
 ) -> tuple[Fault, ...]:
     """Return all faults that prevent a strip from being cut and handled, those of the base first.
 
-    Widths are measured between all cuts. `noisy` is True if the curve passes through noisy measured points, so
-    that smoothing helps.
+    Set `noisy` for a curve through noisy measured points; the advice is then to smooth it.
 
     Examples
     --------
@@ -416,11 +420,11 @@ def find_strip_faults(
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
     A: only 1.5 mm wide at ... mm from the start of the curve (birch-plywood-0.8 needs 3 mm). ...
     """
-    if strip.layout.size is not None:  # the section law of a planed or turned strip already limits its size
+    if strip.layout.size is not None:  # its section law already limits its size
         return ()
     shop = shop or FabricationLimits()
     name = strip.label or "strip"
-    joined = shop.lap is not None  # strips longer than the stock may be joined from pieces
+    joined = shop.lap is not None  # such strips may be longer than the stock
     backing = strip.layout.backing
     sheets = (strip.sheet,) if backing is None else (strip.sheet, backing.sheet)
     stocks = [shop.stock_for(sheet) for sheet in sheets]
@@ -470,9 +474,9 @@ def find_plate_faults(
     called: Sequence[str] = (),
     drilled: Sequence[str] = (),
 ) -> tuple[Fault, ...]:
-    """Return the faults of a ring, a base or a rail: thin bridges between cuts, and excessive size.
+    """Return thin bridges between the cuts of a ring, base or rail, and a size beyond the stock.
 
-    `called` are the names of the first holes, which are slots; `drilled` are the names of the last holes.
+    `called` names the slots, which are the first holes; `drilled` names the last holes.
     """
     shop = limits_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
@@ -533,7 +537,7 @@ def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]
 
 
 def _is_obviously_wide(strip: Strip, least: float) -> bool:
-    """Return True if the long edges have small slopes and are `least` mm apart, and there are no other cuts."""
+    """Return True if two nearly parallel long edges, `least` mm or more apart, are the only cuts."""
     layout, width = strip.layout, strip.width
     if strip.slots or element_cuts(strip.rod) or layout.backing is not None or layout.pattern is not None:
         return False
@@ -550,9 +554,9 @@ def _is_obviously_wide(strip: Strip, least: float) -> bool:
 def _thin_strip(
     name: str, strip: Strip, layer: Layer, least: float, web: float, *, noisy: bool
 ) -> Iterator[Fault]:
-    """Yield the faults of a layer narrower than `least`, mm, or than `web`, mm, beside holes."""
+    """Yield the places where a layer is narrower than `least` mm, or than `web` mm beside holes."""
     pattern = strip.layout.pattern is not None
-    holes = () if pattern else layer.holes  # the limit `ligament` applies to perforated strips
+    holes = () if pattern else layer.holes  # perforated strips have their own limit, `ligament`
     places = find_thin_places([layer.outline], holes, least)
     necks = [place for place in places if place.loops == (0, 0) and place.width < least * (1 - SEEN_APART)]
     free: list[ThinPlace] = []
@@ -579,7 +583,7 @@ def _thin_strip(
 def _suggestions_for_necks(
     strip: Strip, times: float, least: float, noisy: bool
 ) -> tuple[str, tuple[Change, ...]]:
-    """Return suggestions for a strip that must be wider by the factor `times` to be `least` mm wide."""
+    """Return suggestions that make a strip wider by the factor `times`, so that it is `least` mm wide."""
     wider = _change_of_width(strip, times)
     field = outline_field(strip.style)
     if not wider:
@@ -587,7 +591,7 @@ def _suggestions_for_necks(
             "Make it wider ({field}), or use the nearest curve with a smaller stiffness ratio", field=field
         )
     elif find_thin_places([strip.outline.transformed(np.diag([1.0, 1.01 * times, 1.0]))], (), least):
-        wider = ()  # the tips of wide parts are too thin even if the strip is wider
+        wider = ()  # a wider strip would still have tips that are too thin
         cure = note("Use the nearest curve with a smaller stiffness ratio")
     else:
         cure = note(
