@@ -13,24 +13,23 @@ from elastica_cad.geometry.segments import Arc, Segment, SegmentTable, Spline, c
 from elastica_cad.refusals import Length
 
 SMOOTH_RAD = 0.02
-"""Least change of direction, rad, at a corner that is rounded. Curves fitted to points meet at smaller
-angles, which are not rounded."""
+"""Least change of direction, rad, at a corner that is rounded. Pieces of a curve fitted to points meet at
+smaller angles."""
 
 MOST_NEWTON_STEPS = 40
 
 MOST_SHORTENED_STEPS = 6
-"""Number of shortened steps allowed before a side counts as too short. A step beyond the end of the side is
+"""Number of steps that may be shortened before a side counts as too short. A step past the end of the side is
 shortened."""
 
 CLOSE_MM = 1e-9
-"""Largest distance, mm, between the centres of an arc as computed from both sides."""
+"""Centres of an arc, computed from its two sides, coincide if they are closer, mm."""
 
 PARALLEL = 1e-200
-"""Replacement for the zero determinant of parallel sides. The computed ends of the arc are then beyond the
-sides."""
+"""Stands for the zero determinant of parallel sides. The computed arc then ends beyond the sides."""
 
 CLOSE_SHARE = 1e-3
-"""Tolerance for testing whether a rounding arc crosses a side that it replaces, as a fraction of its radius.
+"""Tolerance of the test whether an arc crosses a side that it replaces, as a fraction of its radius.
 
 For the test, the side is a polyline with this chord error."""
 
@@ -51,7 +50,7 @@ def round_corners(path: Path, radius: float) -> Path:
 
 
 def too_small_for(radius: float, path: Path) -> InputError:
-    """Return the error for a path with a corner that is too small for the radius."""
+    """Return the error for a corner that is too small for the radius."""
     return InputError(
         "a corner radius of {radius:g} does not fit at {place}: make it smaller",
         radius=Length(radius),
@@ -99,7 +98,7 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
             turns = [arcs.get(k) for k in ring.sides]
             if all(_is_inside(arc, gap, segments) for arc, gap in zip(turns, ring.gaps, strict=True)):
                 chain = [side for k, arc in zip(ring.sides, turns, strict=True) for side in (parts[k], arc)]
-                # the arcs begin and end on the sides
+                # the arcs begin and end on their sides
                 rounded[i] = Path([side for side in chain if side is not None], closed=True)
         remaining = following
     return rounded
@@ -127,7 +126,7 @@ class _Ring:
 
 
 def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment]) -> bool:
-    """Return True if the arc cuts off the sides that it replaces and does not cross them."""
+    """Return True if the arc cuts off the sides in the gap without crossing them."""
     if not gap:
         return True
     if arc is None:
@@ -164,9 +163,9 @@ class _Corners:
 def _corners(
     table: SegmentTable, before: IntArray, after: IntArray, gaps: BoolArray, radius: float
 ) -> _Corners:
-    """Return the arc between each side in `before` (n,) and the corresponding side in `after` (n,).
+    """Return the arcs between the sides `before` (n,) and the sides `after` (n,).
 
-    `gaps` (n,) is True where omitted sides were between the two.
+    `gaps` (n,) is True where sides between the two were omitted.
     """
     s = table.at(before, np.ones(before.size), 1)
     t = table.at(after, np.zeros(after.size), 1)
@@ -189,7 +188,7 @@ def _corners(
         gap = _offset_points(*near, side[open_]) - _offset_points(*far, side[open_])
         apart = np.abs(gap).max(axis=1) >= CLOSE_MM
         fits[open_[~apart]] = True
-        # the Jacobian assumes straight sides, because their curvature is small
+        # Newton's step takes the sides as straight, because their curvature is small
         v, w, gap = near[1][apart], far[1][apart], gap[apart]
         open_ = open_[apart]
         determinant = cross(w, v)
@@ -228,6 +227,6 @@ def _lengths_at_most(segments: Sequence[Segment]) -> FloatArray:
         begins = np.cumsum(counts) - counts
         sides = norm(np.diff(np.concatenate([curve.control_points for _, curve in splines]), axis=0))
         sides = np.append(sides, 0.0)
-        sides[begins[1:] - 1] = 0.0  # no side joins the control polygons of two curves
+        sides[begins[1:] - 1] = 0.0  # no side connects the control polygons of two curves
         sizes[[i for i, _ in splines]] = np.add.reduceat(sides, begins)
     return sizes

@@ -16,24 +16,19 @@ BEST_LOAD = 5.0
 sag is then most sensitive to E. w is the weight per length."""
 
 TICK_MM, LONG_TICK_MM = 10.0, 50.0
-"""Distances between ticks, and between long ticks, of the scale, mm."""
+"""Spacing of ticks and of long ticks on the scale, mm."""
 
 MOST_OVERHANG_MM = 10_000.0
 
 EDGE_MM = 0.5
-"""Distance of engraving from the edge, mm, so that a tick is not a notch."""
+"""Distance of engraving from the edge, mm. A tick at the edge would act as a notch."""
 
 
 def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
-    """Return the free length of the coupon, mm, with which its tip sags by about half the free length.
+    """Return the free length of the coupon, mm, at which its tip sags by about half that length.
 
-    The length is rounded down to whole centimetres and is at most `max_overhang`, mm. At this length, reading
-    errors have the least effect.
-
-    Examples
-    --------
-    >>> coupon_overhang(Sheet.named("card-200gsm"))
-    160.0
+    Reading errors then have the least effect. The length is rounded down to whole centimetres and is at most
+    `max_overhang`, mm.
     """
     sheet = Sheet.of(sheet)
     require_positive(max_overhang, "max_overhang")
@@ -51,10 +46,9 @@ def coupon_drawing(
 ) -> Drawing:
     """Return a rectangular test strip with an engraved scale.
 
-    It is cut along the grain and clamped level at a tick, and the sag of its tip is measured.
-
-    x = 0 is the tick of the longest overhang. Long ticks are labelled with their free length. The scale of a
-    second coupon can be used to measure the sag.
+    Cut it along the grain, clamp it level at a tick, and measure the sag of its tip, for example with the
+    scale of a second coupon. Long ticks are labelled with their free length. The tick of the longest overhang
+    is at x = 0.
 
     Parameters
     ----------
@@ -154,7 +148,7 @@ def _scale_ticks_and_labels(free: float, width: float) -> tuple[tuple[LayeredPat
         if major:
             figure = f"{left:g}"
             start = min(x + 1.0, free - text_width(figure, height) - EDGE_MM)
-            # the longest length is written at the upper edge, because the next number may be close to it
+            # at the upper edge, because the next number may be close
             y = -edge - height if x == 0.0 else edge + long + 1.0
             texts.append(Text((start, y), figure, height, 0.0, ENGRAVE))
     return tuple(paths), tuple(texts)

@@ -26,16 +26,16 @@ TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
 """Sheets that are tried if no sheet is given, in order of decreasing thickness."""
 
 WIDTHS_MM = (8.0, 120.0)
-"""Limits of the width, mm, that is assumed if no width is given."""
+"""Limits, mm, of the width that is assumed if none is given."""
 
 THIN_SHARE = 12
-"""Ratio of the length of a curve to the width that is assumed if no width is given."""
+"""Length of the curve divided by the width that is assumed if none is given."""
 
 
 def common_request(
     curve: PlaneCurve, supports: Supports | None = None, natural_curvature: NaturalCurvature = 0.0
 ) -> "StripSpec":
-    """Return a request for a strip of default width from the first sheet of `TRIED_SHEETS` that is thin enough."""
+    """Return the request for a strip of default width, from the first of `TRIED_SHEETS` that is thin enough."""
     from elastica_cad.strip.strip_spec import StripSpec
 
     curvature = float(np.abs(curve.survey.curvature).max())
@@ -71,16 +71,7 @@ class CurveCheck(EquilibriumCheck):
     def cures(self) -> "tuple[Suggestion, ...]":
         """At most four changes that make an impossible curve possible.
 
-        Each change was tested for a strip of a common sheet: it is stable, and strained within the limit of its
-        sheet.
-
-        Examples
-        --------
-        >>> points = [(0, 20), (60, 20), (120, 40), (180, -20), (240, 50), (300, -50)]
-        >>> for suggestion in check_equilibrium(PlaneCurve.spline(points, degree=5)).cures:
-        ...     print(suggestion.change.field, round(suggestion.deviation, 1))
-        point 9.0
-        nearest 0.3
+        Each was tested for a strip of a common sheet: it is stable and within the sheet's strain limit.
         """
         from elastica_cad.strip.suggestions import suggest
 
@@ -97,7 +88,7 @@ def check_equilibrium(
     *,
     tolerance: float = 1e-4,
 ) -> CurveCheck:
-    """Check whether a weightless flat strip, of a suitable width along its length, can be at rest in a curve.
+    """Check whether a weightless flat strip with suitable widths can be at rest in a curve.
 
     Condition (1): there is a line that meets the curve exactly at the zeros of its curvature and is not tangent to
     the curve. Condition (2): the curvature changes sign at each zero with a finite slope. At a pinned end the
@@ -114,8 +105,8 @@ def check_equilibrium(
         Curvature of the unbent strip kappa_0, 1/mm.
     tolerance : float
         Largest distance of the inflections from a line, as a fraction of the length. Inflections within this
-        distance are moved onto the line (`moved`, `curve`). Within the same tolerance, the curvature at an end
-        that is free to turn is set to zero.
+        distance are moved onto the line (`moved`, `curve`). The same tolerance applies to setting the
+        curvature to zero at an end that is free to turn.
 
     References
     ----------

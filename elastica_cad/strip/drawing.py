@@ -37,7 +37,7 @@ MARK = "MARK"
 SHEET = "SHEET"
 
 LAYERS = (SHEET, ENGRAVE, MARK, CUT_INNER, CUT_OUTER)
-"""All layers in the order of machining. Outlines are cut last, because they release the parts. The layer SHEET has
+"""All layers in the order of machining. Outlines are cut last, because this releases the parts. SHEET has
 only the border of the sheet, which is not cut."""
 
 SAME_MM = 1e-6
@@ -99,7 +99,7 @@ class Drawing:
 
     @cached_property
     def strokes(self) -> tuple[LayeredPath, ...]:
-        """All paths in the order of machining (`LAYERS`), with texts as strokes and without duplicates."""
+        """All paths in the order of machining (`LAYERS`), including the strokes of texts, without duplicates."""
         written = [LayeredPath(text.layer, stroke) for text in self.texts for stroke in text_strokes(text)]
         everything = [*written, *self.paths]
         return _without_duplicates([item for layer in LAYERS for item in everything if item.layer == layer])
@@ -164,7 +164,7 @@ def _without_duplicates(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    # bounding boxes of possible duplicates differ by at most SAME_MM in each coordinate
+    # boxes that differ by SAME_MM in each of four coordinates are at most 2 SAME_MM apart
     alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):
@@ -185,10 +185,10 @@ def _twins(a: LayeredPath, b: LayeredPath) -> bool:
 
 
 FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
-"""Limits of the tolerance of offset splines, mm. The errors of machines exceed the lower limit."""
+"""Limits of the tolerance of offset splines, mm. Machines have larger errors than the lower limit."""
 
 WIDEST_KERF_MM = 15.0
-"""Largest kerf, mm. For comparison, a half-inch router bit is 12.7 mm wide."""
+"""Largest kerf, mm. A half-inch router bit is 12.7 mm wide."""
 
 
 def compensate_kerf(drawing: Drawing, kerf: float, *, tolerance: float = 1e-4) -> Drawing:
@@ -280,11 +280,11 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
 
 
 CORNER_RAD = 0.05
-"""Least angle between two segments, rad, that counts as a corner and is avoided by bridges. Curves fitted to
-points meet at smaller angles."""
+"""Least angle between two segments, rad, that counts as a corner, which bridges avoid. Curves fitted to
+points have smaller angles."""
 
 SAME_PLACE_MM = 1e-9
-"""Difference, mm, below which arc lengths are equal."""
+"""Arc lengths are equal if they differ by less, mm."""
 
 
 @dataclass(frozen=True)
@@ -313,7 +313,7 @@ class HoldingTabs:
 
 
 def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawing:
-    """Return the drawing with bridges in its closed outer cuts; each closed cut is replaced by open cuts.
+    """Return the drawing with bridges: its closed outer cuts are divided into open cuts.
 
     Bridges are spaced evenly and shifted away from corners. Compensate the kerf first, because compensation
     offsets only closed loops.
@@ -345,13 +345,13 @@ def add_holding_tabs(drawing: Drawing, tabs: HoldingTabs | None = None) -> Drawi
 
 
 FLAT_MM = 0.02
-"""Largest distance, mm, between an outline and the polygon that is used to find the holes inside it."""
+"""Largest distance, mm, between an outline and the polygon with which the holes inside it are found."""
 
 
 def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
-    """Return a drawing of each part: an outer cut and the inner cuts inside it, without engraving and marks.
+    """Return a drawing of each part: an outer cut and the inner cuts inside it, nothing else.
 
-    Cutting services cut every line, so their files must not contain anything else.
+    Cutting services cut every line of a file.
 
     Parameters
     ----------
@@ -422,7 +422,7 @@ class _Loop:
         return [Path(self._between(a, b)) for a, b in zip(starts, stops, strict=True)]
 
     def _off_corners(self, middle: float, width: float, reach: float) -> float:
-        """Return the nearest position for a bridge whose middle is at least `width` away from corners."""
+        """Return the nearest place for the middle of a bridge that is at least `width` away from corners."""
         for shift in np.linspace(0.0, reach, 41):
             for at in (middle + shift, middle - shift):
                 away = np.abs((self.corners - at + self.length / 2) % self.length - self.length / 2)
@@ -431,7 +431,7 @@ class _Loop:
         return middle
 
     def _between(self, a: float, b: float) -> list[Segment]:
-        """Return the segments between two arc lengths, which may continue past the start of the loop."""
+        """Return the segments between two arc lengths. The second may be past the start of the loop."""
         pieces: list[Segment] = []
         for turn in (0.0, self.length):
             for segment, end in zip(self.segments, self.ends + turn, strict=True):

@@ -23,13 +23,13 @@ from elastica_cad.strip.slots import Side, Slot
 from elastica_cad.strip.styles import Bends, Layout
 
 WIDENING_ITERATIONS = 4
-"""Number of fixed-point iterations for the increase of the width, which depends on the increased width."""
+"""Number of fixed-point iterations: the widening at a cut depends on the widened width."""
 
 NOTCH_FILL = 0.5 + np.pi / 8
 """Area of a notch with a semicircular end, divided by the square of its width. The depth equals the width."""
 
 FRACTIONS = (np.arange(400) + 0.5) / 400
-"""Integration points along a widening or a hole, as fractions of its length."""
+"""Midpoints of 400 intervals of a widening or a hole, for integration, as fractions of its length."""
 
 LARGEST_WIDENING = 9.0
 """Upper limit of the search for the relative widening. Even a hole as wide as the strip needs less."""
@@ -65,7 +65,7 @@ class ElementCut:
     noun: Refusal
 
     def missing_from(self, slots: Sequence[Slot]) -> Iterator[Slot]:
-        """Yield the notches, as slots with a semicircular end, that the list of slots does not contain yet."""
+        """Yield the notches that `slots` does not contain yet, as slots with a semicircular end."""
         sides: tuple[Side, ...] = ("upper", "lower") if self.notch else ()
         for side in sides:
             if not any((slot.at, slot.width, slot.side) == (self.at, self.notch, side) for slot in slots):
@@ -83,13 +83,14 @@ class ElementCut:
         return 2.0 if self.hole else float(2.0 * np.sqrt(2.0))
 
     def added_length(self, width: float, sheet: Sheet) -> float:
-        """Return the length of strip, mm, that bends by the angle that the cut adds in a strip of this width, mm.
+        """Return the added length, mm: a strip of width `width`, mm, with this cut bends as if it were
+        longer.
 
-        A hole reduces the net section, and the corners beside it are unstressed. In a wide Kirchhoff plate, the
-        length for both effects is pi / 4 d^2 / width times the stress concentration 1 + 2 (1 + nu) / (3 + nu),
-        where d is the diameter. In a narrower strip the effect of the corners is divided by 1 + d / width; the
-        result agrees with plate elements within 3 %. Notches are computed as slots. Their added length is up to 19
-        % more than that of plate elements, for notches up to 0.3 times as wide as the strip.
+        A hole reduces the net section, and the corners beside it are unstressed. In a wide Kirchhoff plate,
+        the length for both effects is pi / 4 d^2 / width times the stress concentration 1 + 2 (1 + nu) / (3 +
+        nu), where d is the diameter. In a narrower strip the effect of the corners is divided by 1 + d /
+        width; plate elements agree within 3 %. Notches are computed as slots; up to 0.3 times as wide as the
+        strip, they add up to 19 % more than with plate elements.
         """
         from elastica_cad.strip.as_made import CUT
 
@@ -133,12 +134,12 @@ def cut_holes(rod: Rod, ends: Ends) -> tuple[Path, ...]:
 
 
 def lengths_added_by_cuts(rod: Rod, width: Profile, sheet: Sheet) -> list[tuple[float, float]]:
-    """Return the position and the added length of each cut, mm: see `ElementCut.added_length`."""
+    """Return position and added length, mm, of each cut: see `ElementCut.added_length`."""
     return [(cut.at, cut.added_length(float(width(cut.at)), sheet)) for cut in element_cuts(rod)]
 
 
 def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Layout]) -> Layout:
-    """Return the layout with a smooth widening at each cut, which compensates the angle that the cut adds.
+    """Return the layout with a smooth widening at each cut, which compensates the bend that the cut adds.
 
     Parameters
     ----------
@@ -146,12 +147,12 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
     layout : Layout
         Layout without widenings.
     laid_out : callable
-        Function that returns the layout for a factor on the stiffness, given as a `Profile` along the strip.
+        Function from a factor on the stiffness, a `Profile` along the strip, to the layout.
     """
     cuts = element_cuts(rod)
     for cut in cuts:
         _require_narrower_cut(cut, float(layout.width(cut.at)))
-    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # the moment is 0 at a free end
+    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # at a free end the moment is 0
     peaks = np.zeros(len(cuts))
     for _ in range(WIDENING_ITERATIONS if cuts else 0):
         bumps = []
@@ -200,7 +201,7 @@ class _Bump:
         return np.asarray(np.where(v < 1, 1 - 1.5 * v**2 + 0.75 * v**3, 0.25 * np.maximum(2 - v, 0) ** 3))
 
     def peak(self, cut: ElementCut, sheet: Sheet, length: float) -> float:
-        """Return the peak of the widening at which its stiffening compensates the angle that the cut adds."""
+        """Return the peak of the widening that compensates the bend added by a cut."""
         low, high = max(self.at - self.reach, 0.0), min(self.at + self.reach, length)
         shape = self(low + (high - low) * FRACTIONS)
 
@@ -232,7 +233,6 @@ class StrainedCut:
         return replace(judged, state=min(judged.state, StrainState.WARNED))
 
     def __str__(self) -> str:
-        """Return a sentence on the strain at the edge of the cut."""
         limit = self.sheet.max_strain
         strain, allowed = distinct_digits(100 * self.strain, 100 * limit, ".2g")
         return note(
@@ -247,8 +247,8 @@ class StrainedCut:
 def strained_cuts(rod: Rod, layout: Layout) -> tuple[StrainedCut, ...]:
     """Return the cuts whose edges are strained beyond the limit of a brittle sheet.
 
-    The stress concentration factor minus 1 is that for tension times (1 + nu) / (3 + nu), as beside an elliptic
-    hole in a bent plate (Goodier, Phil. Mag. 22, 1936).
+    The excess of the stress concentration factor over 1 is that for tension times (1 + nu) / (3 + nu), as
+    beside an elliptic hole in a bent plate (Goodier, Phil. Mag. 22, 1936).
     """
     sheet = layout.sheet
     cuts = element_cuts(rod) if sheet.kind in BRITTLE else ()
@@ -285,7 +285,7 @@ def crossing_warnings(rod: Rod, width: Profile) -> Iterator[str]:
 
 
 def _crossings(rod: Rod, start: FloatArray, end: FloatArray) -> list[float]:
-    """Return the arc lengths, mm, at which a rod crosses the line strictly between two points (2,)."""
+    """Return the arc lengths, mm, at which a rod crosses the line between two points (2,), ends excluded."""
     chord = end - start
     aside = (rod.position - start) @ left_of(chord)
     before = np.flatnonzero(aside[:-1] * aside[1:] < 0)

@@ -1,4 +1,4 @@
-"""Flat pattern for CAD kernels: its edges are smooth, and it is divided at given stations."""
+"""Flat pattern for CAD kernels: smooth edges, divided at given stations."""
 
 from bisect import bisect_left
 from collections.abc import Iterator, Sequence
@@ -19,16 +19,15 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.outline import pace
 
 SMOOTH = 2
-"""Number of continuous derivatives inside an edge. An offset face in a CAD kernel has one derivative less."""
+"""Number of continuous derivatives inside an edge. When a CAD kernel offsets a face, it loses one."""
 
 RAMP_FRACTION = 2e-5
-"""Length of a piece between two kinks, as a fraction of the loop's length, below which it counts as a step of the
-width."""
+"""A piece of a loop between two kinks counts as a step of the width if it is shorter than this fraction of
+the loop."""
 
 NO_JUMP = 1e-4
-"""Limit of the offset, mm, that a jump of the second derivative of a spline causes over a span.
-
-Jumps with a smaller offset are smoothed. The error of the smoothing is 1 % of the offset."""
+"""A jump of the second derivative of a spline is smoothed if the jump times the square of the span length is
+less than this, mm. The smoothing moves the curve by at most 1 % of it."""
 
 NO_STEP = 1e-5
 """Distance, mm, below which the ends of two sides are joined."""
@@ -39,10 +38,11 @@ def in_smooth_pieces(path: Path) -> Path:
 
     A step of the width becomes a line perpendicular to the strip.
 
-    In a drawing, a side is a single spline, so that a laser cuts it without stopping. It may have corners at its
-    knots, and steep ramps in place of steps of the width. CAD kernels can fillet, offset and hollow only edges
-    that are smooth inside. Points move by at most half a ramp, and areas do not change. That is 5e-6 of the length
-    for the ramps of a `Profile`, and 1e-5 for the longest ramp that counts as a step (`RAMP_FRACTION`).
+    In a drawing, a side is a single spline, so that a laser cuts it without stopping. It may have corners at
+    its knots, and steep ramps in place of steps of the width. But CAD kernels can fillet, offset and hollow
+    only edges that are smooth inside. Areas do not change. Points move by at most half a ramp: 5e-6 of the
+    length for the ramps of a `Profile`, and 1e-5 for the longest ramp that counts as a step
+    (`RAMP_FRACTION`).
 
     Examples
     --------
@@ -65,10 +65,9 @@ def in_smooth_pieces(path: Path) -> Path:
 
 
 MOST_SPANS = 6
-"""Largest number of polynomial pieces of an edge of a body, if its face has many.
+"""Largest number of spans of an edge, if the face of its body has many edges.
 
-OpenCASCADE computes the area of a face with a fixed number of points for each edge.
-"""
+OpenCASCADE computes the area of a face with a fixed number of points for each edge."""
 
 
 def in_short_pieces(path: Path) -> Path:
@@ -93,7 +92,7 @@ def in_short_pieces(path: Path) -> Path:
 
 
 def _extent(path: Path) -> float:
-    """Return the extent of the loop in x, mm; for splines, of the control points."""
+    """Return the extent of the loop in x, mm. Splines are measured by their control points."""
     rows = [
         segment.curve.control_points if isinstance(segment, Spline) else segment.bounds
         for segment in path.segments
@@ -112,7 +111,7 @@ def _possible_kinks(segment: Segment) -> FloatArray:
 
 
 def _smoothed(segment: Segment) -> Segment:
-    """Return the segment without double knots where the jump of its curvature is negligible."""
+    """Return the segment without the double knots at negligible jumps of its curvature."""
     if not isinstance(segment, Spline) or segment.curve.weights is not None:
         return segment
     curve = clamp_ends(segment.curve)
@@ -141,7 +140,7 @@ def _smoothed(segment: Segment) -> Segment:
 class _Cut:
     """Division of a spline into smooth parts, given by ranges of its parameter.
 
-    The parts are extended to the ranges `over`, unless `over` is None.
+    Each part is extended to its range in `over`, if there is one.
     """
 
     curve: PlaneCurve
@@ -166,7 +165,6 @@ class _Cut:
 
 
 def _cut(segment: Segment, ramp: float) -> _Cut | None:
-    """Return the division of a segment into smooth parts, or None if it has no kink."""
     kinks = _possible_kinks(segment).tolist()
     if not isinstance(segment, Spline) or not kinks:
         return None
@@ -180,7 +178,9 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Yield the parameters of each joint, of the end of the part before it, and of the start of the next part."""
+    """Yield three parameters for each joint: of the joint, of the end of the part before it, and of the start
+    of the part after it.
+    """
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
         first = last = kinks.pop(0)
@@ -199,7 +199,7 @@ def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
     return PlaneCurve(knots, interpolated(sites, values, knots, degree), degree, None)
 
 
-ON_SEAM = 1e-7  # distance from a station line, mm, below which a point is on the line
+ON_SEAM = 1e-7  # a point closer to a station line, mm, is on the line
 
 
 @dataclass(frozen=True, eq=False)

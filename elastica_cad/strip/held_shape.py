@@ -18,7 +18,7 @@ from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
 MEETING_FRACTION = 1e-4
-"""Largest distance between the ends of a closed rod, as a fraction of its length. Closed rods with few nodes have
+"""Largest distance between the ends of a closed rod, as a fraction of its length. Coarse closed rods have
 gaps of this size."""
 
 
@@ -68,12 +68,13 @@ LEAST_REPORTED_MM = 0.005
 
 
 Source: TypeAlias = Literal["computed", "model", "sheet"]
-"""Sources of deviation: the computed shape, the uncertainty of the model, or sheet, cut and clamps."""
+"""Source of a deviation: effects computed for the shape, uncertainty of the model, or errors of sheet, cut
+and clamps."""
 
 MAIN_SOURCE_FRACTION = np.sqrt(0.5)
-"""Fraction of the expected deviation above which a source counts as the main source.
+"""A source is the main one if its deviation is more than this fraction of the expected deviation.
 
-The square of the expected deviation is the sum of the squares of the sources."""
+The square of the expected deviation is the sum of the squares of the deviations of all sources."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +84,7 @@ class HeldShape:
     Attributes
     ----------
     rod : Rod
-        Rod in its rest shape in the holders, with all causes of deviation together.
+        Rest shape in the holders, with all causes of deviation.
     deviation : float
         Largest computed distance between a point of the strip and its designed position, mm.
     parts : mapping of str to float
@@ -94,9 +95,9 @@ class HeldShape:
     corrected : bool
         True if the widths were corrected. `parts` then describes the strip without the correction.
     as_plate : bool
-        True if the widths compensate anticlastic bending, which would otherwise change the shape of the strip.
+        True if the widths compensate anticlastic bending.
     made_up_for : tuple of str
-        Causes that the corrected widths compensate; the effect of holders is not corrected.
+        Causes that the corrected widths compensate. The effect of holders is not among them.
     open : float
         Uncertainty of the model, mm, for a strip without errors of sheet and workmanship: see `open_deviation`.
     sheet : mapping of str to float
@@ -124,7 +125,9 @@ class HeldShape:
 
     @property
     def expected(self) -> float:
-        """Expected deviation of a real strip, mm: modelled, from model uncertainty, and from the sheet."""
+        """Expected deviation of a real strip, mm: computed effects, model uncertainty, and sheet errors
+        combined.
+        """
         return float(np.linalg.norm([self.deviation, self.open, self.sheet_adds]))
 
     @property
@@ -137,7 +140,6 @@ class HeldShape:
         return largest if sources[largest] > MAIN_SOURCE_FRACTION * self.expected else None
 
     def __str__(self) -> str:
-        """Return a sentence on the deviation and a sentence for each note."""
         strays = note(
             "A real strip, with widths that compensate anticlastic bending, deviates from its design by "
             "about {far}, {percent:g} % of its length" if self.as_plate else
@@ -182,9 +184,9 @@ def about(mm: float) -> Length:
 
 
 def deviation_from(design: Rod, place: FloatArray) -> float:
-    """Return the largest distance, mm, between the nodes `place` (n, 2) of a shape and the nodes of the design.
+    """Return the largest distance, mm, between the nodes `place` (n, 2) of a shape and those of the design.
 
-    A closed strip has no fixed position, so the shape is first moved and turned to fit the design.
+    A closed strip has no fixed position, so its shape is first moved and turned to fit the design.
     """
     if closes(design):
         middle, target = place.mean(axis=0), design.position.mean(axis=0)
@@ -202,10 +204,10 @@ def shape_responses(
 
     The start of the rod is fixed.
 
-    A change of moments and weights in the same shape disturbs the equilibrium by d(imbalance). The changes of the
-    edge angles alpha and the end forces lambda satisfy H d(alpha) + C^t d(lambda) = -d(imbalance) and C d(alpha) =
-    d(chord). H is the Hessian of the discrete energy (paper, section 7.1), and C is the derivative of the vector
-    between the ends.
+    Moments and weights are changed while the shape is kept, which disturbs the equilibrium by d(imbalance).
+    Then the shape follows. The changes of the edge angles alpha and the end forces lambda satisfy H d(alpha)
+    + C^t d(lambda) = -d(imbalance) and C d(alpha) = d(chord). H is the Hessian of the discrete energy (paper,
+    section 7.1), and C is the derivative of the chord, the vector between the ends.
 
     Parameters
     ----------
@@ -230,7 +232,8 @@ def shape_responses(
     answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
     turned, forced = answers[:, :m], answers[:, m:]
     chord = 0.0 if apart is None else apart.T[list(discrete.held)]
-    # to first order, rotations of a straight rod do not move its ends along the rod
+    # a rotation moves the ends of a straight rod across it, not along it, to first order: the rows can be
+    # singular
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
     normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     moved = np.zeros((n, m, 2))
@@ -239,7 +242,8 @@ def shape_responses(
 
 
 PHASES = 8
-"""Number of phases of the wave of thickness or grain; the deviation is computed for each phase."""
+"""The wave of thickness or grain along a strip has an unknown phase. The deviation is computed for this many
+phases."""
 
 OPEN_FRACTIONS: Mapping[str, float] = {
     "slots": 0.24,
@@ -252,23 +256,20 @@ OPEN_FRACTIONS: Mapping[str, float] = {
     "lap joint": 0.1,
     LEAF_ENDS: 0.1,
 }
-"""Largest error of the model as a fraction of the effect of each cause (`docs/finite_elements.md`)."""
+"""Largest error of the model as a fraction of the deviation due to each cause (`docs/finite_elements.md`)."""
 
 OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
-"""Uncertainties as fractions of the length, for any strip, curling sheets, built-up strips and sheets with
-grain.
+"""Uncertainties of the model as fractions of the length.
 
-`OPEN_CURLED` is for a sheet that curls across the strip; the value is for nu = 0.3 and is proportional to
-nu^2. `OPEN_BUILT` is for perforated and laminated strips. `OPEN_GRAINED` is added for such strips of
-sheets with grain, because their holes and borders are computed as isotropic. It is multiplied by the
-excess over 1 of sqrt(E / G) relative to an isotropic sheet.
-"""
+`OPEN_PLAIN` is for any strip. `OPEN_CURLED` is for sheets that curl across the strip; it holds for nu = 0.3
+and is proportional to nu^2. `OPEN_BUILT` is for perforated and laminated strips. `OPEN_GRAINED` is added for
+perforated and laminated strips of sheets with grain, because their holes and borders are computed as
+isotropic. It is multiplied by the excess over 1 of sqrt(E / G) relative to an isotropic sheet."""
 
 OPEN_WIDE = 2e-3
-"""Uncertainty as a fraction of the length, because cross sections of a wide strip of varying width warp.
+"""Uncertainty of a wide strip of varying width as a fraction of the length, because its cross sections warp.
 
-It is multiplied by (width / length)^2 and by E / G relative to an isotropic sheet.
-"""
+It is multiplied by (width / length)^2 and by E / G relative to an isotropic sheet."""
 
 
 def open_deviation(
@@ -282,8 +283,8 @@ def open_deviation(
 ) -> float:
     """Return the uncertainty of the model, mm, for a strip without errors of sheet and workmanship.
 
-    The errors of all causes are added. Their sum is combined with the general error, the error of curling and the
-    error of wide sections, as independent errors.
+    The errors of all causes in `parts` are added. Their sum is combined, as an independent error, with the
+    errors of any strip, of curling and of wide sections.
 
     Parameters
     ----------
@@ -293,7 +294,7 @@ def open_deviation(
     parts : mapping of str to float
         Deviation due to each cause before the widths compensate it, mm.
     width : float
-        Largest width of a part of the section that curls independently, mm.
+        Largest width of a band of the strip that curls independently, such as a ligament, mm.
     approximated : bool
         True if the drawing only approximates the stiffness, as holes and backings do.
     crowded : bool
@@ -366,7 +367,7 @@ USUAL_TOLERANCE = MakingTolerance()
 def sheet_effects(
     rod: Rod, design: Rod, sheet: Sheet, breadth: FloatArray | None, tolerance: MakingTolerance
 ) -> dict[str, float]:
-    """Return the deviation from the rest shape, mm, due to sheet, cut and clamps, by cause, to first order.
+    """Return the deviations, mm, that errors of sheet, cut and clamps cause, by cause, to first order.
 
     Parameters
     ----------
@@ -376,7 +377,7 @@ def sheet_effects(
         Design with the same nodes; distances are measured from its shape.
     sheet : Sheet
     breadth : (n,) array or None
-        Width at the nodes, mm, of the parts of the section that are cut side by side, or None if no width is cut.
+        Width at the nodes, mm, of each band of the strip between two cuts, or None if no width is cut.
     tolerance : MakingTolerance
     """
     n, M = rod.s.size, rod.moment
@@ -384,7 +385,7 @@ def sheet_effects(
     wave = M[:, None] * np.cos(phases)
     # E I is proportional to the cube of the thickness
     changes = {"thickness": 3 * tolerance.thickness_wave * wave}
-    # at the angle theta to the grain, 1 / E grows by up to sin^2(theta) (E / G - 2 nu - 2)
+    # at the angle theta to the grain, the compliance 1 / E grows by up to sin^2(theta) (E / G - 2 nu - 2)
     softer = np.sin(tolerance.grain) ** 2 * (1 / sheet.shear_ratio - 2 * sheet.poisson_ratio - 2)
     if sheet.grain != "none" and softer > 0:
         changes["grain"] = softer / 2 * wave

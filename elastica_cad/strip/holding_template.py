@@ -25,7 +25,7 @@ LETTERS_MM = 4.0
 """Height of the letters on the template, mm."""
 
 CROSS_MM = 8.0
-"""Length of the short lines that mark the ends, the axes of holes and the elements, mm."""
+"""Length of the short lines that mark ends, hole axes, rails, pins and ties, mm."""
 
 ARROW_MM, HEAD_MM = 20.0, 3.0
 """Length of the arrow of a load and size of the arrowhead, mm."""
@@ -71,7 +71,7 @@ class HeldEnd:
 
     @property
     def unheld_text(self) -> str:
-        """Description of an end that may turn, for pictures and the template."""
+        """Text for an end that may turn, for pictures and the template."""
         return "free: nothing holds it" if self.support.is_free else "free to turn"
 
 
@@ -158,8 +158,8 @@ class HeldElement:
     position : (k, 2) array
         Points on the strip to which the element is attached, mm, in the plane of the curve.
     outward : (k, 2) array
-        Unit normals of the strip at these points. For a rail they point to the side from which the rail pushes,
-        for a pin or tie to the left of the strip. For a load, the direction of its force.
+        Unit normals of the strip at these points. For a rail they point to the side of the rail, for a pin or
+        tie to the left of the strip. For a load, this is the direction of its force.
     places : (k, 2) array
         Coordinates of these points, mm, along the line between the ends of the strip and perpendicular to it,
         positive to its left.
@@ -192,14 +192,14 @@ class HeldElement:
 
     @property
     def noun(self) -> str:
-        """Kind of the element as a word; for a point mass also its mass, in g."""
+        """Kind of the element as a word, with the mass, g, of a point mass."""
         element: Any = self.action.element
         mass = f" {element.mass:g} g" if isinstance(element, PointMass) else ""
         return f"{NOUNS[type(element)]}{mass}"
 
     @property
     def is_load(self) -> bool:
-        """True for a known force, which is drawn as an arrow."""
+        """True for a given force or mass, which is drawn as an arrow."""
         return isinstance(self.action.element, PointForce | PointMass)
 
 
@@ -241,7 +241,7 @@ def _forces_of_masses(strip: Strip) -> Iterator[ElementForce]:
     rod = strip.rod
     if rod.gravity is None or rod.weight is None:
         return
-    mass: Any  # the type of `ElementForce.element` excludes masses
+    mass: Any  # `ElementForce.element` may also be a mass, which its type excludes
     for mass in rod.weight.masses:
         newtons = mass.mass * 1e-3 * STANDARD_GRAVITY_M_S2
         force = newtons / strip.bending_stiffness * np.array([rod.gravity.direction])
@@ -249,7 +249,7 @@ def _forces_of_masses(strip: Strip) -> Iterator[ElementForce]:
 
 
 def _element_lines(held: HeldElement, half: float) -> Iterator[list[FloatArray]]:
-    """Yield lines that mark an element: the cord of a tie, a cross for a pin, the bar of a rail, or an arrow."""
+    """Yield the lines of an element: the cord of a tie, a cross for a pin, the bar of a rail, or an arrow."""
     if isinstance(held.action.element, Tie):
         yield [*held.position]
         return
@@ -291,12 +291,10 @@ def ends_message(strip: Strip) -> Refusal:
 
 
 def holding_template(strip: Strip) -> Drawing:
-    """Return a full-size side view of a strip.
+    """Return a full-size side view of a strip, to lay under it or to engrave into the mounting board.
 
-    It shows the curve, the tabs with the axes of holes, and the line between the ends.
-
-    Lay the template under the strip, or engrave it into the mounting board. The curve and the tabs are on the
-    layer ENGRAVE, and guide lines are on the layer MARK. There are no cuts.
+    It shows the curve, the tabs with the axes of their holes, and the line between the ends. Curve and tabs
+    are on the layer ENGRAVE, and guide lines on the layer MARK. There are no cuts.
     """
     ends, rod = held_ends(strip), strip.rod
     first, last = ends

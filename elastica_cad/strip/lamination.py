@@ -26,8 +26,8 @@ from elastica_cad.strip.styles import (
 )
 
 SLACK = 3e-4
-"""Largest relative excess over the limits at which the stiffness of a rod is clipped instead of refused. The
-limits are computed at a finite number of stations."""
+"""A stiffness outside its limits by a smaller relative excess is clipped, not refused. The limits are
+computed at a finite number of stations."""
 
 FIT_MM = 1e-5
 """Largest error of the backing's width, mm."""
@@ -39,10 +39,9 @@ class Laminated:
 
     The width of the backing follows from the exact bending stiffness of the two-layer section.
 
-    The backing continues into both tabs with the width of the base, so that holes in the tabs align both layers.
-    Without `max_width`, the backing is as wide as the base at one point, as in the paper (section 8.1). The
-    weight of a laminate is not proportional to its stiffness. For a rod under its own weight, use
-    `optimal_laminate`.
+    Both tabs have a backing as wide as the base, so that holes in the tabs align the layers. Without
+    `max_width`, the backing is as wide as the base at one point, as in the paper (section 8.1). The weight of
+    a laminate is not proportional to its stiffness, so a rod under its own weight needs `optimal_laminate`.
 
     Parameters
     ----------
@@ -110,7 +109,7 @@ class Laminated:
             return None
         width = float(self.width)
         least, most = max(self.least_backing, min_width or 0.0), min(width, max_width or width)
-        if least >= most:  # `laid_out` raises the error for this case
+        if least >= most:  # `laid_out` raises the error
             return None
         section = LaminatedSection(sheet, self.backing)
         return BoundedBacking(section, np.asarray(width), (least, most))
@@ -118,7 +117,9 @@ class Laminated:
     def _scale(
         self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None
     ) -> float:
-        """Return the bending stiffness, N mm2, where K = 1: of the rod, or else the largest possible stiffness."""
+        """Return the bending stiffness, N mm2, where K = 1: that of the rod or, without it, the largest
+        possible.
+        """
         s = stations_of(rod.length, base, rod.profile)
         w1 = base(s)
         s = refine_stations(s, section.bending_stiffness(w1, w1) / rod.profile(s), w1 / rod.profile(s))
@@ -176,7 +177,7 @@ class Laminated:
 def _infeasible(
     section: LaminatedSection, fits: ScaleRange, s: FloatArray, K: FloatArray, w1: FloatArray, least: float
 ) -> str:
-    """Return the message for a laminate that no bending stiffness makes possible."""
+    """Return the message if no bending stiffness makes the laminate possible."""
     i, j = fits.lowest_at, fits.highest_at
     ways: list[Refusal] = []
     try:
@@ -203,5 +204,5 @@ def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: fl
         return section.backing_width(base(s), scale * rod.profile(s))
 
     breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
-    # the backing is at most as wide as the base; the kink of its width where it becomes as wide is negligible
+    # the backing is at most as wide as the base; where this clips it, the kink of its width is negligible
     return Profile.fit(width, rod.length, breaks=breaks, tolerance=FIT_MM)

@@ -34,12 +34,12 @@ from elastica_cad.strip.slots import (
 from elastica_cad.strip.styles import Layout
 
 TICK_FRACTION = 0.3
-"""Length of a mark on each side of the centre line, as a fraction of the width. Marks end before the edges,
-because a mark at an edge would act as a notch."""
+"""Length of a mark on each side of the centre line, as a fraction of the width. A mark that reached the edge
+would act as a notch."""
 
 
 FLAT_MM = 1e-4
-"""Largest distance, mm, between the cuts and the chords that replace them when widths are measured."""
+"""Largest distance, mm, between cuts and the chords with which widths are measured."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,7 +98,7 @@ class Layer:
     def material(self, s: ArrayLike) -> FloatArray:
         """Return the net width (n,), mm, at stations `s` (n,).
 
-        Where the width jumps at a station, the width just beyond the station is returned.
+        At a jump of the width, this is the width just beyond the jump.
 
         Examples
         --------
@@ -112,14 +112,14 @@ class Layer:
         order = np.argsort(stations, kind="stable")
         at = stations[order]
         loop, (x, y), (x1, y1) = self._chords
-        # index of the first station in each chord's range of x, and number of stations in this range
+        # index of the first station within each chord's range of x, and number of these stations
         first = np.searchsorted(at, np.minimum(x, x1), side="left")
         count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
         line = np.repeat(np.arange(x.size), count)
         station = numbers_in_groups(count) + np.repeat(first, count)
         u = (at[station] - x[line]) / (x1 - x)[line]
         crossing = np.sign(x - x1)[line] * (y[line] * (1 - u) + y1[line] * u)
-        # the result does not depend on the direction of the loops
+        # widths have the right sign whether a loop is clockwise or not
         sign = np.sign(np.bincount(loop[line], crossing, minlength=len(self.holes) + 1))
         sign[1:] *= -1
         net_width = np.empty(at.size)
@@ -128,13 +128,13 @@ class Layer:
 
     @cached_property
     def _chords(self) -> tuple[IntArray, FloatArray, FloatArray]:
-        """Return indices of loops (m,), start points (2, m) and end points (2, m) of the chords of all cuts.
+        """Return the loop index (m,), start point (2, m) and end point (2, m) of the chords of all cuts.
 
         Loop 0 is the outline.
         """
         loops = self.outline, *self.holes
         which, points = chords_of_all([line for loop in loops for line in loop.segments], FLAT_MM)
-        # the end of each segment is the start of the next
+        # a chord's end is the next chord's start
         same_loop = np.append(which[1:] == which[:-1], False)
         loop = np.repeat(np.arange(len(loops)), [len(line.segments) for line in loops])[which[same_loop]]
         begins, points = np.searchsorted(loop, np.arange(len(loops))), points[same_loop]
@@ -150,7 +150,7 @@ def cut_layers(
     width = layout.width
     if layout.stack is not None:
         return _cut_leaves(layout.stack, width.length, ends)
-    # holes in the tabs align the layers of a laminate
+    # register holes in the tabs align the layers of a laminate
     ends_held = add_register_holes(width, ends, layout.dots) if layout.dots else ends
     holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots), *cord_holes)
     outline = cut_slots(flat_rim(width, ends), holes, slots, width, name=name)
@@ -167,9 +167,9 @@ def cut_layers(
 
 
 def _cut_leaves(section: LaidLeaves, length: float, ends: Ends) -> tuple[Layer, ...]:
-    """Return the plies as rectangular layers, the full-length ply before the others.
+    """Return the plies as rectangular layers, starting with the full-length ply.
 
-    Plies that reach an end include its tab.
+    A ply that reaches an end includes its tab.
     """
     h, half = section.sheet.thickness, section.width / 2
     layers: list[Layer] = []
@@ -195,9 +195,7 @@ def draw_layers(
 ) -> tuple[Drawing, ...]:
     """Return a drawing of each layer with engraved texts, marks, inner cuts and the outer cut.
 
-    `name` is the name of the strip.
-
-    In a closed strip, a mark at the distance `lap`, mm, from the start shows where the lap joint ends.
+    A mark at the distance `lap`, mm, from the start shows where the lap joint of a closed strip ends.
     """
     name = name or "strip"
     drawn = []
@@ -233,7 +231,7 @@ def _guides_outside_slots(guides: Sequence[Path], layer: Layer) -> tuple[Path, .
 
 
 def _leaf_marks(layer: Layer, layers: Sequence[Layer]) -> tuple[Path, ...]:
-    """Return lines across a ply, at the ends of the shorter plies that are glued to it."""
+    """Return lines across a ply that show where the shorter plies glued to it end."""
     (left, low), (right, high) = layer.outline.bounds
     above = [ply for ply in layers if abs(ply.low - layer.high) < layer.sheet.thickness / 2]
     places = [float(x) for ply in above for x in ply.outline.bounds[:, 0] if left < x < right]
@@ -253,13 +251,13 @@ def _leaf_text(name: str, layer: Layer) -> Text:
 
 
 def _reaches(slot: Slot, outer: Profile, inner: Profile) -> bool:
-    """Return True if a slot in a layer with the width `outer` also cuts a layer with the smaller width `inner`."""
+    """Return True if a slot in a layer of width `outer` also reaches a layer of the smaller width `inner`."""
     points, _ = slot.center_line(outer)
     return bool(abs(points[0, 1]) < float(inner(np.clip(points[0, 0], 0.0, inner.length))) / 2)
 
 
 def _marks_across(layout: Layout, width: Profile, ends: Ends, lap: float) -> tuple[Path, ...]:
-    """Return marks across a strip without a hole pattern, where the tabs begin and where the lap joint ends."""
+    """Return marks where the tabs begin and where the lap joint ends; none on a perforated strip."""
     if layout.pattern is not None:
         return ()
     starts = ((0.0, ends[0]), (width.length, ends[1]))
@@ -275,7 +273,6 @@ def _marks_across(layout: Layout, width: Profile, ends: Ends, lap: float) -> tup
 def _label_texts(
     label: str, layout: Layout, width: Profile, ends: Ends, layer: Layer, *, slotted: bool
 ) -> tuple[Text, ...]:
-    """Return the label on the centre line, or on a tab of a perforated strip, clear of cuts."""
     if layout.pattern is None:
         return (label_off_cuts(label, width, Cuts(layer.holes, rim=layer.rim if slotted else None)),)
     length = width.length
@@ -290,24 +287,26 @@ def _label_texts(
 
 
 END_MM = 1e-6
-"""Distance from the ends, mm, at which the width of the material is measured, because it is zero at an end without
-a tab."""
+"""Distance from an end without a tab, mm, at which the net width is measured, because it is zero at the end
+itself."""
 
 PLATE_END, PLATE_CUT = 0.25, 0.82
-"""Ineffective length of a glued plate, as a multiple of its thickness: at each end of the plate, and over the
-joint. The first is fitted to the strips of `docs/finite_elements.md`. The second is for a stack that is cut half
-through. An edge crack in bending adds the angle of 5.7 thicknesses of the stack (Tada, Paris and Irwin 1973)."""
+"""Lengths on which a glued plate does not stiffen the strip, as multiples of the plate's thickness: at each
+end of the plate, and over the joint.
+
+`PLATE_END` is fitted to the strips of `docs/finite_elements.md`. `PLATE_CUT` is for strip and plate cut half
+through: an edge crack in bending adds the angle of 5.7 total thicknesses (Tada, Paris and Irwin 1973)."""
 
 
 @dataclass(frozen=True, eq=False)
 class LapJoint:
     """Effect of a lap joint on the strip.
 
-    Two layers with the widths w and v are bent from the rest curvature kappa_0 to the drawn curvature kappa, and
-    are glued there. Their moment is proportional to w + v, whereas the design needs a moment proportional to w.
-    For layers of equal thickness, the glued section has c times the stiffness of the strip, with c w = w + v + 12
-    w v / (w + v). Its rest curvature is kappa - (w + v) / (c w) (kappa - kappa_0). It bends less than the drawn
-    curve.
+    Strip (width w) and tab (width v) are bent from the rest curvature kappa_0 to the drawn curvature kappa,
+    and are glued there. The moment of both is proportional to w + v, but the design needs a moment
+    proportional to w. So the joint bends less than the drawn curve. The glued section of two equally thick
+    layers has c times the stiffness of the strip, with c w = w + v + 12 w v / (w + v). Its rest curvature is
+    kappa - (w + v) / (c w) (kappa - kappa_0).
 
     Attributes
     ----------
@@ -333,7 +332,7 @@ class LapJoint:
         length, lap_width : float
             Length and width of the tab, mm.
         """
-        # the part of the strip around each node ends at the midpoints of the adjacent edges
+        # a node stands for the strip between the midpoints of its two edges
         edges = np.concatenate([[0.0], (rod.s[1:] + rod.s[:-1]) / 2, [rod.length]])
         covered = np.clip((length - edges[:-1]) / np.diff(edges), 0.0, 1.0)
         both = width + lap_width
@@ -374,7 +373,7 @@ class LapPlates:
     def stiffening(self, s: FloatArray, layout: Layout, layers: Sequence[Layer]) -> FloatArray:
         """Return the factors (n,) of the plates on the stiffness of the strip at the nodes s (n,), mm.
 
-        Under a plate, strip and plate bend as one section, except near the ends of the plate and at the joint.
+        Strip and plate bend as one section, except near the ends of the plate and at the joint.
         """
         base, *more = layers
         at = np.clip(s, END_MM, layout.width.length - END_MM)
@@ -394,7 +393,7 @@ class LapPlates:
         return np.asarray(1 / compliance)
 
     def _covered(self, s: FloatArray, joints: Sequence[float], thickness: float) -> FloatArray:
-        """Return the fraction (n,) of the length around each node on which a plate stiffens the strip."""
+        """Return the fraction (n,) of the strip around each node that a plate stiffens."""
         ends = np.concatenate([s[:1], (s[1:] + s[:-1]) / 2, s[-1:]])
         near = PLATE_CUT / 2 * thickness
         far = max(near, self.lap / 2 - PLATE_END * thickness)

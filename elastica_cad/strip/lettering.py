@@ -136,7 +136,7 @@ def text_strokes(text: Text) -> tuple[Path, ...]:
 def fit_label(text: str, center: tuple[float, float], *, angle: float, room: float, across: float) -> Text:
     """Return a label centred on a point.
 
-    Its height is at most 5 mm and 40 % of `across`; its length is at most 80 % of `room`.
+    Its height is at most 5 mm and 40 % of `across`. Its length is at most 80 % of `room`.
 
     Parameters
     ----------

@@ -29,16 +29,16 @@ from elastica_cad.strip.slots import Cut, Cuts, Slot, end_numbers, label_off_cut
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.uncuttable_parts import FabricationLimits, accept_faults, find_strip_faults
 
-# knot spacing of a correction as a fraction of the length; it is large, so that outlines stay smooth
+# knot spacing of a width correction as a fraction of the length; wide spacing keeps outlines smooth
 SPACING_SHARE = 1 / 24
-SMOOTHING_PENALTY = 5e-3  # penalty on second differences of the coefficients, relative to the deviation
-SIZE_PENALTY = 7e-3  # penalty on the coefficients, relative to the deviation
+SMOOTHING_PENALTY = 5e-3  # weight of the roughness of a correction relative to the deviation
+SIZE_PENALTY = 7e-3  # weight of the size of a correction relative to the deviation
 
 
 def _width_basis(s: FloatArray, *, closed: bool = False) -> FloatArray:
     """Return the values (n, m) of m cubic B-splines at stations s (n,).
 
-    For a closed strip, the B-splines at both ends are combined.
+    In a closed strip, the start and the end are the same place, so their B-splines are combined.
     """
     pieces = round(1 / SPACING_SHARE)
     knots = np.concatenate([np.zeros(3), np.linspace(0.0, s[-1], pieces + 1), np.full(3, s[-1])])
@@ -54,16 +54,16 @@ def _correct_widths(
 ) -> FloatArray:
     """Return coefficients (m,) of the correction of the width that removes a deviation to first order.
 
-    A relative change f of the width changes the moment M by M f and the weight p by p f in the same shape. Changes
-    with which K kappa remains M0 + <b, gamma> do not affect the shape. Therefore the smallest and smoothest
-    correction is chosen.
+    In the same shape, a relative change f of the width changes the moment M by M f and the weight p by p f.
+    Some changes do not affect the shape: those that keep K kappa = M0 + <b, gamma>, with constant M0 and b.
+    The solution is therefore not unique, and the smallest and smoothest correction is chosen.
 
     Parameters
     ----------
     rod : Rod
         Rod of the finished strip, in equilibrium in its holders.
     drift : (n, 2) array
-        Displacements of the nodes from the design, mm. Rigid motions of a closed strip have no effect.
+        Displacements of the nodes from the design, mm. For a closed strip, rigid motions are ignored.
     basis : (n, m) array
         Values of the basis functions at the nodes: see `_width_basis`.
     correction : (m,) array
@@ -80,7 +80,7 @@ def _correct_widths(
         )
     scale = float(np.abs(A).max()) * np.sqrt(len(A))
     identity = np.eye(basis.shape[1])
-    # the whole correction must be small and smooth, not only the last step
+    # penalize the roughness and size of the whole correction, not only of this step
     whole = scale * np.concatenate(
         [SMOOTHING_PENALTY * np.diff(identity, n=2, axis=0), SIZE_PENALTY * identity]
     )
@@ -94,7 +94,7 @@ def _correct_widths(
 
 
 def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray:
-    """Return displacements (2 n, ...) of points (n, 2) without the part that is a rigid motion."""
+    """Return displacements (2 n, ...) of points (n, 2) minus the rigid motion that fits them best."""
     x, y = (position - position.mean(axis=0)).T
     ones, none = np.ones(x.size), np.zeros(x.size)
     rigid = np.array([np.column_stack(row).ravel() for row in ((ones, none), (none, ones), (-y, x))])
@@ -103,9 +103,9 @@ def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray
 
 
 ROUNDS = 8
-LEAST_GAIN = 0.97  # iterations end if one iteration does not reduce the deviation below this fraction
-LARGEST_GUESS = 0.5  # largest logarithm of the factor on the width in the initial guess
-SMALL_DEVIATION_FRACTION = 1e-5  # deviation at which iterations end, as a fraction of the length
+LEAST_GAIN = 0.97  # stop if an iteration leaves more than this fraction of the deviation
+LARGEST_GUESS = 0.5  # largest logarithm of the factor on the width in the first guess
+SMALL_DEVIATION_FRACTION = 1e-5  # deviation, as a fraction of the length, that is small enough
 
 
 def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
@@ -119,8 +119,8 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     ----------
     strip : Strip
     largest : float
-        Largest magnitude of the logarithm of the factor on the width. Only ratios of widths matter: if the ends
-        must be wider, the rest of the strip may become narrower instead.
+        Largest magnitude of the logarithm of the factor on the width. Only ratios of widths matter, so
+        instead of widening one part, the rest may become narrower.
 
     Returns
     -------
@@ -145,7 +145,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
     strip = replace(strip, correction=None) if strip.correction is not None else strip
     design = strip.as_made.design
     basis = _width_basis(design.s, closed=strip.is_closed)
-    # initial guess: the width is increased by the loss of stiffness, smoothed along the strip
+    # first guess: widen each place by its loss of stiffness, smoothed along the strip
     softer = -np.log(np.prod([np.ones(design.s.size), *strip.as_made.factors.values()], axis=0))
     clip = min(LARGEST_GUESS, largest)
     guess = np.clip(np.linalg.lstsq(basis, softer - softer.mean(), rcond=None)[0], -clip, clip)
@@ -172,7 +172,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
 
 
 class _CorrectedStrip(NamedTuple):
-    """Strip in its holders with widths corrected by `coefficients`, and its deviation from the design, mm."""
+    """Strip with widths corrected by `coefficients`, and its deviation from the design in its holders, mm."""
 
     strip: Strip
     coefficients: FloatArray
@@ -181,7 +181,7 @@ class _CorrectedStrip(NamedTuple):
 
 
 def _correct(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _CorrectedStrip | None:
-    """Return the strip with corrected widths in its holders, or None if this is impossible."""
+    """Return the strip with corrected widths, or None if it cannot be made or finds no rest shape."""
     design, change = strip.as_made.design, basis @ coefficients
     try:
         if change.any():
@@ -202,8 +202,8 @@ PIECE_SPACING_MM = 5.0
 class Splice:
     """A strip cut into pieces, with a plate of the same sheet glued over each joint on one side.
 
-    Plates are solid and as wide as the strip. Holes under a plate are not cut. The joints of the two layers of a
-    laminate are staggered, and the plates are on the outer faces.
+    Plates are solid and as wide as the strip, and no holes are cut under them. The two layers of a laminate
+    have their joints at different places, and plates on their outer faces.
 
     Attributes
     ----------
@@ -261,7 +261,6 @@ class Splice:
         return held.deviation if held.corrected else held.parts["plates"]
 
     def __str__(self) -> str:
-        """Return a sentence on joints, plates and their effect."""
         if len(self.strip.layers) > 1:
             joints = zip(self.layer_pieces, (self.plates.joints, self.plates.backing_joints), strict=True)
             pieces = Listed(
@@ -294,7 +293,7 @@ class Splice:
 
     @cached_property
     def _holes(self) -> tuple[Path, ...]:
-        """Holes of the base that no plate covers."""
+        """Holes of the base that are not under a plate."""
         return self.plates.clear_holes(self.strip.holes)
 
     def _cut(self, whole: "_Whole") -> tuple[Piece, ...]:
@@ -342,7 +341,7 @@ class Splice:
         return Piece(name, Drawing(name, paths, (label, *mates, *numbers)), layer.sheet)
 
     def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
-        """Return the start and end, mm, of the part of a piece that is under a plate and has no holes."""
+        """Return start and end, mm, of the part of a piece under a plate, where no holes are cut."""
         joint = next(at for at in whole.joints if at in (low, high))
         return (joint, joint + self.plates.lap / 2) if joint == low else (joint - self.plates.lap / 2, joint)
 
@@ -369,9 +368,7 @@ def _tick(whole: _Whole, x: float) -> Path:
 
 
 def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | None = None) -> Splice:
-    """Divide a strip into as few pieces as the stock allows.
-
-    The joints are placed where the plates change the shape least.
+    """Divide a strip into as few pieces as the stock allows, joined where plates change the shape least.
 
     Joints are clear of slots, tabs and other joints, including joints of the other layer. Among the possible
     positions, dynamic programming selects those with the least sum of squared bend angles under the plates.
@@ -441,7 +438,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
 
 
 def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:
-    """Return the strip cut into pieces if it is longer than the stock and the shop joins pieces, else None."""
+    """Return the strip cut into pieces, or None if it fits the stock or the shop sets no `lap`."""
     if shop.lap is None:
         return None
     stocks = [shop.stock_for(layer.sheet)[0] for layer in strip.layers]
@@ -468,7 +465,7 @@ def _is_clear_of_slot(slot: Slot, width: Profile, at: FloatArray | float, lap: f
 def _cheapest_joints(
     s: FloatArray, cost: FloatArray, count: int, first: float, last: float, stock: float, lap: float
 ) -> tuple[float, ...] | None:
-    """Return the arc lengths of the joints with the least sum of costs, or None.
+    """Return the arc lengths of the joints with the least sum of costs, or None if `count` joints do not fit.
 
     `cost` is the cost of a joint at each station of `s`. Inner pieces are between twice `lap` and `stock`
     long.
@@ -496,9 +493,7 @@ def _cheapest_joints(
 def make_within(
     strip: Strip, shop: FabricationLimits, *, compensate: bool, ignore_limits: bool, noisy: bool
 ) -> Strip:
-    """Return the strip as it is made.
-
-    It is joined from pieces if it is longer than the stock, and its widths are compensated on request.
+    """Return the strip as it is made: joined from pieces if too long, with compensated widths on request.
 
     `noisy` has the same meaning as in `find_strip_faults`.
 
@@ -508,7 +503,7 @@ def make_within(
         The strip would break, and `ignore_limits` is False.
     """
     refuse_broken(strip, ignore_limits)
-    with suppress(InputError):  # `find_strip_faults` reports below if there is no room for joints
+    with suppress(InputError):  # `find_strip_faults` reports joints that do not fit
         strip = joined_within(strip, shop)
     if compensate:
         strip = compensate_within(strip, shop)
@@ -521,7 +516,7 @@ def make_within(
 
 
 def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
-    """Raise StrainError if the strip would break, unless `ignore_limits` is set."""
+    """Raise StrainError if the strip would break, and `ignore_limits` is False."""
     judged = strip.strain_verdict
     if ignore_limits or not judged.refused:
         return
@@ -539,7 +534,7 @@ def refuse_broken(strip: Strip, ignore_limits: bool) -> None:
 def compensate_within(strip: Strip, shop: FabricationLimits) -> Strip:
     """Return the strip with compensated widths.
 
-    If the compensated strip could not be cut or handled, return the original strip with a warning.
+    If the result could not be cut or handled, return the original strip with a warning.
     """
     better = compensate_widths(strip)
     faults = find_strip_faults(better, shop)

@@ -17,7 +17,7 @@ MARKS = (0.25, 0.5, 0.75)
 """Positions at which heights are measured, as fractions of the length."""
 
 LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle", "end_angle")
-"""Names of the measured quantities: distance between the ends, heights of marks, and angles of tabs.
+"""Names of the measured quantities: distance of the ends, heights of marks, and angles of tabs.
 
 Lengths are in mm and angles in degrees. Heights are measured from the line between the ends, and angles relative
 to it."""
@@ -28,17 +28,18 @@ SKETCHED = 60
 """Approximate number of points of the curve in `Measuring.shape`."""
 
 UNEVEN_SHARE = 0.02
-"""Relative difference of the stiffness at equal distances from both ends, above which a reversed strip has a
-different shape."""
+"""Relative difference of the stiffness at equal distances from both ends, above which a strip put in end for
+end has a different shape."""
 
 CHANCE = 0.03
-"""Probability of an error of the readings that is mistaken for a cause."""
+"""Probability that errors of reading alone are mistaken for a cause."""
 
 NONLINEAR = 0.2
-"""Fraction of the measured differences that a cause may leave unexplained, because its changes are linear."""
+"""Fraction of the measured differences that a cause may leave unexplained, because the changes are computed
+to first order."""
 
 LIKELY = 4.0
-"""Difference of the sum of squares from that of the likeliest cause, below which a cause is reported too."""
+"""A cause is reported in addition to the likeliest one if its sum of squares is at most this much larger."""
 
 MEANINGS: Mapping[str, str] = {
     "clamp at the start": "The clamp at the start lets the strip turn by {amount:.2g} degrees. Tighten it.",
@@ -55,7 +56,7 @@ MEANINGS: Mapping[str, str] = {
     "end for end": "The strip is mounted end for end. Turn it round.",
     "wrong side": "The backing is on the wrong side of the bend. Turn the strip over.",
 }
-"""Message about each cause of a difference."""
+"""Message for each cause of a difference."""
 
 ONCE = ("end for end", "wrong side")
 """Causes of a difference that are either present or absent, and have no amount."""
@@ -77,7 +78,7 @@ SLIPS: Mapping[str, str] = {
     ),
     "tips": "The chord is measured between the tips of the tabs. Measure it where the bend begins.",
 }
-"""Message about each slip in taking the readings."""
+"""Message for each slip in taking the readings."""
 
 MM_PER_UNIT = {"centimetres": 10.0, "inches": 25.4}
 
@@ -87,7 +88,7 @@ EXCHANGES: Mapping[str, Mapping[str, str]] = {
         "height_1": "height_3", "height_3": "height_1", "start_angle": "end_angle", "end_angle": "start_angle",
     },
 }  # fmt: skip
-"""Quantities that a reader exchanges by a slip."""
+"""Names that a reader exchanges by a slip."""
 
 THICKEST_PERCENT = 6.0
 """Largest plausible amplitude of the variation of a sheet's thickness, in percent."""
@@ -95,7 +96,7 @@ THICKEST_PERCENT = 6.0
 
 @dataclass(frozen=True)
 class Measuring:
-    """Expected measurements on a strip, and their changes due to possible errors.
+    """Expected measurements on a strip, and how possible errors change them.
 
     Attributes
     ----------
@@ -106,9 +107,9 @@ class Measuring:
     uncertain : mapping of str to float
         Uncertainty of each expected value due to model, sheet, cut and clamps.
     causes : mapping of str to tuple of mapping
-        Changes of the expected values due to each cause of `MEANINGS`, per degree, millimetre or percent. For
-        causes without an amount, the whole change. A periodic variation of the thickness has two sets of changes,
-        for sine and cosine.
+        Changes of the expected values due to each cause of `MEANINGS`, per degree, millimetre or percent, or
+        the whole change if the cause has no amount. A periodic variation of the thickness has two sets, for
+        sine and cosine.
     shape : tuple of (float, float)
         Evenly spaced points of the curve, mm.
     tips : float or None
@@ -199,8 +200,8 @@ class Measuring:
     ) -> tuple[Row, ...]:
         """Return rows with a verdict, further likely causes, the reading errors, and each measured value.
 
-        A cause is reported if the readings are improbable without it, and if it explains them within the reading
-        errors and the expected uncertainty. The likeliest cause by least squares is the first.
+        A cause is reported on two conditions. Without it the readings are improbable, and with it they agree
+        within reading errors and expected uncertainty. The likeliest cause by least squares is the first.
 
         Parameters
         ----------
@@ -301,9 +302,8 @@ class Measuring:
                 yield rest, SLIPS[slip]
 
     def _mirrors(self, amount: float, change: Mapping[str, float]) -> bool:
-        """Return True if a height changes by more than the largest height.
-
-        Ends that move cannot mirror a strip.
+        """Return True if a height changes by more than the largest height, because moved ends cannot mirror a
+        strip.
         """
         heights = [name for name in self.expected if name.startswith("height")]
         largest = max((abs(self.expected[name]) for name in heights), default=0.0)
@@ -324,8 +324,8 @@ def row_label(name: str) -> str:
 def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
     """Return the values to be measured on a shape with evenly spaced nodes (n, 2), mm.
 
-    Heights are positive on the side of the chord with the largest height of the design, so that they keep
-    their sign in small changes of an S.
+    Heights are positive on the side of the chord on which the design is highest. So small changes of an S do
+    not reverse them.
     """
     chord = position[-1] - position[0]
     length = float(np.hypot(*chord))
@@ -359,7 +359,7 @@ def rising_angles(strip: Strip) -> tuple[float, float]:
 def heights_of_marks(position: FloatArray, s: FloatArray | None = None) -> FloatArray:
     """Return the distances of the marks from the chord, mm, positive to the left of it.
 
-    Without arc lengths `s` (n,), the points (n, 2) are evenly spaced.
+    Without arc lengths `s` (n,), the points (n, 2) are taken as evenly spaced.
     """
     chord = position[-1] - position[0]
     stations = np.linspace(0.0, 1.0, len(position)) if s is None else s / s[-1]

@@ -185,16 +185,14 @@ class Tab:
                 )
 
     def mirrored(self) -> "Tab":
-        """Return the tab after the strip is turned over about its centre line."""
+        """Return the tab of the strip turned over about its centre line."""
         return replace(self, holes=tuple(replace(hole, across=-hole.across) for hole in self.holes))
 
     def corners(self, width: float) -> tuple[Line | Arc, ...]:
         """Return the outline of the tab, from the bent part outward, along the outer edge and back.
 
-        The x axis points outward.
-
-        It starts at (0, -w/2) and ends at (0, w/2). The width w is that of the tab or, by default, `width`, that
-        of the strip.
+        It starts at (0, -w/2) and ends at (0, w/2), and the x axis points outward. The width w is that of the
+        tab or, by default, `width`, that of the strip.
         """
         require_positive(width, "width")
         w, length = self.width or width, self.length
@@ -309,13 +307,13 @@ Ends = tuple[Tab, Tab]
 USUAL_TABS: Any = (Tab(), Tab())
 
 SHOULDER_MM = 1e-3
-"""Width, mm, below which the shoulder beside a tab is omitted, because it cannot be cut and CAD kernels fail."""
+"""A shoulder beside a tab is omitted if it is narrower, mm, because it cannot be cut and CAD kernels fail."""
 
 MEETING_MM = 1e-9
-"""Distance, mm, below which the ends of two segments meet."""
+"""Ends of two segments meet if their distance is less, mm."""
 
 LINEAR_TOLERANCE = 1e-10
-"""Relative deviation of x from a linear function of the parameter that counts as a rounding error."""
+"""If x deviates from a linear function of the parameter by less than this fraction, it counts as linear."""
 
 
 def flat_rim(width: Profile, ends: Ends) -> Path:
@@ -369,9 +367,9 @@ def add_register_holes(width: Profile, ends: Ends, diameter: float) -> Ends:
 
 
 def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> Spline:
-    """Return the graph of the spline function y(x) with coefficients `values` (m,).
+    """Return the graph of a spline function y(x) with coefficients `values` (m,), directed along x.
 
-    It is directed along x, or against x if `backward`.
+    If `backward`, it is directed against x.
     """
     return graphs(knots, values[None], degree, backward=backward)[0]
 
@@ -383,11 +381,12 @@ def graphs(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: 
     if backward:
         knots, points = knots[0] + knots[-1] - knots[::-1], points[:, ::-1]
     first = PlaneCurve(knots, points[0], degree)
-    return [Spline(curve) for curve in first.siblings(points)]  # with these knots, all curves are graphs y(x)
+    # the rows differ only in y, so all are graphs y(x)
+    return [Spline(curve) for curve in first.siblings(points)]
 
 
 def pace(segment: Segment) -> tuple[float, float] | None:
-    """Return (offset, speed) if x = offset + speed * parameter on the whole segment, else None."""
+    """Return (offset, speed) if x = offset + speed * parameter on the whole segment, otherwise None."""
     if isinstance(segment, Line):
         return float(segment.start[0]), float((segment.end[0] - segment.start[0]) / segment.length)
     if not isinstance(segment, Spline) or segment.curve.is_rational:
@@ -400,7 +399,7 @@ def pace(segment: Segment) -> tuple[float, float] | None:
 
 
 def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:
-    """Return the segments as a closed chain, with lines in the gaps between successive segments."""
+    """Return the segments as a closed chain, with lines in the gaps between them."""
     chain: list[Segment] = []
     for segment in segments:
         if chain and not _meet(chain[-1], segment):
@@ -416,7 +415,10 @@ def _meet(before: Segment, after: Segment) -> bool:
 
 
 def _parts_between_jumps(width: Profile) -> list[Profile]:
-    """Return the parts of a profile between its jumps, which are interior knots of multiplicity degree + 1."""
+    """Return the parts of a profile between its jumps.
+
+    A jump is an interior knot of multiplicity degree + 1.
+    """
     k = width.degree
     knots, counts = knot_runs(width.knots)
     cuts = knots[(counts > k) & (knots > knots[0]) & (knots < knots[-1])]
@@ -435,7 +437,7 @@ def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
 
 
 def _without_small_shoulders(tab: Tab, width: float) -> Tab:
-    """Return the tab, with the width of the strip if its shoulders would be too small to cut."""
+    """Return the tab; it gets the width of the strip if its shoulders are too small to cut."""
     small = tab.width is not None and min(abs(tab.width - width), tab.length) < SHOULDER_MM
     return replace(tab, width=None) if small else tab
 
@@ -457,5 +459,5 @@ def _in_strip(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line 
 
 
 def _tab_to_strip(x: float, direction: int) -> FloatArray:
-    """Return the map from the coordinates of a tab to those of the strip, with a half turn at the start."""
+    """Return the map from the coordinates of a tab to those of the strip. `direction` is -1 at the start."""
     return np.array([[direction, 0.0, x], [0.0, direction, 0.0], [0.0, 0.0, 1.0]])

@@ -25,26 +25,26 @@ from elastica_cad.strip.slots import Cuts, Slot, end_numbers
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
 SAME_SIZE_MM, SIZE_STATIONS = 1e-3, 65
-"""Largest difference in thickness or diameter, mm, between strips that count as equal, and number of stations at
-which they are compared."""
+"""`SAME_SIZE_MM` is the largest difference in thickness or diameter, mm, between equal strips. They are
+compared at `SIZE_STATIONS` stations."""
 
 SIZE_TOLERANCE = 1e-6
-"""Largest difference between parts that count as equal, as a fraction of the length of the outline.
+"""Largest difference between equal parts, as a fraction of the length of the outline.
 
 The parts are compared by length, bounding box and square root of the area."""
 
 ROD_KIND = "rod"
-"""Kind of the sheets that are rods or flat bars: stock of a length."""
+"""Kind of sheets that are rods or flat bars, which are sold by length."""
 
 SAME_BEND_RAD = 1e-4
-"""Largest difference between natural curvatures that count as equal, times the length of the strip, rad."""
+"""Largest difference between natural curvatures of equal strips, times the length of the strip, rad."""
 
 SLOT_DIGITS = 6
-"""Number of decimals, mm, to which sizes of slots are compared, because sizes of copies differ by rounding
+"""Number of decimals, mm, to which sizes of slots are compared. Copies of a slot differ by rounding
 errors."""
 
 POINTS_PER_SEGMENT = 6
-"""Number of points on each segment at which loops are compared."""
+"""Number of points of each segment at which two loops are compared."""
 
 FLIPS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
 """Signs of x and y of a part that is unchanged, turned over about either axis, or rotated by 180 degrees."""
@@ -53,7 +53,7 @@ FLIPS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
 def cut_key(strip: Strip) -> Hashable:
     """Return a key that is equal for strips with the same geometry and material.
 
-    Labels and the names of mating strips have no effect.
+    Labels and names of inserted parts are ignored.
     """
     slots = [
         (slot.side, slot.relief, slot.depth is None, *np.round(_sizes(slot), SLOT_DIGITS).tolist())
@@ -69,7 +69,7 @@ def cut_key(strip: Strip) -> Hashable:
 
 
 def _sizes(slot: Slot) -> FloatArray:
-    """Return all dimensions of a slot, mm, and the inclination, rad."""
+    """Return all dimensions of a slot, mm, and its inclination, rad."""
     paths = [np.ravel(part) for part in (slot.path, slot.widths) if part is not None]
     return np.concatenate([[slot.at, slot.width, slot.depth or 0.0, slot.lean], *paths])
 
@@ -87,7 +87,7 @@ class EqualStrips:
     members : tuple of int
         Indices of the strips in the model.
     shape : int
-        Number of the shape. Groups with the same shape differ only in their engraving.
+        Number of the shape. Groups with the same number differ only in their engraving.
     """
 
     strip: Strip
@@ -109,7 +109,7 @@ def group_equal_strips(placed: Sequence[Placed]) -> tuple[EqualStrips, ...]:
     """
     shapes = DistinctShapes()
     groups: dict[tuple[int, Hashable], list[int]] = {}
-    known: dict[int, list[int]] = {}  # a strip that occurs several times is compared only once
+    known: dict[int, list[int]] = {}  # shape numbers by strip, because each strip is compared only once
     for index, strip in enumerate(item.strip for item in placed):
         if id(strip) not in known:
             marks = strip.label, strip.engraved, *sorted(slot.mate for slot in strip.slots)
@@ -132,9 +132,9 @@ def _nearly_equal(a: FloatArray | None, b: FloatArray | None, room: float) -> bo
 class FlatShape:
     """Shape of a part for the detection of equal parts.
 
-    `layers` has the cut loops of the part. `size` (k,) is the thickness or diameter, mm, of a planed or turned
-    part at evenly spaced stations, else None. `bent` (k,) is the natural curvature of a pre-bent strip times its
-    length, rad, else None.
+    `layers` has the cut loops of the part. `size` (k,) is the thickness or diameter, mm, of a planed or
+    turned part at evenly spaced stations. `bent` (k,) is the natural curvature of a pre-bent strip times its
+    length, rad. For other parts, both are None.
     """
 
     layers: tuple[Layer, ...]
@@ -143,7 +143,7 @@ class FlatShape:
 
     @classmethod
     def of(cls, strip: Strip) -> "FlatShape":
-        """Return the shape of a strip for comparison."""
+        """Return the shape of a strip."""
         rod, size = strip.rod, strip.layout.worked_size
         s = np.linspace(0.0, rod.length, SIZE_STATIONS)
         bent = rod.length * rod.rest_at(s) if np.any(rod.natural_curvature) else None
@@ -165,7 +165,7 @@ class FlatShape:
             (p.outline, *p.holes) == (q.outline, *q.holes)
             for p, q in zip(self.layers, other.layers, strict=True)
         ):
-            return True  # copies have the same loop objects
+            return True  # copies share their loop objects
         if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False
         ways = FLIPS if self.bent is None else FLIPS[:1]  # turning a pre-bent strip changes its curvature
@@ -173,13 +173,13 @@ class FlatShape:
 
     @cached_property
     def size_of_loops(self) -> FloatArray:
-        """Length and bounding box of the outline, and square roots of the areas of layers, for a fast test."""
+        """Length and bounding box of the outline, and square roots of layer areas; equal for equal parts."""
         layers = self.layers
         width, height = np.diff(layers[0].outline.bounds, axis=0)[0]
         return np.array([layers[0].outline.length, width, height, *(np.sqrt(layer.area) for layer in layers)])
 
     def _covers(self, other: "FlatShape", signs: tuple[int, int]) -> bool:
-        """Return True if the loops coincide after `other` is mirrored by `signs` and centred on this shape."""
+        """Return True if the loops coincide after `other` is mirrored by `signs` and moved onto this shape."""
         middles = [shape.layers[0].outline.bounds.mean(axis=0) for shape in (self, other)]
         shift = middles[0] - signs * middles[1]
         for layer, others in zip(self.layers, other.layers, strict=True):
@@ -198,7 +198,7 @@ class FlatShape:
 
 
 class DistinctShapes:
-    """List of the different shapes of parts, numbered from 0 and sorted by length for a fast search."""
+    """List of different shapes, numbered from 0. It is sorted by length for a fast search."""
 
     def __init__(self) -> None:
         self._found: list[tuple[float, int, FlatShape]] = []
@@ -245,7 +245,7 @@ class Piece:
     count : int
         Number of copies.
     worked : float, optional
-        Mass of a piece after planing or turning, g; by default the mass of the flat part.
+        Mass of a planed or turned piece, g; by default the mass of the flat part.
 
     Examples
     --------
@@ -336,7 +336,7 @@ def file_word(text: str) -> str:
 def distinct(names: Iterable[str]) -> list[str]:
     """Return the names with numbers appended to repeated names.
 
-    Upper and lower case are not distinguished, because some file systems ignore case.
+    Names that differ only in case count as equal, because some file systems ignore case.
 
     Examples
     --------
@@ -359,8 +359,8 @@ def distinct(names: Iterable[str]) -> list[str]:
 def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tuple[Piece, ...]:
     """Return a piece with its quantity for each layer of each group of equal strips.
 
-    Different parts with the same label get a number after the label. With `numbered`, the ends are engraved 1 and
-    2, like the slots that hold them.
+    If different parts have the same label, a number is added. With `numbered`, the ends are engraved 1 and 2,
+    like the slots that hold them.
     """
     pieces: list[Piece] = []
     taken = {part.name for part in parts}
@@ -386,9 +386,10 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
 
 
 def _stock(strip: Strip, layer: Layer) -> tuple[Sheet, float | None]:
-    """Return the sheet from which a layer is cut, and the mass, g, of a planed or turned strip, else None.
+    """Return the sheet from which a layer is cut, and the mass, g, of a planed or turned strip, otherwise
+    None.
 
-    The sheet for a planed or turned strip has the largest thickness of the strip. Turned strips are rods.
+    A planed strip is cut from a sheet of its largest thickness; a turned strip is a rod.
     """
     size = strip.layout.worked_size
     if size is None:

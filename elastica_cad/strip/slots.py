@@ -32,7 +32,7 @@ from elastica_cad.strip.lettering import (
 )
 
 QUARTER_TURN_DEG = 90.0
-"""Upper limit of the inclination of a slot, degrees; the inclination must be less."""
+"""Least inclination of a slot, degrees, that is refused."""
 
 STRAIGHT_MM = 1e-7
 """Largest deviation from a line, mm, of a side of a slot that is drawn as a line."""
@@ -70,7 +70,7 @@ class Slot:
         is positive, x increases towards the edge. Strips of `elastica_cad.build123d` and `elastica_cad.cadquery`
         take it in degrees.
     relief : "square" or "round"
-        Shape of the inner end: a straight line, or a semicircle beyond it.
+        Shape of the inner end. A semicircle extends beyond the given depth.
     mate : str
         Name of the part that is inserted in the slot, engraved beside it.
     path : (k, 2) array, optional
@@ -122,7 +122,7 @@ class Slot:
         )
 
     def require_rad(self) -> None:
-        """Raise InputError for an inclination of 90 degrees or more, because it was probably given in degrees."""
+        """Raise InputError for an inclination of 90 degrees or more, which was probably given in degrees."""
         if abs(self.lean) >= np.pi / 2:
             raise InputError(
                 "The lean of the slot at {at} is {lean:g} rad, a quarter turn or more. Pass radians, such as "
@@ -132,12 +132,12 @@ class Slot:
             )
 
     def mirrored(self) -> "Slot":
-        """Return the slot after the strip is turned over about its centre line (y to -y)."""
+        """Return the slot of the strip turned over about its centre line (y to -y)."""
         path = None if self.path is None else self.path * (1.0, -1.0)
         return replace(self, side="lower" if self.side == "upper" else "upper", path=path)
 
     def center_line(self, width: Profile) -> tuple[FloatArray, FloatArray]:
-        """Return points (k, 2) from the inner end to the edge, and widths (k,), mm.
+        """Return points (k, 2) of the centre line from inner end to edge, and widths of the slot (k,), mm.
 
         `width` is the width of the strip.
         """
@@ -152,7 +152,7 @@ class Slot:
 
 
 def slot_cut(slot: Slot, width: Profile, *, beyond: float) -> Path:
-    """Return the cut of a slot as an open path: inward from outside the edge, around the inner end, and out again.
+    """Return the cut of a slot as an open path: from outside the edge around the inner end and back.
 
     Parameters
     ----------
@@ -178,7 +178,7 @@ def _left_of(tangents: FloatArray) -> FloatArray:
 class _Side:
     """A side of a slot as points (n, 2), mm, from its inner end to the edge.
 
-    `direction` is the direction at the edge, and `bent` is a spline if the side is curved.
+    `direction` is the direction at the edge. `bent` is a spline, or None for a straight side.
     """
 
     points: FloatArray
@@ -193,7 +193,6 @@ class _Side:
 
 
 def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
-    """Return the right and the left side, as seen from the inner end of the slot."""
     points, widths = slot.center_line(width)
     t = lengths_along(points)
     degree = min(3, len(points) - 1)
@@ -207,7 +206,7 @@ def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
 
 
 def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
-    """Return the side through points (n, 2), as a line if they are collinear."""
+    """Return the side through points (n, 2); it is a line if they are collinear."""
     chord = points[-1] - points[0]
     off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
     if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
@@ -218,13 +217,13 @@ def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
 
 
 FLAT_MM = 1e-3
-"""Chord error, mm, of polylines in tests for crossings. It is smaller than the errors of cutting machines."""
+"""Chord error, mm, of the polylines that are tested for crossings. Cutting machines have larger errors."""
 
 SAME_POINT_MM = 1e-9
 """Distance, mm, below which points are equal."""
 
 SAME_PARAMETER = 1e-6
-"""Difference of parameters below which two positions on a segment may coincide; their distance decides."""
+"""Positions on a segment may coincide if their parameters differ by less. Their distance decides."""
 
 REACHES = (1.0, 4.0, 16.0)
 """Lengths by which the sides of a slot are extended to the edge, as multiples of the width of the slot.
@@ -284,7 +283,7 @@ def cut_slots(
 
 
 class _Edge:
-    """The outline with its chords, to find the crossings with many slots."""
+    """The outline with its chords, which make the search for crossings with many slots fast."""
 
     def __init__(self, outline: Path) -> None:
         self.segments = outline.segments
@@ -361,7 +360,7 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
 
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
-    """Return the part of a segment between two parameters as a list, empty if both are nearly equal."""
+    """Return the part of a segment between two parameters, or an empty list if they are nearly equal."""
     if u1 - u0 < SAME_PARAMETER and np.hypot(*(segment.at(u1) - segment.at(u0))) < SAME_POINT_MM:
         return []
     return [trim_segment(segment, u0, u1)]
@@ -425,7 +424,7 @@ def _on_free_part(box: FloatArray, width: Profile) -> bool:
 class Cut:
     """Line that engraved letters avoid.
 
-    For a closed line, `gone` is the side without material, "inside" or "outside".
+    `gone` is the side of a closed line without material: "inside" or "outside".
     """
 
     def __init__(self, line: Path, gone: str = "") -> None:
@@ -438,7 +437,7 @@ class Cut:
         return _around(points) if self.gone or self.line.closed else points
 
     def reaches(self, box: FloatArray, edge: FloatArray) -> bool:
-        """Return True if the cut crosses a box (4, 2), or if there is no material in the box."""
+        """Return True if the line crosses a box (4, 2), or if the box has no material in it."""
         low, high = box_about(box)
         if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
             return True
@@ -482,19 +481,19 @@ LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
 """Heights of letters, mm, in the order in which they are tried. Engraved letters below 1 mm are not legible."""
 
 NUMBER_PLACES_MM = (2.0, 4.0, 7.0, 11.0)
-"""Distances of a number from the end of the bent part, mm, in the order in which they are tried. The number stays
-visible beside a holder."""
+"""Distances of the number of an end from the end of the bent part, mm, in the order in which they are tried.
+The number stays visible beside a holder."""
 
 LABEL_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25)
-"""Heights of a label as fractions of the usual height, in the order in which they are tried."""
+"""Heights of a label, as fractions of the usual height, in the order in which they are tried."""
 
 LABEL_STEP_MM, LABEL_STEPS = 2.0, 100
-"""Least distance, mm, between positions tried for a label, and largest number of positions on each side of the
+"""Distance between positions tried for a label, mm, and largest number of positions on each side of the
 middle."""
 
 LABEL_DISTANCES_MM = (TEXT_DISTANCE_MM, 0.0)
-"""Distances of a label from cuts, mm, in the order in which they are tried. Labels on very narrow strips need the
-second."""
+"""Distances of a label from cuts, mm, in the order in which they are tried. A label on a very narrow strip
+may touch a cut."""
 
 
 def mating_marks(
@@ -506,8 +505,8 @@ def mating_marks(
 ) -> tuple[Text, ...]:
     """Return the names of the inserted parts, engraved at their slots, clear of cuts, `marks` and other texts.
 
-    A name is at the inner end of its slot or beside the slot, as large as possible. It is omitted if there is no
-    room.
+    A name is at the inner end of its slot or beside the slot, as large as possible. It is omitted if it does
+    not fit.
     """
     cuts = Cuts(holes, marks, slots=[rim for _, rim in slots])
     boxes = [box_about(_text_box(text)) for text in taken]
@@ -527,8 +526,8 @@ def end_numbers(
 ) -> tuple[Text, ...]:
     """Return the texts "1" and "2" at the start and end of the bent part, clear of cuts and texts.
 
-    The slots that hold the ends have the same numbers. Other `names` denote joints. Empty names are omitted, and
-    so are names for which there is no room.
+    The slots that hold the ends have the same numbers. `names` replaces the texts, for example at joints.
+    Empty names, and names that do not fit, are omitted.
     """
     boxes, numbers = [box_about(_text_box(text)) for text in taken], []
     for number, end, direction in ((names[0], 0.0, 1.0), (names[1], width.length, -1.0)):
@@ -545,8 +544,8 @@ def end_numbers(
 def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, float] | None = None) -> Text:
     """Return the label on the centre line of a strip, as near to the middle as possible and clear of all cuts.
 
-    If there is little room, the label is smaller. If no position is clear, it is in the middle. `span` is the
-    allowed range along the strip, mm; by default the whole bent part.
+    It is smaller where space is short. If no position is clear, it is in the middle. `span` is the allowed
+    range along the strip, mm; by default the whole bent part.
     """
     low, high = span or (0.0, width.length)
     length = high - low
@@ -569,8 +568,8 @@ def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, fl
 def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: Cuts) -> Text:
     """Return the label across one of the `tabs` (start x, end x and width, mm), clear of all cuts.
 
-    If there is little room, the label is smaller, or beside the middle of the tab. If no position is clear, it is
-    in the middle of the first tab.
+    Where space is short, it is smaller or beside the middle of the tab. If no position is clear, it is in the
+    middle of the first tab.
     """
 
     def text(tab: tuple[float, float, float], share: float, place: float, side: float) -> Text:
@@ -599,7 +598,7 @@ def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: C
 
 
 def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
-    """Yield possible texts for a slot, by decreasing height, beyond the inner end and on either side."""
+    """Yield possible texts for a slot, large ones first: beyond the inner end and on either side."""
     points, _ = slot.center_line(width)
     inward = -1.0 if slot.side == "upper" else 1.0
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()

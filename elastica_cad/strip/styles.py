@@ -39,7 +39,7 @@ WIDTH_MM = 1e-6
 
 
 SIZE_TOLERANCE = 3e-6
-"""Largest relative error of the thickness or diameter of a section, about equal to the error of the stiffness."""
+"""Largest relative error of the thickness or diameter of a section. The error of the stiffness is similar."""
 
 CORRECTION_TOLERANCE = 1e-6
 """Largest error of the corrected stiffness, relative to its maximum."""
@@ -50,10 +50,10 @@ CURVATURE_STATIONS = 2001
 _CACHED_RODS = 64  # number of rods in the cache of `bends_along`; equal strips of a model have the same rod
 
 MOST_EXTREMES = 200
-"""Largest number of local extremes with additional stations, because more extremes are rounding errors."""
+"""Largest number of local extremes that get additional stations. More extremes are rounding errors."""
 
 GUIDE_MM = 0.5
-"""Least distance between the edges of backing and base, mm, for which the edges of the backing are marked."""
+"""The edges of the backing are marked where they are farther than this from the edges of the base, mm."""
 
 
 NO_WIDTH = note(
@@ -174,10 +174,7 @@ class Layout:
 
     @property
     def guides(self) -> tuple[Path, ...]:
-        """Lines on the base that mark the edges of the backing.
-
-        Empty if the edges of both are close to each other.
-        """
+        """Lines on the base that mark the edges of the backing; none if both are nearly equally wide."""
         if self.backing is None:
             return ()
         s = stations_of(self.width.length, count=201)
@@ -186,7 +183,9 @@ class Layout:
         return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
 
     def law(self, material: FloatArray, backing: FloatArray | None) -> tuple[StiffnessLaw, FloatArray]:
-        """Return the stiffness law for net widths (n,), mm, of sheet and backing, and its parameter (n,)."""
+        """Return the stiffness law for net widths (n,), mm, of sheet and backing, and the law's variable
+        (n,).
+        """
         if self.backing is None or backing is None:
             return PlainSection(self.sheet), material
         return LaminatedSection(self.sheet, self.backing.sheet).on(material), backing
@@ -198,7 +197,7 @@ class Layout:
         if self.backing is None:  # the strain of a single sheet does not depend on its width
             return PlainSection(self.sheet).strains(bends.amount)
         outer = self.width(bends.s)
-        # a backing as wide as the base may exceed it by the tolerance of its profile
+        # the profile of a backing may exceed the base by its tolerance
         law, parameter = self.law(outer, np.minimum(self.backing.width(bends.s), outer))
         return law.strains(bends.amount, parameter)
 
@@ -248,7 +247,7 @@ class Plain:
     ) -> Layout:
         """Return the flat pattern of a rod.
 
-        The bending stiffness of the rod, or else a given width, determines the widths.
+        The bending stiffness of the rod determines the widths or, if it is None, the given widths do.
         """
         require_laid_out(rod, sheet, max_width, min_width)
         if rod.section is not None:
@@ -342,7 +341,7 @@ def _laid_out_by_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
 
 
 def _bend_between_steps(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return kappa - kappa_0 (n,), 1/mm, at stations s, interpolated linearly across steps of the stiffness."""
+    """Return kappa - kappa_0 (n,), 1/mm, at stations s; it is interpolated across steps of the stiffness."""
     bend = rod.bend_at(s)
     for step in rod.profile.steps:
         inside = (s > step[0]) & (s < step[1])
@@ -409,7 +408,7 @@ def correct_layout(
         tolerance=CORRECTION_TOLERANCE * float(drawn.extremes[1]),
     )  # fmt: skip
     layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
-    # `with_stiffness` divides K by the minimum of the corrected K
+    # `with_stiffness` scales the corrected K to a minimum of 1, so the stiffness is scaled back
     return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
 
 

@@ -1,4 +1,4 @@
-"""Search for changes that make a refused strip possible. Every change is tested before it is suggested."""
+"""Search for changes that make a refused strip possible. Every suggested change was tested."""
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -30,13 +30,13 @@ from elastica_cad.strip.strip_spec import StripSpec
 MOST_SUGGESTIONS = 4
 
 FIRST_FIELDS = ("smooth", "split_corners", "nearest")
-"""Names of the fields whose changes are tested before changes of other fields."""
+"""Fields whose changes are tested first."""
 
 MOST_TRIED = 3
 """Largest number of changes of one field that are tested. Each test takes as long as the request."""
 
 MOST_WIDENED = 2
-"""Largest number of widths that are tested with one change, each of which the previous refusal names."""
+"""Largest number of widths that are tested with one change. Each refusal names the next width."""
 
 WIDEST_SHARE = 0.5
 """Largest width of a strip as a fraction of its length. A wider strip bends as a plate."""
@@ -47,9 +47,7 @@ MOST_PIECES = 8
 
 @dataclass(frozen=True)
 class Suggestion:
-    """A tested change of a request that gives a possible, stable strip within its strain limit.
-
-    A change of the sheet or the size may also need another width.
+    """A tested change of a request: the strip is then possible, stable and within its strain limit.
 
     `str()` returns the change and its effect, and `as_dict()` a table for reports.
 
@@ -67,7 +65,7 @@ class Suggestion:
     strips : tuple of Strip
         The strips of the requests.
     width : Change or None
-        Change of the width that the strip also needs.
+        Other width that the strip also needs.
     """
 
     change: Change
@@ -90,7 +88,7 @@ class Suggestion:
 
     @property
     def effect(self) -> Refusal:
-        """Sentence on the distance from the drawn curve, or the length of an enlarged strip, and the strain."""
+        """Sentence on strain, and on the distance from the drawn curve or the length of an enlarged strip."""
         values: dict[str, Any] = {"used": self.used}
         if self.is_far:
             text = "far from the drawn curve, up to {distance} away, {used} % of the allowed strain"
@@ -108,7 +106,7 @@ class Suggestion:
 
     @property
     def table(self) -> Any:
-        """New value of the changed field, in the form of a design file."""
+        """New value of the changed field, as it is written in a design file."""
         value = self.change.value
         if not isinstance(value, Rail | Pin | Tie):
             return value
@@ -128,7 +126,7 @@ class Suggestion:
 
 
 def instruction(change: Change, drawn: Provenance | None = None) -> Refusal:
-    """Return a change as an instruction; a moved point is displayed as in the drawing program."""
+    """Return a change as an instruction. Coordinates are those of the drawing program."""
     value = change.value
     match change.field, value:
         case "point", (index, place):
@@ -159,7 +157,7 @@ def suggest(
     fields: Collection[str] | None = None,
     sheet_size: tuple[float, float] | None = None,
 ) -> Iterator[Suggestion]:
-    """Yield at most four changes of a refused request that are tested and give a suitable strip.
+    """Yield at most four tested changes of a refused request that give a suitable strip.
 
     The order is: a moved control point, smoothing, separate strips between corners, the nearest curve, a rail, pin
     or tie, other fields that the refusal names, another sheet, another size. A strip is suitable if it is stable
@@ -206,7 +204,7 @@ def suggest(
 
 
 def thinner_for_all(specs: Sequence[StripSpec]) -> float | None:
-    """Return the largest smaller thickness, mm, that suits all requests, or None.
+    """Return the largest thickness below the present one, mm, that suits all requests, or None.
 
     The requests have the same sheet. At most `MOST_TRIED` thicknesses on sale are tested.
     """
@@ -217,7 +215,7 @@ def thinner_for_all(specs: Sequence[StripSpec]) -> float | None:
 
 
 def _changes(spec: StripSpec, problem: ElasticaError) -> Iterator[Iterable[Change]]:
-    """Yield the possible changes of each field, of which the first suitable change is suggested."""
+    """Yield the possible changes, field by field. The first suitable change of each field is suggested."""
     named = problem.refusal.changes
     fields = dict.fromkeys((*FIRST_FIELDS, *(change.field for change in named)))
     exact = isinstance(problem, NotRealizable) and _is_unloaded(spec)
@@ -253,10 +251,11 @@ def _is_unloaded(spec: StripSpec) -> bool:
 
 
 def _other_sheets(spec: StripSpec, share: float) -> Iterator[Change]:
-    """Yield changes to the thickest sheet of each kind that withstands the curve, of the same kind first.
+    """Yield changes to other sheets: the thickest of each kind that withstands the curve, the same kind
+    first.
 
-    `share` is the strain divided by the limit of the present sheet. If that is a sheet of the user, only
-    sheets of its kind are considered.
+    `share` is the strain divided by the limit of the present sheet. For a sheet defined by the user, only
+    sheets of the same kind are considered.
     """
     own, listed = spec.material, spec.material.name in sheet_names()
     bears = share * own.max_strain / own.thickness
@@ -282,7 +281,7 @@ def _requests(
             return [spec.changed(curve=spec.curve.transformed(np.diag([scale, scale, 1.0])), shop=shop)]
         case "split_corners", _:
             pieces = split_at_corners(spec.curve)
-            drawn = spec.curve.degree > 1  # the corners of a polyline are not joints between straight strips
+            drawn = spec.curve.degree > 1  # corners of a polyline do not join separate strips
             apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
     changed = spec.with_change(change)
@@ -292,9 +291,9 @@ def _requests(
 def _held(
     spec: StripSpec, change: Change, widths: int = 0, sheet_size: tuple[float, float] | None = None
 ) -> Suggestion | None:
-    """Return the suggestion for a change, or None if a strip is impossible or unsuitable.
+    """Return the suggestion for a change, or None if the strip is impossible or unsuitable.
 
-    If a strip is too narrow or too wide, the width that its refusal names is tested, at most `widths` times.
+    If the strip is refused for its width, the width that the message names is tested, at most `widths` times.
     """
     width = None
     for _ in range(widths + 1):
@@ -312,7 +311,6 @@ def _held(
 def _tested(
     spec: StripSpec, change: Change, width: Change | None, sheet_size: tuple[float, float] | None
 ) -> Suggestion | None:
-    """Return the suggestion for a change and a width, or None if a strip is unsuitable."""
     away, used, strips = [0.0], [0], []
     widened = spec if width is None else spec.changed(max_width=width.value)
     requests = tuple(_requests(widened, change, sheet_size))

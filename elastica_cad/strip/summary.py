@@ -42,8 +42,8 @@ def strip_rows(
     verdict : Stability, optional
         Stability of the rod of the strip; computed by default.
     quick : bool
-        If True, the rows on stability and accuracy show "…", and the row on creep is omitted, because these
-        computations take longest.
+        If True, the slowest computations are omitted: the rows on stability and accuracy show "…", and there
+        is no row on creep.
 
     Examples
     --------
@@ -119,7 +119,7 @@ def _nearest(strip: Strip, near: NearestRod | None) -> Iterator[Row]:
 
 
 def strain_rows(strip: Strip) -> Iterator[Row]:
-    """Yield rows with the warnings about strain, or a row on the largest strain and its limit."""
+    """Yield the warnings about strain or, without any, a row on the largest strain and its limit."""
     for warning in strip.strain_warnings:
         yield warning_row(warning, note("Strain"))
     if not strip.strain_warnings:
@@ -136,7 +136,7 @@ def strain_rows(strip: Strip) -> Iterator[Row]:
 
 
 def stability_row(strip: Strip, verdict: Stability) -> Row:
-    """Return the row on the stability of a strip in its plane and sideways."""
+    """Return the row on stability, in the plane and sideways."""
     sideways = strip.sideways
     details = [note("The stability margin is {margin:.3g}; at least 5 is safe.", margin=verdict.margin)]
     if sideways.decided:
@@ -158,7 +158,7 @@ def stability_row(strip: Strip, verdict: Stability) -> Row:
 
 
 def instability(strip: Strip, verdict: Stability) -> Refusal | None:
-    """Return the warning that a strip may snap in its plane or tip over sideways, or None."""
+    """Return the warning that a strip snaps in its plane or tips over sideways, or None if it is stable."""
     if verdict.rating == "unstable":
         return note("unstable: the strip snaps into another shape", severity="warning")
     if verdict.rating == "close to snapping":
@@ -177,11 +177,11 @@ def instability(strip: Strip, verdict: Stability) -> Refusal | None:
 
 
 COMPRESSED_SHARE = 0.05
-"""Compression along the strip that is reported, as a fraction of the excess of its length over the chord."""
+"""Compression along the strip is reported above this fraction of the excess of its length over the chord."""
 
 
 def hold_row(strip: Strip) -> Row:
-    """Return the row on the positions of the ends and the loads on them, or on the joint of a closed strip."""
+    """Return the row on the positions and loads of the ends, or on the joint of a closed strip."""
     if strip.joint:
         return Row(note("Hold"), strip.joint)
     ends = held_ends(strip)
@@ -232,7 +232,7 @@ def _distance_details(ends: Sequence[HeldEnd]) -> Refusal:
 
 
 def _cut_rows(strip: Strip) -> Iterator[Row]:
-    """Yield a row on the places of the holes and notches for pins and cords in the flat strip."""
+    """Yield a row on the positions, in the flat strip, of the holes and notches for pins and cords."""
     cuts, first = element_cuts(strip.rod), strip.ends[0].length
     if not cuts:
         return
@@ -252,7 +252,7 @@ def _cut_rows(strip: Strip) -> Iterator[Row]:
 
 
 def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
-    """Yield a row on the forces of rails, pins and ties, if there are any. `bending_stiffness` is in N mm2."""
+    """Yield a row on the forces of rails, pins and ties, if any. `bending_stiffness` is in N mm2."""
     if not rod.between:
         return
     largest = float(np.hypot(*rod.force.T).max())
@@ -275,7 +275,9 @@ def between_rows(rod: Rod, bending_stiffness: float) -> Iterator[Row]:
 
 
 def bar_direction(action: ElementForce, rod: Rod) -> FloatArray | None:
-    """Return the unit vector (2,) from the strip to the bar of a one-sided rail, or None if the side is unknown."""
+    """Return the unit vector (2,) from the strip to the bar of a one-sided rail, or None if its side is
+    unknown.
+    """
     if not (isinstance(action.element, Rail) and action.is_one_sided):
         return None
     angle = float(rod.curve.at(action.s).angle[0])
@@ -296,12 +298,11 @@ def _with_side_of_bar(text: Refusal, direction: FloatArray | None) -> Refusal:
 
 
 SMALLEST_MOVE_MM = 0.01
-"""Least displacement of a strip, or distance of a slack rail from it, that is reported, mm."""
+"""Distances below this, mm, are not reported: displacements of a strip, and gaps between it and a rail."""
 
 MOUNTING_ERROR_MM = 0.5
-"""Assumed error of the position of a rail or pin, or of the length of a cord, mm.
-
-The displacement of the strip by this error is reported."""
+"""Assumed error of the position of a rail or pin, or of the length of a cord, mm, whose effect on the strip
+is reported."""
 
 
 def _mounting_rows(strip: Strip) -> Iterator[Row]:
@@ -362,17 +363,17 @@ def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
 
 
 def direction_in_drawing(angle: float) -> Refusal:
-    """Return the direction of the drawing that is nearest to an angle, in degrees from the x axis."""
+    """Return the direction, such as "upward", nearest to an angle in degrees from the x axis."""
     return note(("to the right", "upward", "to the left", "downward")[round(angle / 90) % 4])
 
 
 def not_computed_row() -> Row:
-    """Return the row on accuracy of a strip with elements or point forces, which is not computed."""
+    """Return the row on accuracy of a strip with elements or point forces, for which it is not computed."""
     return Row(note("Accuracy"), note("not computed for a strip with rails, pins, ties or point forces"))
 
 
 def accuracy_row(held: HeldShape) -> Row:
-    """Return the row on the expected deviation of a real strip, with each cause in the details."""
+    """Return the row on the expected deviation of a real strip, with its causes in the details."""
     text = {
         "computed": "about {far}, mostly from tabs, slots, curling and holders",
         "model": "about {far}, mostly from the model",

@@ -30,7 +30,7 @@ from elastica_cad.strip.outline import lines_through
 from elastica_cad.strip.strip import Strip
 
 FACE_MM = 1e-4
-"""Largest error, mm, of the faces at half the thickness from the curve."""
+"""Largest error, mm, of the two faces, which are half the thickness from the curve."""
 
 
 def side_view(strip: Strip, *, bent: bool = False) -> Path:
@@ -72,7 +72,6 @@ def side_view(strip: Strip, *, bent: bool = False) -> Path:
 
 
 def _frames(strip: Strip, bent: bool) -> tuple[FloatArray, FloatArray]:
-    """Return the positions (2, 2), mm, and unit directions (2, 2) of the two ends of the bent part."""
     if not bent:
         return np.array([[0.0, 0.0], [strip.rod.length, 0.0]]), np.array([[1.0, 0.0], [1.0, 0.0]])
     nodes = strip.rod.curve.at(np.array([0.0, strip.rod.curve.length]))
@@ -151,7 +150,7 @@ class RoundSolid:
         return Boundary(np.array(skins.vertices), tuple(skins.edges), tuple(skins.faces))
 
     def _at(self, s: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return points on the axis (n, 2), unit normals (n, 2) and radii (n,) at arc lengths s (n,).
+        """Return axis points (n, 2), unit normals (n, 2) and radii (n,) at arc lengths s (n,), mm.
 
         Tabs are straight cylinders.
         """
@@ -169,7 +168,9 @@ class RoundSolid:
         return axis, np.column_stack([-tangent[:, 1], tangent[:, 0]]), size(within) / 2
 
     def _axis_spline(self, start: float, end: float) -> tuple[FloatArray, FloatArray]:
-        """Return the knots and coefficients (m, 5) of a spline: axis (2), radius times normal (2), and radius."""
+        """Return knots and coefficients (m, 5) of a spline: axis (2), radius times unit normal (2), and
+        radius.
+        """
         size, curve, length = self.strip.layout.size, self.strip.rod.curve, self.strip.rod.length
         breaks = [] if size is None else list(size.breaks)
         if self.bent:
@@ -185,7 +186,7 @@ class RoundSolid:
         return adaptive_spline(spine, (start, end), degree=DEGREE, tolerance=FACE_MM, breaks=inner)
 
     def _cross_section(self, s: float) -> Frame:
-        """Return the plane of the cross section at arc length s. Its x axis is the normal of the curve."""
+        """Return the plane of the cross section at arc length s. The x axis is the normal of the curve."""
         axis, normal, _ = self._at(np.array([s]))
         return Frame(self.frame.point(axis[0]), self.frame.direction(normal[0]), self.frame.z_axis)
 
@@ -199,7 +200,7 @@ class _RoundBoundary:
     def skin(
         self, pieces: list[tuple[FloatArray, FloatArray]], share: float, frame: Frame, *, outward: bool
     ) -> list[list[int]]:
-        """Add the faces at the fraction `share` of the radius, and return the edges of each circle."""
+        """Add the faces at the fraction `share` of the outer radius, and return the edges of each circle."""
         around, cosines, sines = _half_turn()
         z = frame.z_axis
 
@@ -261,7 +262,7 @@ def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
     knots = np.pad(inner, DEGREE, mode="edge")
     u = np.linspace(0.0, 1.0, 40 * HALF_TURN_SPANS + 1)
     weights = np.ones(u.size)
-    weights[[0, -1]] = 1e6  # large weights make both halves meet
+    weights[[0, -1]] = 1e6  # so that the two halves meet
     fitted = make_lsq_spline(
         u, np.column_stack([np.cos(np.pi * u), np.sin(np.pi * u)]), knots, DEGREE, w=weights
     )

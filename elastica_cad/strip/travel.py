@@ -28,11 +28,11 @@ from elastica_cad.strip.strip import Strip, strip_sideways
 from elastica_cad.strip.styles import Bends
 
 RESOLUTION_FRACTION = 1e-4
-"""Tolerance of the positions in the movement at which the strip snaps, is overstrained or crosses itself, as a
-fraction of a step."""
+"""Tolerance, as a fraction of a step, of the place in the movement at which the strip snaps, is overstrained
+or crosses itself."""
 
 CONSTANT_FORCE_FRACTION = 1e-4
-"""Largest decrease of a force in a step, as a fraction of the largest force, that counts as constant."""
+"""A force counts as constant in a step if it decreases by less than this fraction of the largest force."""
 
 TITLES = {
     "mm": "travel mm   force N  strain %    margin",
@@ -46,8 +46,8 @@ TITLES = {
 class Travel:
     """States of a strip at k positions of its ends, in physical units.
 
-    `stable` and `snaps_at` are for prescribed positions of the ends. Under a constant load, an end is unstable
-    where the force decreases with the travel (`force_falls_at`).
+    `stable` and `snaps_at` are for ends that a guide holds in place. An end pushed by a constant load is
+    unstable where the force decreases with the travel (`force_falls_at`).
 
     Attributes
     ----------
@@ -135,7 +135,9 @@ class Travel:
 
     @property
     def path_length(self) -> FloatArray:
-        """Travel (k,), mm; turn, degrees, if the ends only turn; or percent of the steps, if they do not move."""
+        """Travel (k,), mm; turn, degrees, if the ends only turn; percent of the steps if the ends do not
+        move.
+        """
         if self.is_still:
             return 100 * self._movement.progress[1:]
         return np.degrees(self.turn) if self.is_turn else self.travel
@@ -154,7 +156,7 @@ class Travel:
         return self.start_moment if start > end else self.end_moment
 
     def place_message(self, at: float) -> Refusal:
-        """Return a text for the position `at` in the movement, given in `unit`."""
+        """Return a text for the position `at` in the movement. Its unit is `unit`."""
         at = require_number(at, "the place", self.unit)
         if self.is_still:
             return note("{percent:.3g} % of the change", percent=at)
@@ -216,9 +218,9 @@ class Travel:
 
     @cached_property
     def force_falls_at(self) -> float | None:
-        """Travel, mm, from which on the force along the path of the end first decreases.
+        """Travel, mm, at which the force along the path of the end first decreases.
 
-        None if the force increases in every step or until the strip snaps, or if there is no travel.
+        None if the force increases until the strip snaps or the path ends, or if there is no travel.
         """
         if self.is_turn or self.is_still:
             return None
@@ -235,13 +237,13 @@ class Travel:
 
     @cached_property
     def _at_rest(self) -> Rod:
-        """Rod in equilibrium before the ends are moved, because the weight may differ from the design."""
+        """Rod in equilibrium before the ends are moved. The weight may differ from that of the design."""
         return bend(self.strip.rod_to_bend)
 
     def _first_failure(self, fails: Callable[[Rod], bool]) -> float | None:
         """Return the least `path_length` at which `fails` is True, or None.
 
-        Ends move linearly between two steps.
+        Between two steps, the ends move linearly.
         """
         rods = (self._at_rest, *self.rods)
         k = next((k for k, rod in enumerate(rods) if fails(rod)), None)
@@ -252,7 +254,7 @@ class Travel:
         changed: dict[str, Any] = {name: step.pop(name) for name in ("loads", "between") if name in step}
         course = Course.of(replace(good, **held), [step])
         before, after = np.append(0.0, self.path_length)[k - 1 : k + 1]
-        # elements cannot be added or removed gradually
+        # a step that adds or removes elements happens at once
         at_once = "between" in changed and len(require_elements(changed["between"])) != len(start.between)
         low, high = 0.0, 0.0 if at_once else 1.0
         while high - low > RESOLUTION_FRACTION:
@@ -298,10 +300,11 @@ def bend_strip(
 ) -> Travel:
     """Return forces, energy, strain and stability of a strip whose ends are moved along a path.
 
-    Forces are computed from the internal force -lambda B (Eq. 2), where B is the bending stiffness for K = 1. The
-    stiffness of each step includes anticlastic bending of sheets with a known Poisson's ratio, and the curling of
-    the borders of laminates. If the widths do not compensate these effects, the strip deviates from its design
-    before its ends are moved, as `Strip.held` reports. Other effects of `Strip.held`, such as slots, are ignored.
+    Forces follow from the internal force -lambda B (Eq. 2), where B is the bending stiffness for K = 1. The
+    stiffness of each step includes anticlastic bending of sheets with a known Poisson's ratio, and the
+    curling of the borders of laminates. If the widths do not compensate these effects, the strip deviates
+    from its design before its ends are moved, as `Strip.held` reports. Other effects of `Strip.held`, such as
+    slots, are ignored.
 
     Parameters
     ----------
@@ -358,7 +361,9 @@ def bend_strip(
 
 
 def _path_directions(end: FloatArray, first_direction: FloatArray) -> FloatArray:
-    """Return unit vectors (k, 2) along the path of the end relative to the start, zero for an end at rest."""
+    """Return unit vectors (k, 2) along the path of the end relative to the start; zero while the end is at
+    rest.
+    """
     first = end[0] if len(end) > 1 else first_direction
     before = np.concatenate([[first], end[:-1]])
     after = np.concatenate([end[1:], end[-1:]])
