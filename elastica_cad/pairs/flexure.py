@@ -42,47 +42,44 @@ from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.solids import FlatSolid, turned
 
 LEAST_CUT_MM, LEAST_PRINTED_MM = 0.8, 0.9
-"""Least thickness in the plane, mm, of parts cut by laser and of printed parts.
-
-The value for printed parts is the width of two lines of a 0.4 mm nozzle.
-"""
+"""Least thickness in the plane, mm, of parts cut by laser, and of printed parts (two lines of a 0.4 mm
+nozzle)."""
 
 SIDE_MM = 1e-3
-"""Tolerance of the cut sides, mm."""
+"""Largest error of the drawn sides, mm."""
 
 LEAST_GAP_MM = 0.3
 """Least gap between parts of the outline, mm; smaller gaps close or fuse during cutting or printing."""
 
 NAME_MM = 3.0  # height of the names of settings on the holder
 APART = 3.0
-"""Distance along the part, in thicknesses, up to which points are neighbours.
-
-The gap between them is not checked.
-"""
+"""Points closer together along the part than this, in thicknesses, are neighbours. The gap between them is
+not checked."""
 
 CONTACT_POINTS = 241
 TRAVEL_STEPS = 48
-SNAP_SHARE = 1e-3  # distance of the shapes before and after a snap from it, as a fraction of the path
+# distance from a snap, as a fraction of the path, at which the shapes before and after it are computed
+SNAP_SHARE = 1e-3
 SHAPES = 8  # number of shapes on a path in which the part is checked for contact with itself
 State: TypeAlias = Literal["first", "second"]
 STATES = get_args(State)
 FAR_SHARE = 0.05
-"""Least displacement of a point that is pushed, as a fraction of the largest displacement between the states."""
+"""Least displacement of the pushed point between the states, as a fraction of the largest displacement of any
+point."""
 
 REST_SHARE = 1e-3
 """Largest distance of a rest shape from the drawn state without a warning, as a fraction of the length.
 
-Two rest shapes within this distance of each other count as the same.
-"""
+Two rest shapes that are closer together count as one."""
 
 SPARE = 0.98
 """Fraction of the strain limit that is used.
 
-The remaining 2 % are a reserve. The strain on the path depends on the thickness if the part stretches.
+The remaining 2 % are a reserve, because the strain between the states also depends on the thickness.
 """
 
 OFF_MM = 0.1
-"""Tolerance of the thickness in the plane for careful cutting or printing, mm."""
+"""Error of the thickness in the plane after careful cutting or printing, mm."""
 
 _GAUSS = np.polynomial.legendre.leggauss(24)
 
@@ -128,7 +125,7 @@ class FlexureTravel:
         Displacement of the pushed point, mm. For a part that is not bistable, it is the displacement of its end,
         mm, or the rotation of an end that only turns, degrees.
     force : (k,) array
-        Force along the push, N. For a part that is not bistable, it is the force that holds its end.
+        Force along the push, N. For a part that is not bistable, it is the force on its moved end.
     energy : (k,) array
         Elastic energy, N mm.
     position : (k, n, 2) array
@@ -160,14 +157,14 @@ class FlexureTravel:
 
     @property
     def largest_force(self) -> float:
-        """Largest force up to the snap of a pushed part, or over the whole travel, N."""
+        """Largest force of the whole travel, N; of a pushed part only up to the snap."""
         end = self.travel[-1] if self.snap is None or self.forces_at_snap is not None else self.snap
         return float(self.force[self.travel <= end].max())
 
 
 @dataclass(frozen=True, eq=False)
 class Flexure:
-    """Part cut from a sheet that has two rest shapes (states); its thickness in the plane varies along the part.
+    """Part cut from a sheet, with two rest shapes (states). Its thickness in the plane varies along it.
 
     Parameters
     ----------
@@ -202,10 +199,10 @@ class Flexure:
     Notes
     -----
     The thickness in the plane is h = (12 B K / (E t))^(1/3). Here B is the least bending stiffness, K the
-    relative stiffness, E the modulus of the sheet, and t the depth. The strain of a state on the inner side is
-    |kappa - kappa_0| h / 2 times Winkler's factor for curved beams, plus the strain by the axial force. In the
-    fillets the strain is larger by a notch factor. The fillets are partly within the free length, so that the
-    ends are as compliant as ends that are clamped at the drawn points.
+    relative stiffness, E the modulus of the sheet, and t the depth. The strain of a state on the inner side
+    is |kappa - kappa_0| h / 2 times Winkler's factor for curved beams, plus the strain by the axial force. In
+    the fillets the strain is multiplied by a notch factor. The fillets begin within the free length, so that
+    the ends are as compliant as if clamped at the drawn points.
 
     Examples
     --------
@@ -288,18 +285,18 @@ class Flexure:
                     )
                 )
         except NotConvergedError:
-            return scale  # `warnings` reports that the path was not found
+            return scale  # `warnings` reports it
         bends, stretch = (np.vstack(rows) for rows in zip(*shapes, strict=True))
         return min(scale, self._thickest(bends, stretch / scale**2, SPARE * most))
 
     def _thickest(self, bends: FloatArray, pull: FloatArray, most: float) -> float:
-        """Return the least thickness, mm, at which shapes (k, n) of the part reach the strain `most`."""
+        """Return the least thickness, mm, at which the strain of shapes (k, n) reaches `most`."""
         from scipy.optimize import brentq
 
         def excess(scale: float) -> float:
             return float(self._strains(bends, pull * scale**2, scale).max()) - most
 
-        # the other causes of strain can only require a smaller thickness
+        # all other causes add strain, so they can only reduce this thickness
         high = 2 * most / float(np.abs(bends).max())
         return high if excess(high) <= 0 else float(brentq(excess, high / 20, high, xtol=1e-9 * high))
 
@@ -319,10 +316,10 @@ class Flexure:
         return self.sheet.youngs_modulus * self.sheet.thickness * self.scale**3 / 12
 
     def _strains(self, bends: FloatArray, stretch: FloatArray, scale: float) -> FloatArray:
-        """Return the largest strain (..., n) at the nodes from changes of curvature (1/mm) and axial strains
+        """Return the largest strain (..., n) at the nodes, from changes of curvature (1/mm) and axial strains
         (..., n).
 
-        Ends within the fillets have the strain of the fillets.
+        Nodes within a fillet have the strain of the fillet.
         """
         s, h = self.pair.first.s, scale * self.pair.first.stiffness ** (1 / 3)
         bent = np.abs(bends) * h / 2 * curved_beam_factor(h * np.abs(self.pair.natural_curvature))
@@ -339,7 +336,9 @@ class Flexure:
         return np.array([rod.curvature - self.pair.natural_curvature for rod in rods])
 
     def _pull_of(self, rods: Iterable[Rod]) -> FloatArray:
-        """Return the axial strain (k, n) by the forces of shapes, divided by the square of `scale`, 1/mm2."""
+        """Return the axial strain (k, n) due to the forces of k shapes, divided by the square of `scale`,
+        1/mm2.
+        """
         along = [
             (rod.force * np.column_stack([np.cos(rod.angle), np.sin(rod.angle)])).sum(axis=1) for rod in rods
         ]
@@ -353,13 +352,13 @@ class Flexure:
 
     @property
     def stretch(self) -> float:
-        """Largest change of the length of the part by the forces of both drawn states, mm."""
+        """Largest change of length due to the forces in the drawn states, mm."""
         strain = self.scale**2 * self._pull_of(self.pair.states)
         return float(np.abs(strain @ self.pair.first.node_lengths).max())
 
     @cached_property
     def rests(self) -> tuple[RestShape, RestShape]:
-        """Rest shapes of the part, with its axial stretching, after release in each state."""
+        """Rest shapes of the part, which also stretches, after release in each state."""
         first, second = (rest_shape(rod, thickness=self.scale) for rod in self.rods)
         return first, second
 
@@ -398,7 +397,7 @@ class Flexure:
 
     @cached_property
     def second_moved(self) -> FloatArray:
-        """Matrix (3, 3) that moves the second drawn state, so that both states start in the same clamp."""
+        """Matrix (3, 3) that moves the second drawn state into the same start clamp as the first."""
         first, second = self.pair.states
         turn = float(first.angle[0] - second.angle[0])
         c, s = np.cos(turn), np.sin(turn)
@@ -409,7 +408,7 @@ class Flexure:
 
     @cached_property
     def rods(self) -> tuple[Rod, Rod]:
-        """Rods of both states, with the second moved so that both start in the same clamp."""
+        """Rods of both states, starting in the same clamp."""
         first, second = self.pair.states
         matrix, turn = self.second_moved, float(first.angle[0] - second.angle[0])
         moved = replace(
@@ -458,18 +457,17 @@ class Flexure:
     def overhang(self, s: float) -> float:
         """Return the distance from an end of the free length to its pad, mm.
 
-        The fillet makes the part thicker towards the pad. The fillet is therefore only as compliant as a
-        shorter piece of strip, and begins within the free length. The pad itself is as compliant as a
-        half-plane.
+        A fillet is thicker than the part, so it is only as compliant as a shorter piece of it, and begins
+        within the free length. The pad itself is as compliant as a half-plane.
         """
         s = require_number(s, "the arc length", "mm")
         return _overhang(float(self.thickness_at(np.array([s]))[0]), self.fillet)
 
     @cached_property
     def pad_width(self) -> float:
-        """Actual width of the pads, mm."""
+        """Width of the pads, mm, enlarged for the part and its fillets if necessary."""
         thickest = float(self.thickness_at(np.array([0.0, self.pair.length])).max())
-        # the remaining width is for the fillets and for straight edges beside them
+        # beyond the part, the width is for the fillets and straight edges beside them
         return max(self.pad.width, thickest + 5 * self.fillet)
 
     def pads_along(self, line: "CentreLine") -> tuple[list[FloatArray], list[FloatArray]]:
@@ -482,7 +480,7 @@ class Flexure:
         )
 
     def _pad_corners(self, line: "CentreLine", s: float, sign: int) -> list[FloatArray]:
-        """Return the four corners of a pad, anticlockwise from the lower right corner."""
+        """Return the four corners of a pad, anticlockwise, starting at the lower right."""
         position, along, across = self._root(line, s, sign)
         half = self.pad_width / 2 * across
         outer = position + self.pad.length * along
@@ -495,7 +493,9 @@ class Flexure:
         return position, along, np.array([-along[1], along[0]])
 
     def hole_places(self, line: "CentreLine") -> FloatArray:
-        """Return the centres of the holes (2, 2, 2) in the start and end pads, starting at the strip."""
+        """Return the centres of the holes (2, 2, 2) in the start and end pads, the hole nearest to the strip
+        first.
+        """
         require_record(line, CentreLine, "the line", "a CentreLine, as `centre` and `states` are")
         places = []
         for s, sign in ((-self.overhang(0.0), -1), (self.pair.length + self.overhang(self.pair.length), 1)):
@@ -523,9 +523,9 @@ class Flexure:
         return Drawing(self.label or "flexure", (*paths, LayeredPath(CUT_OUTER, self.outline)), texts)
 
     def holder(self) -> Drawing:
-        """Return a plate with holes for both pads; the end pad has two sets unless the part is bistable.
+        """Return a plate with holes for both pads.
 
-        The names of the settings are engraved beside these sets.
+        If the part is not bistable, the end pad has a set of holes for each state, with its name engraved.
         """
         places = [self.hole_places(line) for line in self.states]
         settings = [] if self.pair.bistable else [group[1] for group in places]
@@ -567,10 +567,11 @@ class Flexure:
         return self.solid_in(None)
 
     def solid_in(self, state: State | None) -> FlatSolid:
-        """Return the body of the part in the state "first" or "second", or unloaded, from z = 0 to its depth.
+        """Return the body of the part, from z = 0 to its depth, in the state "first" or "second", or unloaded
+        (None).
 
-        The joints "start" and "end" are on the inner edges of the pads, with x outward. The joints "hole1" to
-        "hole4" are the holes from start to end, with x along the part. All joints are at half the depth.
+        Joints are at half the depth. "start" and "end" are on the inner edges of the pads, with x outward.
+        "hole1" to "hole4" are the holes from start to end, with x along the part.
         """
         if not is_one_of(state, (None, *STATES)):
             raise InputError(f"The state is {state!r}. Use first, second, or None for the unloaded part.")
@@ -610,8 +611,8 @@ class Flexure:
     def force_direction(self) -> float:
         """Direction of the force, in degrees anticlockwise from the x axis of the first curve.
 
-        The force has the direction of the push. If the part is not bistable, it is the direction in which the
-        largest force acts on its end.
+        A bistable part is pushed in this direction. Otherwise, it is the direction of the largest force on
+        the end.
         """
         if self.pair.bistable:
             x, y = self.pushed[1]
@@ -621,15 +622,17 @@ class Flexure:
 
     @cached_property
     def travel(self) -> FlexureTravel:
-        """Path from the first state to the second, by a push if the part is bistable, else by moving its end."""
+        """Path from the first state to the second: a bistable part is pushed, the end of another part is
+        moved.
+        """
         return self._pushed(*self.rods) if self.pair.bistable else self._led()
 
     @cached_property
     def force_range(self) -> tuple[float, float]:
         """Least and largest value of `travel.largest_force` within the tolerances, N.
 
-        The thickness in the plane varies by `OFF_MM`, and the properties of the sheet within their ranges. If the
-        part does not snap with some thickness, its force is 0.
+        The thickness in the plane varies by `OFF_MM`, and the properties of the sheet within their ranges.
+        The least force is 0 if the part might not snap.
         """
         forces = [self.travel.largest_force]
         for off in (-OFF_MM, OFF_MM):
@@ -664,7 +667,7 @@ class Flexure:
         return self._pushed(*self.rods[::-1]) if self.bistable else None
 
     def force_csv(self) -> str:
-        """Return the force curve as comma-separated text: travel, force, energy and largest strain.
+        """Return the path as comma-separated text: travel, force, energy and largest strain.
 
         The first column is `turn_deg` instead of `travel_mm` if the end only turns.
         """
@@ -692,9 +695,7 @@ class Flexure:
         )  # fmt: skip
 
     def _push(self, start: Rod, scale: float, *places: float) -> PushPath:
-        """Return the path of a push to the other state, with finer steps up to each of the travels `places`,
-        mm.
-        """
+        """Return the path of a push to the other state, with finer steps up to each travel in `places`, mm."""
         at, push = self.pushed
         push = push if start is self.rods[0] else -push
         travel = [np.linspace(0.0, end, TRAVEL_STEPS + 1) for end in (*places, float(np.hypot(*push)))]
@@ -766,7 +767,7 @@ class Flexure:
 
     @cached_property
     def contacts(self) -> dict[str, float]:
-        """Gaps that are less than `LEAST_GAP_MM`, mm, of the unloaded part and of both states, by name."""
+        """Gaps below `LEAST_GAP_MM`, mm, of the unloaded part and of both states, by name."""
         lines = {
             note("unloaded"): self.centre,
             self.state_labels[0]: self.states[0],
@@ -803,7 +804,6 @@ class Flexure:
         return CentreLine(s, np.unwrap(np.arctan2(along[:, 1], along[:, 0])), positions[0])
 
     def _faults(self) -> Iterable[InputError]:
-        """Yield the errors for which the part cannot be made or used."""
         thin, least = self.scale, LEAST_PRINTED_MM if self.printed else LEAST_CUT_MM
         if thin < least * (1 - 1e-6):
             verb = "printed" if self.printed else "cut"
@@ -870,7 +870,7 @@ class Flexure:
 
     @property
     def rest_warnings(self) -> tuple[Refusal, ...]:
-        """Warnings about states that are not stable, or whose rest shapes are far from the drawn curves."""
+        """Warnings about unstable states and about rest shapes far from the drawn curves."""
         if self.pair.bistable and not self.bistable:
             return (note("the part is not bistable, because its forces stretch it, so it rests only near one "
                          "curve ({name}). Make it thinner ({field}), or bend the curves more",
@@ -936,7 +936,7 @@ class Flexure:
 
 
 def _overhang(h: float, r: float) -> float:
-    """Return `Flexure.overhang`, mm, for a part of thickness h at its end and a fillet of radius r, mm."""
+    """Return the distance of `Flexure.overhang`, mm, for a part of thickness h and a fillet of radius r, mm."""
     x, w = _GAUSS[0] * r / 2 + r / 2, _GAUSS[1] * r / 2
     wide = h + 2 * (r - np.sqrt(r**2 - x**2)) if r else np.array([h])
     give = float(w @ (h / wide) ** 3) if r else 0.0
@@ -949,22 +949,21 @@ def _distance(positions: FloatArray, others: FloatArray) -> float:
 
 
 HALF_PLANE = 0.44
-"""Length of strip, in thicknesses, that is as compliant as the half-plane in which the strip ends.
+"""A strip that ends in a half-plane bends as if it were longer by this length, in thicknesses.
 
-Source: O'Donnell, J. Appl. Mech. 27, 1960.
-"""
+Source: O'Donnell, J. Appl. Mech. 27, 1960."""
 
 
 SHARP_MM = 0.1
-"""Radius, mm, of the corner between strip and pad without a fillet: half the width of a laser cut."""
+"""Radius, mm, of a corner without fillet between strip and pad: half the width of a laser cut."""
 
 
 def root_factors(radius: float) -> tuple[float, float]:
     """Return the notch factors, for bending and for tension, of a fillet beside a wide pad.
 
-    The factors agree with plane finite elements within 1 %, if the radius is 0.05 to 2.5 times the thickness, and
-    the pad is at least three times as wide as the strip. For narrower pads the factors are too large. Whole parts
-    agree with finite elements (`tests/validation/test_pushed_parts.py`).
+    Plane finite elements agree within 1 %, for a radius of 0.05 to 2.5 thicknesses and a pad at least three
+    times as wide as the strip. For narrower pads the factors are too large. Whole parts agree with finite
+    elements (`tests/validation/test_pushed_parts.py`).
 
     Parameters
     ----------
@@ -980,12 +979,11 @@ def root_factors(radius: float) -> tuple[float, float]:
 
 
 def curved_beam_factor(share: FloatArray) -> FloatArray:
-    """Return the factors (n,) by which strains on the inner side of a curved beam exceed the strains of a
-    straight beam.
+    """Return the factors (n,) by which a curved beam has more strain on its inner side than a straight beam.
 
-    By Winkler's theory, the strain is h |kappa - kappa_0| / 2 times the factor. Here h is the thickness, kappa
-    the curvature and kappa_0 the natural curvature. The argument `share` (n,) is h |kappa_0|. The factor is about
-    1 + share / 3.
+    By Winkler's theory, this strain is h |kappa - kappa_0| / 2 times the factor, with the thickness h, the
+    curvature kappa and the natural curvature kappa_0. `share` (n,) is h |kappa_0|. The factor is about 1 +
+    share / 3.
     """
     x = np.clip(share, 1e-3, 1.8)
     inner = 1 - x / 2
@@ -1016,7 +1014,7 @@ class CentreLine:
 
     @cached_property
     def _place(self) -> tuple[Any, FloatArray]:
-        """Position as a function of arc length, and its value at the first arc length."""
+        """Position as a function of arc length, and the position at the first arc length."""
         tangent = np.column_stack([np.cos(self.angle), np.sin(self.angle)])
         place = spline_through(self.s, tangent, 5).integral()
         return place, np.asarray(place(self.s[:1])[0])
@@ -1037,7 +1035,9 @@ def _lines(corners: Sequence[FloatArray]) -> list[Line | Arc | Spline]:
 def _free_place(
     middle: FloatArray, half: FloatArray, holes: FloatArray, radius: float, boxes: Sequence[FloatArray]
 ) -> FloatArray:
-    """Return the centre (2,) nearest to `middle` of a box with half sizes (2,) that is clear of holes and boxes."""
+    """Return the centre (2,) nearest to `middle` at which a box with half sizes (2,) touches no hole and no
+    box.
+    """
     reach = float(np.ptp(holes, axis=0).max() + 2 * half.max() + radius)
     steps = np.stack(np.meshgrid(*2 * [np.arange(-reach, reach, 1.0)]), axis=-1).reshape(-1, 2)
     centres = middle + steps[np.hypot(*steps.T).argsort(kind="stable")]
@@ -1049,7 +1049,7 @@ def _free_place(
 
 
 def _distinct(places: FloatArray) -> list[FloatArray]:
-    """Return the points (n, 2) without those within 0.01 mm of an earlier point."""
+    """Return the points (n, 2), without those closer than 0.01 mm to an earlier point."""
     distinct: list[FloatArray] = []
     for place in places:
         if all(np.hypot(*(place - other)) > 0.01 for other in distinct):

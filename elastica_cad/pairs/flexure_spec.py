@@ -31,7 +31,7 @@ class FlexureSpec(EqualByValue):
     sheet : Sheet or str
         Sheet from which the part is cut.
     scale : float
-        Factor by which both curves are enlarged before anything else.
+        Factor by which both curves are enlarged first.
     match : "ends", "shape" or "none"
         Method by which the lengths of both curves are made equal: see `matched_pair`.
     smooth : float, optional
@@ -130,12 +130,12 @@ class FlexureSpec(EqualByValue):
 
     @cached_property
     def matched(self) -> MatchedPair | None:
-        """Both curves with equal lengths, or None if the drawn lengths are used."""
+        """Both curves with equal lengths, or None if their lengths are not changed."""
         return None if self.match == "none" else matched_pair(*self.faired, self.match)
 
     @cached_property
     def faired(self) -> tuple[PlaneCurve, PlaneCurve]:
-        """Both curves with a smooth curvature, starting at the same end."""
+        """Both curves, smoothed, starting at the same end."""
         matrix = np.diag([self.scale, self.scale, 1.0])
         first, second = (
             smooth_curve(curve.transformed(matrix) if self.scale != 1 else curve, self.smooth).curve

@@ -19,19 +19,20 @@ from elastica_cad.refusals import FieldName, Length, note
 Kept: TypeAlias = Literal["ends", "shape"]
 
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
-"""Tolerances within which two ends become the same clamp: fraction of the length, and angle in rad."""
+"""Two ends become the same clamp if they differ by less: in position as a fraction of the length, in angle in
+rad."""
 
 LONGEST_STEP = 0.02  # largest step of the logarithm of the length for Newton's method
 NEWTON_STEPS = 20
-MET = 1e-13  # tolerance of Newton's method, as a fraction of the length or in rad
+MET = 1e-13  # tolerance of Newton's method: fraction of the length, or rad
 
 TANGENT_ERROR = 1e-9
-"""Accuracy of the ends of the changed curve, as a fraction of the length."""
+"""Largest error of the ends of the changed curve, as a fraction of the length."""
 
 LARGEST_TURN = 0.5
 """Largest change of the tangent direction, rad, at any point of the curve."""
 
-EQUAL = 1e-12  # lengths with at most this relative difference count as equal
+EQUAL = 1e-12  # relative difference up to which lengths count as equal
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,7 +73,8 @@ class MatchedPair:
 
 
 def same_way(first: PlaneCurve, second: PlaneCurve) -> tuple[PlaneCurve, PlaneCurve]:
-    """Return both curves in directions that give them a common start or the same clamps, if possible.
+    """Return both curves, one perhaps reversed, so that they start together or have the same clamps if
+    possible.
 
     A curve may be drawn from either end.
     """
@@ -93,11 +95,11 @@ def matched_pair(first: PlaneCurve, second: PlaneCurve, keep: Kept = "ends") -> 
     first, second : PlaneCurve
         Drawn curves, mm.
     keep : "ends" or "shape"
-        "ends": each curve keeps the positions and directions of its ends, and changes its length like a uniform
-        elastic strip. The curvature changes by the smallest sufficient affine function of the position. The common
-        length minimises the changes of both curves. If the ends of both curves agree after a rigid motion (within
-        1 % of the length and 2 degrees, with the same total turning), they become exactly the same clamps.
-        "shape": each curve is scaled about its start.
+        "ends": each curve keeps the positions and directions of its ends and changes like a uniform elastic
+        strip: its curvature changes by the smallest sufficient affine function of the position. The common
+        length minimises the changes of both curves. If the ends of both curves agree after a rigid motion
+        (within 1 % of the length and 2 degrees, with the same total turning), they become exactly the same
+        clamps. "shape": each curve is scaled about its start.
 
     Examples
     --------
@@ -145,7 +147,7 @@ def _scaled(first: PlaneCurve, second: PlaneCurve) -> MatchedPair:
 
 
 def _largest_displacement(before: PlaneCurve, after: PlaneCurve) -> float:
-    """Return the largest distance between points at the same fraction of the length, mm."""
+    """Return the largest distance, mm, between points at the same fraction of the length of both curves."""
     if after is before:
         return 0.0
     apart = after.sample(before.survey.s.size).position - before.survey.position
@@ -155,7 +157,8 @@ def _largest_displacement(before: PlaneCurve, after: PlaneCurve) -> float:
 def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) -> bool:
     """Return True if the clamps of both curves agree after a rigid motion.
 
-    The tolerance `share` is a fraction of the length; the tolerance of the angles is proportional to it.
+    `share` is the tolerance of positions as a fraction of the length. The tolerance of angles is proportional
+    to it.
     """
     size = max(first.curve.length, second.curve.length)
     apart, angles, other_angles = np.hypot(*(first.chord - second.chord)), first.clamps[2], second.clamps[2]
@@ -165,7 +168,7 @@ def _are_alike(first: "_Drawn", second: "_Drawn", share: float = ALIKE_SHARE) ->
 
 
 def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float:
-    """Return the common length for which the sum of the changes of curvature of both curves is least."""
+    """Return the common length with the smallest total change of curvature of both curves."""
     from scipy.optimize import minimize_scalar
 
     low, high = sorted(lengths)
@@ -193,7 +196,7 @@ def _least_change(drawn: "tuple[_Drawn, _Drawn]", lengths: list[float]) -> float
 
 @dataclass(frozen=True, eq=False)
 class _Drawn:
-    """Curve and its requested clamps: start (2,), end (2,), both angles (2,).
+    """Curve and the clamps it must get: start (2,), end (2,), both angles (2,).
 
     The angle of the tangent changes by c + alpha u + <beta, integral of position>. Here u is the fraction of
     the length, c the change at the start, and alpha and beta (2,) are unknowns.
@@ -213,7 +216,7 @@ class _Drawn:
 
     @cached_property
     def _nodes(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Quadrature nodes of the curve, and derivatives by the three unknowns.
+        """Quadrature nodes of the curve, and derivatives by the unknowns alpha and beta of the class.
 
         The arrays are:
 
@@ -237,7 +240,9 @@ class _Drawn:
         return edges, (WEIGHTS * half).ravel(), at.angle, functions.reshape(-1, 3), turns
 
     def numbers(self, length: float) -> FloatArray | None:
-        """Return the unknowns (alpha, beta) (3,) for the clamps and a length; None if no small change suffices."""
+        """Return the unknowns (alpha, beta) (3,) for the clamps and a length, or None if no small change
+        suffices.
+        """
         _, weight, angle, _, turns = self._nodes
         start, end, angles = self.clamps
         clamped = self.curve.at(np.array([0.0, self.curve.length]))

@@ -43,35 +43,37 @@ from elastica_cad.mechanics.theorem1 import (
 from elastica_cad.refusals import FieldName, Length, note
 
 EQUAL_LENGTHS_SHARE = 1e-4
-"""Largest relative difference of the lengths of two curves; if it is larger, use `matched_pair` first."""
+"""Largest relative difference of the lengths of two curves. Above it, `matched_pair` must be used first."""
 
 SAME_CLAMPS = 1e-3
-"""Tolerances within which clamps are the same: fraction of the length, and angle in rad."""
+"""Clamps are the same if they differ by less: in position as a fraction of the length, in angle in rad."""
 
 CONGRUENT_SHARE = 1e-7
 """Curves are congruent if their difference of curvature is below this fraction of the largest curvature."""
 
 FAINT_SHARE = 1e-9
-"""A difference of curvature inside a curve counts as zero up to this fraction of the largest difference."""
+"""A difference of curvature inside a curve counts as zero below this fraction of the largest difference."""
 
 GENTLE_SHARE = 1e-7
-"""Slope of the difference of curvature below which a zero has a higher order than 1.
+"""A zero of the difference of curvature counts as a zero of higher order if the slope there is smaller.
 
 The slope is relative to the largest difference divided by the length. At a zero of order 1, the width of the
-strip would be proportional to the inverse of the slope.
-"""
+strip is proportional to the inverse of the slope, and would be too large."""
 
 SHORT_SHARE = 0.01
-"""Largest length of a zero of high order, as a fraction of the length; a longer interval is a flat interval."""
+"""Longest zero of high order, as a fraction of the length of the curve. A longer one is an interval of equal
+curvature."""
 
 BESIDE_SHARE = 1e-4
-"""Distance from an end of the curve at which the sign beside a zero is evaluated, as a fraction of the length."""
+"""The sign beside a zero at an end is evaluated at this distance from the end, as a fraction of the
+length."""
 
 DEPENDENT_SHARE = 1e-8
-"""Relative tolerance of ranks; a rank is smaller if 1, gamma_1 and gamma_2 are linearly dependent."""
+"""Relative tolerance of ranks, which are smaller if 1, gamma_1 and gamma_2 are linearly dependent."""
 
 NUMBERS = 6
-"""Number of parameters of the moments: a_1 - a_2, b_1, b_2, a_1. The first five determine N = M_1 - M_2."""
+"""Number of parameters of the moments: a_1 - a_2, b_1, b_2 and a_1. The vectors b count twice. All but a_1
+determine N = M_1 - M_2."""
 
 
 def check_pair(first: PlaneCurve, second: PlaneCurve) -> PairCheck:
@@ -104,7 +106,7 @@ def check_pair(first: PlaneCurve, second: PlaneCurve) -> PairCheck:
 def examine_pair(
     first: PlaneCurve, second: PlaneCurve
 ) -> tuple[PairCheck, "PairedPanels | None", FloatArray | None]:
-    """Return the check and, if realizable, the panels and the parameters of the least stiffness ratio."""
+    """Return the check and, if it succeeds, the panels and the parameters of the least stiffness ratio."""
     second = _of_equal_length(first, second)
     difference = ExcessCurvature(first, CurveOfRest.of(second))
     check = PairCheck(
@@ -163,7 +165,7 @@ def _of_equal_length(first: PlaneCurve, second: PlaneCurve) -> PlaneCurve:
 
 
 def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
-    """Compare the ends in the frame of the start tangent, and the total turning of the tangent."""
+    """Return True if both curves have the same end, seen from their start, and the same total turning."""
     (chord, turn), (other, other_turn) = (_clamps_of(curve) for curve in (first, second))
     return bool(
         np.hypot(*(chord - other)) <= SAME_CLAMPS * first.length and abs(turn - other_turn) <= SAME_CLAMPS
@@ -171,7 +173,9 @@ def _have_same_clamps(first: PlaneCurve, second: PlaneCurve) -> bool:
 
 
 def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
-    """Return the end (2,), mm, in the frame of the start tangent, and the total turning of the tangent, rad."""
+    """Return the end (2,), mm, relative to start and start tangent, and the total turning of the tangent,
+    rad.
+    """
     ends = curve.at(np.array([0.0, curve.length]))
     x, y = ends.position[1] - ends.position[0]
     c, s = np.cos(ends.angle[0]), np.sin(ends.angle[0])
@@ -179,14 +183,14 @@ def _clamps_of(curve: PlaneCurve) -> tuple[FloatArray, float]:
 
 
 def _is_stretch(curve: PlaneCurve, zero: CurvatureZero) -> bool:
-    """Return True if `zero` is an interval of equal curvature that is too long to count as one point."""
+    """Return True if `zero` is an interval of equal curvature too long to count as a point."""
     return zero.kind == "flat" and zero.s_end - zero.s > SHORT_SHARE * curve.length
 
 
 def _with_orders(
     difference: ExcessCurvature, crossings: Sequence[CurvatureZero], largest: float
 ) -> tuple[PairZero, ...]:
-    """Return the zeros with their orders; zeros near an end are moved to it, and close pairs are merged."""
+    """Return the zeros with their orders. Zeros near an end are moved to it, and close zeros are merged."""
     curve, zeros = difference.curve, list[PairZero]()
     for z in crossings:
         if _is_stretch(curve, z):
@@ -211,7 +215,7 @@ def _with_orders(
         t = float(curve.parameter(np.array(s)))
         sign = int(np.sign(difference.at(t)))
         zeros.append(PairZero(s, t, 2, sign, sign))
-    for end in (0.0, curve.length):  # the zero may also be the same small distance beyond the end
+    for end in (0.0, curve.length):  # the zero may also be slightly beyond the end
         if all(z.s != end for z in zeros):
             t = curve.domain[int(end > 0)]
             value, slope = (abs(float(along(t))) for along in (difference.at, difference.slope_at))
@@ -231,7 +235,7 @@ def _at_end(difference: ExcessCurvature, s: float, largest: float) -> PairZero:
 
 
 def _can_be_met(first: PlaneCurve, zero: PairZero) -> bool:
-    """Return True if some difference of moments N has a zero of the same order as d.
+    """Return True if some moment difference N has a zero at the same place as d, of the same order.
 
     N' = <b_1, T_1> - <b_2, T_2>, with tangents T_i. Where d = 0, N'' = kappa (<b_1, n_1> - <b_2, n_2>), with the
     common curvature kappa and normals n_i. A double zero is therefore possible where the curves are bent. If N''
@@ -290,8 +294,8 @@ def _too_many_message(check: PairCheck, paired: "PairedPanels") -> str:
 class PairedPanels:
     """Moments of two states along both curves, as linear functions of six numbers.
 
-    The numbers are a_1 - a_2, b_1, b_2 and a_1; the vectors b are multiplied by the length. The docstring of the
-    module defines the symbols.
+    The numbers are a_1 - a_2, b_1, b_2 and a_1, with the vectors b multiplied by the length (symbols: see the
+    docstring of the module).
 
     Attributes
     ----------
@@ -335,8 +339,7 @@ class PairedPanels:
         conditions = np.concatenate(
             [rows[at], _rows(np.zeros(int(double.sum())), *(turn[double] for turn in turns))]
         )
-        # N at a node is N at the near end of the panel plus the step from there; at a zero the first term
-        # is 0
+        # N at a node is N at the near end of its panel plus a step; at a zero of N the first term is 0
         vanishing = vanishing_at_zeros(panels, rows)
         left = panels.zero_left
         base = np.where(left[:, None], vanishing[:-1], vanishing[1:])
@@ -347,7 +350,7 @@ class PairedPanels:
         near = np.arange(panels.count) + ~left
         for place, turn in zip(at[double], zip(*(turn[double] for turn in turns), strict=True), strict=True):
             beside_zero = (near == place) & (panels.zero_left | panels.zero_right)
-            for row, tangent_there in zip(step, turn, strict=True):  # at a double zero, N' is zero as well
+            for row, tangent_there in zip(step, turn, strict=True):  # at a double zero, N' is zero too
                 row[beside_zero] -= far[beside_zero, :, None] * tangent_there
         difference_rows = base[:, None, :] + _rows(np.zeros(far.shape), *step)
         nodes = [end[:-1, None] + a / size for end, a in zip(edges, from_left, strict=True)]
@@ -360,12 +363,12 @@ class PairedPanels:
 
     @cached_property
     def basis(self) -> FloatArray:
-        """Basis (5, q) of the numbers that satisfy the conditions and determine the stiffness."""
+        """Basis (5, q) of the solutions for the first five numbers that satisfy the conditions."""
         return self._split[0]
 
     @cached_property
     def idle(self) -> FloatArray:
-        """Columns (6, r) of numbers that satisfy the conditions and do not affect the stiffness, such as a_1."""
+        """Columns (6, r) of numbers that satisfy the conditions without changing the stiffness, such as a_1."""
         none = np.zeros((NUMBERS, 1 + self._split[1].shape[1]))
         none[-1, 0] = 1.0
         none[:-1, 1:] = self._split[1]
@@ -379,7 +382,7 @@ class PairedPanels:
         rows = PanelFunction.through(self.stiffness @ free).dense
         _, sigma, vt = svd(rows, full_matrices=False)
         rank = int(np.count_nonzero(sigma > DEPENDENT_SHARE * sigma[0]))
-        # if the conditions exclude every stiffness, only rounding errors remain
+        # if no stiffness satisfies the conditions, only rounding errors remain
         is_free = np.abs(self._difference @ free).max(initial=0.0) > CONGRUENT_SHARE
         return (free @ vt[:rank].T, free @ vt[rank:].T) if is_free else (free[:, :0], free)
 
@@ -390,16 +393,16 @@ class PairedPanels:
 
     @cached_property
     def rank(self) -> int:
-        """Dimension of the space of differences of moments N: five, or three for congruent or mirrored curves."""
+        """Dimension of the space of moment differences N: five, or three for congruent or mirrored curves."""
         return int(
             np.linalg.matrix_rank(self._difference, DEPENDENT_SHARE * np.sqrt(self._difference.shape[0]))
         )
 
     @cached_property
     def beyond(self) -> tuple[PairZero, ...]:
-        """Zeros that no difference of moments N can have together with the zeros before them.
+        """Zeros of d that make the list too long: no moment difference N has them all.
 
-        The result contains the zeros after the longest initial sequence for which such an N exists.
+        They follow the longest initial part of the list for which such an N exists.
         """
         for count in range(1, len(self.check.zeros) + 1):
             free = null_space(self.conditions[:count])
@@ -409,7 +412,7 @@ class PairedPanels:
 
     @cached_property
     def family(self) -> StiffnessFamily:
-        """All stiffnesses that the conditions permit, as functions of free parameters (q,)."""
+        """All stiffnesses that satisfy the conditions, as functions of free parameters (q,)."""
         return StiffnessFamily(self.panels, PanelFunction.through(self.stiffness @ self.basis))
 
     def least_ratio(self, family: StiffnessFamily | None = None) -> FloatArray | None:
@@ -423,7 +426,7 @@ class PairedPanels:
 
 
 def _rows(number: FloatArray, first: FloatArray, second: FloatArray) -> FloatArray:
-    """Return coefficients (..., 5) of the difference of moments: `number` + <b_1, first> - <b_2, second>."""
+    """Return coefficients (..., 5) of the moment difference `number` + <b_1, first> - <b_2, second>."""
     return np.concatenate([number[..., None], first, -second], axis=-1)
 
 

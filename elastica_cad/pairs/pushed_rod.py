@@ -18,31 +18,29 @@ The relative error (1 / EDGES)^2 is as large as the error of a drawing.
 """
 
 STIFF, STIFFEST = 400.0, 1000.0
-"""Ratio of length to thickness if the thickness is unknown, and largest ratio in computations. A thinner rod
-hardly stretches, and its axial forces would have large rounding errors.
-"""
+"""Ratio of length to thickness: assumed if the thickness is unknown, and largest in computations. A thinner
+rod hardly stretches, and rounding errors of its axial forces would be large."""
 
 MOST_ITERATIONS = 2000
 CALM = 1e-8
 """Largest sum of forces on a node at rest, as a fraction of the largest force in an edge."""
 
 FIRST_DAMPING, LEAST_DAMPING, DAMPING_STEP = 1e-6, 1e-12, 4.0
-"""First and least damping, as fractions of the largest stiffness of a node, and the factor between two values.
+"""First and least damping as fractions of the largest stiffness of a node, and factor between two values.
 
-Damping is added if the energy is not convex, or if a step would increase the energy.
-"""
+Damping is added if the energy is not convex, or if a step would increase the energy."""
 
 NOISE = 4e-15
-"""Rounding error of a force, divided by the stiffness of an edge and by the length over the shortest edge."""
+"""Rounding error of a force, relative to the stiffness of an edge times the ratio of length to shortest
+edge."""
 
 ROUNDING = 1e-11
-"""Predicted decrease of the energy, as a fraction of it, below which every step is accepted.
+"""A step is accepted if its predicted decrease of the energy is below this fraction of the energy.
 
-Rounding errors of the energy exceed such a decrease.
-"""
+The decrease is then hidden by rounding errors."""
 
 KICK = 1e-4
-"""Size of the asymmetric displacement that moves a rod away from a saddle of the energy, relative to its length."""
+"""Asymmetric displacement that moves a rod away from a saddle of the energy, as a fraction of its length."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,7 +111,7 @@ class PushPath:
 
     @property
     def snap(self) -> float | None:
-        """Travel, mm, at which the push becomes zero and the rod snaps, or None."""
+        """Travel, mm, at which the push drops to zero and the rod snaps, or None."""
         gone = np.flatnonzero((self.force[1:] <= 0) & (self.force[:-1] > 0))
         if not gone.size:
             return None
@@ -123,7 +121,10 @@ class PushPath:
 
     @property
     def barrier(self) -> float:
-        """Work of the push up to the snap over the least bending stiffness, 1/mm; other pushes may need less."""
+        """Work of the push up to the snap, over the least bending stiffness, 1/mm.
+
+        Another push may need less.
+        """
         end = self.travel[-1] if self.snap is None else self.snap
         return float(np.interp(end, self.travel, self.energy) - self.energy[0])
 
@@ -133,8 +134,8 @@ def push_path(
 ) -> PushPath:
     """Return the path of a clamped rod that is pushed at a point in a direction.
 
-    The point is free to move across the direction. At every step the rod moves from its previous shape to a local
-    minimum of the energy. Therefore the rod snaps where its branch of equilibria ends.
+    The point is free to move across the direction. At every step the rod moves from its previous shape to a
+    local minimum of the energy. The rod snaps where these minima end.
 
     Parameters
     ----------
@@ -187,7 +188,7 @@ def push_path(
 
 
 def rest_shape(rod: Rod, *, thickness: float | None = None) -> RestShape:
-    """Return the rest shape of a clamped rod that can stretch, starting from its shape without stretching.
+    """Return the rest shape of a clamped rod that can stretch, starting from its unstretched shape.
 
     Parameters
     ----------
@@ -282,7 +283,7 @@ class _Chain:
         return float(bent + self.axial * self.edge @ (r / self.edge - 1) ** 2) / 2
 
     def gradient(self, x: FloatArray) -> FloatArray:
-        """Return the forces (n + 1, 2) that are necessary to hold the nodes: the derivatives of the energy."""
+        """Return the forces (n + 1, 2) that hold the nodes: the derivatives of the energy."""
         force = self._edge_forces(x)
         return np.asarray(np.pad(force, ((1, 0), (0, 0))) - np.pad(force, ((0, 1), (0, 0))))
 
@@ -294,7 +295,8 @@ class _Chain:
         return np.asarray(((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t)
 
     def _band(self, x: FloatArray) -> FloatArray:
-        """Return the second derivatives of the energy by the inner nodes, as an upper band (6, 2 n - 2).
+        """Return the second derivatives of the energy by the positions of inner nodes, as an upper band (6, 2
+        n - 2).
 
         The second derivatives by the edge vectors form a matrix of 2 x 2 blocks. Its diagonal block A_i contains
         the terms of edge i. The block beside it is C_i = -K_{i+1} a_i a_{i+1}^t. Here a_i is the derivative of the
@@ -325,7 +327,7 @@ class _Chain:
         return band
 
     def led(self, x: FloatArray, by: float) -> FloatArray:
-        """Return the nodes after a displacement of the pushed node along the push, with a linear response."""
+        """Return the nodes after the pushed node moves along the push by `by`, to first order."""
         band = self._band(x)
         row = 2 * (self.pushed - 1)
         right = np.zeros(band.shape[1])
@@ -344,7 +346,7 @@ class _Chain:
         return moved
 
     def _holding(self, band: FloatArray) -> FloatArray:
-        """Return the band matrix in which the pushed coordinate is fixed."""
+        """Return the band matrix with the coordinate of the pushed node along the push fixed."""
         row, held = 2 * (self.pushed - 1), band.copy()
         for k in range(1, 6):
             held[5 - k, row] = 0.0
@@ -356,7 +358,7 @@ class _Chain:
     def settled(self, x: FloatArray, *, held: bool = False) -> FloatArray:
         """Return the nodes at a minimum of the energy near given nodes.
 
-        If `held`, the coordinate of the pushed node along the push is fixed.
+        If `held`, the pushed node does not move along the push.
         """
         damping, here, kicked = 0.0, self.energy(x), False
         shortest = self.edge.min()
@@ -384,7 +386,7 @@ class _Chain:
                     there = x.copy()
                     there[1:-1] += step.reshape(-1, 2)
                     energy = self.energy(there)
-                    # near rest, the decrease of the energy is below its rounding error
+                    # near rest, rounding errors of the energy hide its decrease
                     promised = float(-slope.ravel() @ step)
                     if energy <= here or promised <= ROUNDING * abs(here):
                         x, here = there, energy
@@ -396,7 +398,6 @@ class _Chain:
         raise NotConvergedError("the pushed rod has no rest shape: push it less far, or at another place")
 
     def _kicked(self, x: FloatArray, held: bool) -> FloatArray:
-        """Return the nodes after a small asymmetric displacement (`KICK`) away from a saddle of the energy."""
         share = self.s / self.s[-1]
         bow = KICK * self.s[-1] * np.sin(np.pi * share) ** 2 * (np.sin(2 * np.pi * share) + 0.3)
         moved = np.asarray(x + bow[:, None] * np.array([0.6, 0.8]))
@@ -406,7 +407,7 @@ class _Chain:
 
 
 def _solved(band: FloatArray, right: FloatArray) -> FloatArray | None:
-    """Return None if the symmetric band matrix is not positive definite."""
+    """Return the solution, or None if the symmetric band matrix is not positive definite."""
     from scipy.linalg import LinAlgError, solveh_banded
 
     try:

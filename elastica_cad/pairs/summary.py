@@ -17,7 +17,7 @@ def pair_rows(part: Flexure, *, quick: bool = False, live: bool = False) -> tupl
     ----------
     part : Flexure
     quick : bool
-        True to omit the path between the states, which takes longest to compute.
+        True to omit the path between the states, which is slow to compute.
     live : bool
         True to show "…" instead of the stability, which is computed later.
     """

@@ -1,6 +1,6 @@
 """Rods that have two drawn curves as rest shapes.
 
-The rods have the least stiffness ratio and the least bend, or the largest least thickness.
+Among them, the rod with the least stiffness ratio and bend, or with the largest least thickness, is selected.
 """
 
 from dataclasses import dataclass, field, replace
@@ -30,28 +30,29 @@ State: TypeAlias = Literal["first", "second"]
 Objective: TypeAlias = Literal["ratio", "thickness"]
 
 MET_SHARE = 1e-6
-"""Largest relative violation of a limit: the accuracy of the linear program."""
+"""Largest relative violation of a limit, due to the accuracy of the linear program."""
 
 TANGENTS = 12
-"""Number of tangents to K^(2/3) at each sample in the first linear program, for the stiffness K."""
+"""In the first linear program, K^(2/3) of the stiffness K is bounded by this number of tangents at each
+sample."""
 
 WIDEST_TANGENTS = 1e4
-"""Ratio of the largest to the least stiffness at which the first linear program has tangents to K^(2/3)."""
+"""Range of the stiffness, largest over least, in which the first linear program has these tangents."""
 
 TANGENT_ROUNDS = 30
 SETTLED = 1e-6
-"""No more tangents are added if the least thickness changes relatively by less than this."""
+"""Relative change of the least thickness, below which no more tangents are added."""
 
 SMOOTH = 4
-"""Number of continuous derivatives of a curve with which a cubic spline represents its stiffness well."""
+"""A cubic spline represents the stiffness well if the curve has this number of continuous derivatives."""
 
 THICKNESS_SAMPLES = 301
-"""Number of samples of both curves for the strain limit; a flexure evaluates the strain at its nodes."""
+"""Number of samples of both curves for the strain limit. A flexure evaluates the strain at its own nodes."""
 
 
 @dataclass(frozen=True)
 class PairLimits:
-    """Upper limits for a rod with two states, or None for no limit.
+    """Upper limits for a rod with two states; None for no limit.
 
     Attributes
     ----------
@@ -136,7 +137,7 @@ class TwoStateRod:
 
     @property
     def bistable(self) -> bool:
-        """True if both states fit the same clamp positions."""
+        """True if both states fit the same clamps."""
         return self.check.bistable
 
     @cached_property
@@ -147,9 +148,10 @@ class TwoStateRod:
     def sideways(
         self, depth: float, thickness: Profile | ArrayLike, *, poisson_ratio: float = 0.3
     ) -> tuple[SidewaysStability, SidewaysStability]:
-        """Return the stability of both states against tipping out of the plane, for sections `depth` mm deep.
+        """Return the stability of both states against tipping out of the plane.
 
-        `thickness`, mm, is the thickness in the plane: a profile, a number, or values at equal distances.
+        `depth`, mm, is perpendicular to the plane. `thickness`, mm, is in the plane: a profile, a number, or
+        values at equal distances.
         """
         first, second = (
             sideways_stability(rod, depth, thickness, poisson_ratio=poisson_ratio) for rod in self.states
@@ -166,7 +168,7 @@ def two_state_rod(
     objective: Objective = "ratio",
     samples: int | None = None,
 ) -> TwoStateRod:
-    """Return the rod, with a suitable natural curvature, that has two curves as rest shapes.
+    """Return the rod that has two curves as rest shapes, with a suitable natural curvature.
 
     Parameters
     ----------
@@ -226,7 +228,9 @@ def two_state_rod(
 
 
 def _least(paired: PairedPanels, least: FloatArray, limits: PairLimits) -> FloatArray:
-    """Return the numbers (6,) of the least ratio within the limits and, for this ratio, of the least bend."""
+    """Return the numbers (6,) of `PairedPanels` with the least ratio within the limits and then the least
+    bend.
+    """
     numbers = np.append(paired.basis @ least, 0.0)
     if limits.natural_curvature is not None or limits.bend is not None:
         basis = np.concatenate([np.pad(paired.basis, ((0, 1), (0, 0))), paired.idle], axis=1)
@@ -251,11 +255,11 @@ def _first_curvature(paired: PairedPanels) -> FloatArray:
 
 
 def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
-    """Return the rows (N, p, 6) of conditions rows @ numbers >= 0 for the limits.
+    """Return the rows (N, p, 6) of the limits as conditions rows @ numbers >= 0.
 
-    Here K is the stiffness, and M_i and kappa_i are moment and curvature of state i. The limits are k for the
-    natural curvature and c for the bend. The conditions are |kappa_1 K - M_1| <= k K and |M_i| <= c K, divided by
-    k and c.
+    The limits are k for the natural curvature and c for the bend. The conditions are |kappa_1 K - M_1| <= k
+    K, divided by k, and |M_i| <= c K, divided by c, with the stiffness K, and moment M_i and curvature
+    kappa_i of state i.
     """
     K = _stiffness_rows(paired)
     rows: list[FloatArray] = []
@@ -270,11 +274,11 @@ def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
 
 
 def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float | None) -> FloatArray:
-    """Return the numbers (6,) of the same stiffness with the least bend.
+    """Return the numbers (6,) that give the same stiffness and the least bend.
 
-    The bend is the largest change of curvature in both states. Usually only the parameter a_1 can vary without a
-    change of the stiffness. For congruent or mirrored curves further parameters can, and several rods have the
-    same least bend. Then the rod with the natural curvature nearest to the mean of both curvatures is selected.
+    The bend is the largest change of curvature in both states. Usually only the parameter a_1 leaves the
+    stiffness unchanged. For congruent or mirrored curves more do, and several rods have the least bend. Then
+    the natural curvature nearest to the mean of both curvatures is selected.
     """
     panels, size = paired.panels, paired.check.length
     K = _stiffness_rows(paired) @ numbers
@@ -301,9 +305,9 @@ Bounded: TypeAlias = "list[tuple[FloatArray, FloatArray]]"
 
 
 def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return the numbers z (r,) that minimise the largest value of some functions, within bounds.
+    """Return the numbers z (r,) that minimise the largest value of the functions, within bounds.
 
-    Each function and each bound is a pair (rows, offset) with the value rows @ z + offset; bounds must be >= 0.
+    Each function and bound is a pair (rows, offset) with the value rows @ z + offset; bounds must be >= 0.
     """
     along = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in functions]
     held = [(PanelFunction.through(rows), PanelFunction.through(offset)) for rows, offset in bounds]
@@ -315,7 +319,7 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
         program.hold(rows.dense, offset.dense)
     for _ in range(METHOD.most_rounds):
         answer = program.solve()
-        if answer is None:  # except for rounding errors, only the numbers given satisfy the bounds
+        if answer is None:  # apart from rounding errors, no other numbers satisfy the bounds
             return np.zeros(none.shape[1])
         z, most = answer
         settled = True
@@ -339,8 +343,9 @@ def _least_bound(functions: Bounded, bounds: Bounded) -> FloatArray:
 
 
 def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bounded) -> FloatArray:
-    """Return the point between `start` and `goal`, nearest to `goal`, at which bounds hold and functions do
-    not increase.
+    """Return the point between `start` and `goal` that is nearest to `goal`.
+
+    There the bounds hold, and the largest function value is not larger than at `start`.
     """
     values = [(rows @ start + offset, rows @ (goal - start)) for rows, offset in functions]
     most = max(float(value.max()) for value, _ in values) * (1 + BOUNDED)
@@ -356,11 +361,12 @@ def _towards(start: FloatArray, goal: FloatArray, functions: Bounded, bounds: Bo
 
 
 def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
-    """Return the numbers (6,) of the flexure with the largest least thickness at a given strain.
+    """Return the numbers (6,) of the flexure whose thinnest place is as thick as possible at a given strain.
 
-    The strain of a section with moment M, stiffness K and thickness h ~ K^(1/3) is |M| h / (2 K) ~ |M| K^(-2/3).
-    The strain is scaled to at most 1. The convex problem is to maximise k subject to K >= k and |M_i| <= K^(2/3).
-    Tangents replace the power, and are added at each solution until k converges.
+    The strain of a section with moment M, stiffness K and thickness h ~ K^(1/3) is |M| h / (2 K) ~ |M|
+    K^(-2/3). The strain is scaled to at most 1. The convex problem is to maximise k subject to K >= k and
+    |M_i| <= K^(2/3). A linear program replaces the power by tangents; at each solution tangents are added,
+    until k converges.
     """
     from scipy.optimize import linprog
 
@@ -394,7 +400,7 @@ def _thickest(paired: PairedPanels, limits: PairLimits) -> FloatArray:
         offset = at ** (2 / 3) / 3
         return np.concatenate([with_least(M - slope), with_least(-M - slope)]), np.tile(offset, 2)
 
-    # |M_1 - M_2| = K d <= 2 K^(2/3), with the difference d of the curvatures; so K <= (2 / d)^3
+    # |M_1 - M_2| = K d <= 2 K^(2/3) with the curvature difference d, so K <= (2 / d)^3
     most = (2 / max(float(np.abs(size * panels.curvature).max()), 1e-12)) ** 3
     rows = [np.concatenate(fixed)]
     right = [np.zeros(len(rows[0]))]
@@ -491,22 +497,24 @@ def _refuse_beyond_limits(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
 
 
 def _refuse(check: PairCheck, limits: PairLimits, pair: TwoStateRod | None) -> NoReturn:
-    """Raise `NotRealizable` with the values of the nearest rod."""
-    limits_by_name = {
-        "a ratio": limits.ratio,
-        "a natural curvature (1/mm)": limits.natural_curvature,
-        "a bend (1/mm)": limits.bend,
-    }
-    within = ", ".join(
-        f"{name} of {value:.4g} at most" for name, value in limits_by_name.items() if value is not None
+    """Raise `NotRealizable` with the values that a rod without the limits would have."""
+    wanted = [
+        template.format(value)
+        for template, value in (
+            ("a ratio of at most {:.4g}", limits.ratio),
+            ("a natural curvature of at most {:.4g} 1/mm", limits.natural_curvature),
+            ("a bend of at most {:.4g} 1/mm", limits.bend),
+        )
+        if value is not None
+    ]
+    reason = " ".join(
+        ["No strip", *(["with", ", ".join(wanted)] if wanted else []), "can rest in both curves."]
     )
-    reason = f"No strip of both curves keeps within {within or 'bounds'}"
-    if pair is None:
-        reason += ": allow more, or bring the two curves closer to each other."
-    else:
+    if pair is not None:
         natural = float(np.abs(pair.natural_curvature).max())
         reason += (
-            f": the one of least ratio has {pair.ratio:.4g}, a natural curvature of up to {natural:.4g} and a bend "
-            f"of up to {pair.bend:.4g} 1/mm; allow more, or bring the two curves closer to each other."
+            f" The strip with the least ratio has a ratio of {pair.ratio:.4g}, a natural curvature of up to "
+            f"{natural:.4g} 1/mm and a bend of up to {pair.bend:.4g} 1/mm."
         )
+    reason += " Raise the limits, or draw the two curves closer to each other."
     raise NotRealizable(replace(check, realizable=False, reasons=(reason,)))
