@@ -14,7 +14,7 @@ GLB_MAGIC, GLB_VERSION, JSON_CHUNK, BINARY_CHUNK = 0x46546C67, 2, 0x4E4F534A, 0x
 FLOAT, UNSIGNED_INT, ARRAY_BUFFER, ELEMENT_BUFFER = 5126, 5125, 34962, 34963
 METRES_PER_MM = 1e-3
 Y_UP = [-np.sqrt(0.5), 0.0, 0.0, np.sqrt(0.5)]
-"""Rotation (quaternion x, y, z, w) from coordinates with z upward to coordinates of glTF, with y upward."""
+"""Rotation (quaternion x, y, z, w) that turns z, our upward axis, to y, the upward axis of glTF."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +40,7 @@ class MovingMesh:
 
 
 def encode_animation(meshes: Sequence[MovingMesh], seconds: float) -> bytes:
-    """Encode meshes as a GLB file. Its animation runs forward and backward through the frames in `seconds`.
+    """Encode meshes as a GLB file, whose animation runs forward and backward through the frames in `seconds`.
 
     Examples
     --------

@@ -32,9 +32,9 @@ from elastica_cad.strip.bent_boundary import (
 from elastica_cad.strip.flat_pattern import on_segment
 
 EDGE_TOLERANCE_MM = 1e-7  # default tolerance of edges and faces in OpenCASCADE
-VERTEX_TOLERANCE_MM = 1e-6  # largest gap between the ends of consecutive edges
+VERTEX_TOLERANCE_MM = 1e-6  # largest gap between consecutive edges
 
-# first version of the format that stores the ends of edges in (u, v)
+# first version that stores the (u, v) coordinates of the ends of edges
 _HEAD = b"\nOpen CASCADE Topology V3 (c)\n"
 _SOLID, _SHELL, _FACE, _WIRE, _EDGE, _VERTEX = range(2, 8)
 _LINE, _CIRCLE, _SPLINE_CURVE = 1, 2, 7
@@ -71,14 +71,17 @@ class BinaryBrep:
 
     @property
     def for_bintools(self) -> bytes:
-        """Return the file for BinTools. It ends with the orientation, number and location of the last shape."""
+        """Return the file for BinTools.
+
+        The file ends with the orientation, number and location of the last shape.
+        """
         return self.tables + pack("<B2i", 0, 1, 0)
 
     @property
     def for_freecad(self) -> bytes:
         """Return the file for `Part.Shape.importBinary`.
 
-        It ends with the number, location and orientation of the last shape.
+        The file ends with the number, location and orientation of the last shape.
         """
         return self.tables + pack("<3i", self.count, 0, 0)
 
@@ -123,7 +126,7 @@ def face_brep(outline: Path, holes: Sequence[Path], frame: Frame, surface: Frame
     outline, holes : Path
         Closed loops in either direction; mm in the frame.
     surface : Frame, optional
-        The plane of the face with other axes, which become the axes of its surface.
+        Frame of the face's surface: the same plane with other axes.
     """
     loops = [path if (path.area > 0) == (path is outline) else path.reversed() for path in (outline, *holes)]
     corners, edges, uses = _placed_in_space(loops, frame)
@@ -148,7 +151,9 @@ def _widest_gap(paths: Iterable[Path]) -> float:
 def _placed_in_space(
     paths: Sequence[Path], frame: Frame
 ) -> tuple[FloatArray, tuple[Edge, ...], list[tuple[EdgeUse, ...]]]:
-    """Return vertices (k, 3) in space, an edge for every segment, and the edge uses of each path."""
+    """Return the vertices (k, 3) of plane paths in space, an edge for every segment, and the uses of edges by
+    each path.
+    """
     corners: list[FloatArray] = []
     edges: list[Edge] = []
     loops = []
@@ -204,7 +209,7 @@ class _Tables:
         return self.shape(_WIRE, b"", [(edges[use.edge], use.forward) for use in loop], closed=closed)
 
     def written(self) -> BinaryBrep:
-        """Return all tables, with sub-shapes numbered backwards from the last shape."""
+        """Return all tables. Sub-shapes are numbered backwards from the last shape."""
         count = len(self.shapes)
         shapes = [
             head + b"".join(pack("<B2i", not forward, count - number + 1, 0) for number, forward in parts)
@@ -234,7 +239,7 @@ def _reals(*groups: Iterable[float]) -> bytes:
 
 
 def _knots(knots: FloatArray) -> tuple[int, bytes]:
-    """Return the number of distinct knots, and each knot with its multiplicity."""
+    """Return the number of distinct knots, and bytes with each knot and its multiplicity."""
     places, counts = knot_runs(np.asarray(knots, dtype=float))
     rows = np.empty(places.size, dtype=_KNOT)
     rows["place"], rows["count"] = places, counts
@@ -300,7 +305,6 @@ def _turned(turn: FloatArray, place: Sequence[float]) -> tuple[float, float]:
 
 
 def _trace_ends(trace: StraightTrace | Segment, first: float, last: float) -> Sequence[Sequence[float]]:
-    """Return the (u, v) coordinates of the start and end of an edge on its surface."""
     if isinstance(trace, StraightTrace):
         (x, y), (dx, dy) = trace.origin, trace.direction
         return (x + first * dx, y + first * dy), (x + last * dx, y + last * dy)

@@ -24,35 +24,33 @@ from elastica_cad.geometry.tangent_healing import heal_tangents
 from elastica_cad.refusals import Length
 
 JOIN_TOLERANCE = 0.01  # largest gap, mm, between joined ends; many files have three or four decimals
-# largest gap that is reported as a possible joint: in mm, and as a fraction of the smaller curve
+# larger gaps between ends are not reported as possible joints: in mm, and as a fraction of the smaller curve
 NEAR_MM, NEAR_SHARE = 3.0, 0.1
-# largest gap from rounding that is closed: in mm, and as a fraction of the smaller curve
+# gaps of one unit of the last digit are closed up to this: in mm, and as a fraction of the smaller curve
 DIGIT_MM, DIGIT_SHARE = 0.5, 0.01
-# curves that turn by more than 160 degrees at two ends run side by side
+# a turn of more than 160 degrees means that two curves run side by side, so their ends are not meant to be
+# joined
 _ALONGSIDE = np.cos(np.radians(160.0))
-HOLE_ASIDE = 0.1  # largest distance of a hole's centre from its straight end, as a fraction of the diameter
-# largest distance of points that differ only by rounding, as a fraction of the largest coordinate
+# centre of a drawn hole: largest distance from the straight piece, as a fraction of the diameter
+HOLE_ASIDE = 0.1
+# points closer than this fraction of the largest coordinate differ by rounding only
 SAME_POINT = 1e-13
-# least turn, degrees, at a corner: of a curve through points; of straight sides without a smooth curve
+# least turn, degrees, at a corner: of a curve through points, and of a polyline that no smooth curve follows
 LARGEST_TURN, LEAST_TURN = 50.0, 5.0
-_SMOOTH_COSINE = np.cos(np.radians(1.0))  # cosine of the largest turn at which two ends share a tangent
-_STRAIGHT_SIDE_TOLERANCES = (
-    20.0  # a polyline side longer than this many tolerances is intended to be straight
-)
-_DIGIT = 1.1 * np.sqrt(
-    2.0
-)  # largest error of an end point, in units of the coordinate rounding, with an allowance for rounded angles
-_DENSE_KNOTS = 50  # number of inner knots above which a spline was interpolated through points
-# least second difference of the curvature of noisy points, as a fraction of the largest curvature
+_SMOOTH_COSINE = np.cos(np.radians(1.0))  # ends with a smaller turn are tangent
+_STRAIGHT_SIDE_TOLERANCES = 20.0  # a polyline side longer than this, in tolerances, is meant to be straight
+# largest error of an end point, in units of the coordinate rounding; rounded angles add to it
+_DIGIT = 1.1 * np.sqrt(2.0)
+_DENSE_KNOTS = 50  # a spline with more inner knots was interpolated through points
+# points are noisy if the second difference of curvature exceeds this fraction of the largest curvature
 _LEAST_ROUGHNESS = 0.2
-_REFINEMENTS = 10  # rounds of the search for the nearest point; each round divides the interval by four
-_MOST_ENDS = 50  # largest number of ends, on all layers, that are joined at a point
-# largest number of ends, as a multiple of `_MOST_ENDS`, in the cells around a compared end
+_REFINEMENTS = 10  # rounds of the search for the nearest point; each round quarters the interval
+_MOST_ENDS = 50  # ends are not joined where more ends than this, of all layers, meet
+# largest number of ends around a compared end, as a multiple of `_MOST_ENDS`
 _CROWDED_CELLS = 4
 
-_Joints: TypeAlias = dict[
-    tuple[int, int], tuple[int, int]
-]  # mapping from each end to the end that it touches; an end is (number of the run, 0 for start or 1 for end)
+# from each end to the end that it touches; an end is (number of the run, 0 for start or 1 for end)
+_Joints: TypeAlias = dict[tuple[int, int], tuple[int, int]]
 _Place: TypeAlias = tuple[int, float]  # position in a run: number of the edge, and parameter on it
 
 
@@ -64,12 +62,12 @@ class JoinedRuns:
     ----------
     chains : list of Run
     overlaps : tuple of (Source, Source, str)
-        Each shape that coincides with a shape of the same or larger length, with that shape and the result. A
-        shape of the same layer and name is "left out", else it is "kept". Shapes that overlap in part are
-        "joined" to their union. They are not joined ("in part") if layers or names differ, or if a third
-        shape meets them at the joint.
+        A shape, an equally long or longer shape that it overlaps, and the result. A coinciding shape is "left
+        out" if layer and name are equal, otherwise "kept". Shapes that overlap in part are "joined" to their
+        union, or left as they are ("in part") if layers or names differ, or if a third shape meets them at
+        the joint.
     closed : tuple of float
-        Widths, mm, of the closed gaps that are explained by the rounding of coordinates in the file.
+        Widths, mm, of the gaps that were closed because rounding of coordinates in the file explains them.
     widest : float
         Width, mm, of the widest gap that would be closed: the tolerance, or more if the coordinates are rounded
         coarsely.
@@ -89,7 +87,7 @@ def join_runs(
     A chain has the direction of its first edge in the file. Ends are not joined where three or more meet,
     because the path of the strip is ambiguous there, and not across layers. A named shape is not joined to
     other shapes. Of coinciding edges, the longer edge is used. Edges shorter than the tolerance are ignored.
-    At last, chains are joined across gaps of one unit of the last digit in the file.
+    Finally, chains are joined across gaps of one unit of the last digit in the file.
 
     Parameters
     ----------
@@ -108,7 +106,7 @@ def join_runs(
 
 
 def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
-    """Return the largest rounding error (2 n,), mm, of the two end points of each of n chains."""
+    """Return the largest rounding error, mm, of the ends of n chains (2 n,)."""
     known = [edge.source.rounding for run in chains for edge in run if edge.source and edge.source.rounding]
     sizes = np.repeat([sum(edge.size for edge in run) for run in chains], 2)
     digit = _DIGIT * min(known, default=0.0)
@@ -118,7 +116,9 @@ def _digits_of_ends(chains: Sequence[Run]) -> FloatArray:
 def _joined_runs(
     runs: Sequence[Run], reach: FloatArray, *, corners: bool
 ) -> tuple[list[Run], tuple[float, ...]]:
-    """Return chains of runs whose ends are closer than the sum of `reach` (2 n,), mm, and the closed gaps."""
+    """Return chains of runs, joined where ends are closer than the sum of their `reach` (2 n,), mm, and the
+    widths of the closed gaps.
+    """
     partner = _partners(runs, reach, corners=corners)
     ends = _ends(runs).reshape(len(runs), 2, -1)
     chains, used, gaps = [], [False] * len(runs), []
@@ -134,7 +134,7 @@ def _joined_runs(
 
 
 def holes_on_chains(chains: Sequence[Run]) -> tuple[list[Run], list[list[Run]]]:
-    """Separate drawn holes from curves. A hole is a circle around a point of a straight end of an open chain.
+    """Separate drawn holes from curves. A hole is a circle on the straight end of an open chain.
 
     Returns
     -------
@@ -170,7 +170,7 @@ def _is_line(edge: Edge) -> bool:
 
 
 def _is_on_edge(centre: FloatArray, diameter: float, edge: Edge) -> bool:
-    """Return True if the centre is on a straight edge and the circle is between the ends of the edge."""
+    """Return True if the circle is centred on a straight edge and is between the ends of this edge."""
     if not _is_line(edge):
         return False
     chord, out = edge.end - edge.start, centre - edge.start
@@ -181,7 +181,7 @@ def _is_on_edge(centre: FloatArray, diameter: float, edge: Edge) -> bool:
 
 
 def _circle(run: Run) -> tuple[FloatArray, float] | None:
-    """Return the centre and diameter of a run that is a whole circle, else None."""
+    """Return the centre and diameter of a run that is a whole circle, otherwise None."""
     if any(edge.degree < 2 or edge.weights is None for edge in run):
         return None
     if np.linalg.norm(run[-1].end - run[0].start) > JOIN_TOLERANCE:
@@ -193,7 +193,7 @@ def _circle(run: Run) -> tuple[FloatArray, float] | None:
 
 
 def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int, int, FloatArray]]:
-    """Return distance (mm), both chain numbers and position of unjoined ends that nearly meet on a layer.
+    """Return pairs of unjoined ends that nearly meet on a layer: distance (mm), both chain numbers, position.
 
     The distance is at most 3 mm and at most a tenth of the length of the smaller chain. The list is sorted
     by distance. Ends of chains that run side by side are not listed. Ends within `tolerance` are listed if
@@ -220,7 +220,9 @@ def near_ends(chains: Sequence[Run], tolerance: float) -> list[tuple[float, int,
 
 
 def _follow_joints(first: int, side: int, partner: _Joints, used: list[bool]) -> list[tuple[int, int]]:
-    """Return each run with its far end, along the joints from the end `side` (0 start, 1 end) of a run."""
+    """Return the runs reached by following the joints from the end `side` (0 start, 1 end) of a run, each
+    with its far end.
+    """
     used[first] = True
     path: list[tuple[int, int]] = []
     here = (first, side)
@@ -243,7 +245,7 @@ def _ends(runs: Sequence[Run]) -> FloatArray:
 
 
 def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Joints:
-    """Return the other end for each end (run, side) that touches exactly one other end."""
+    """Return a mapping from each end (run, side) that touches exactly one other end to that end."""
     ends = _ends(runs)
     sources = [_source_of(run) for run in runs]
     groups = [(source.layer, source if source.is_named else None) for source in sources]
@@ -254,7 +256,7 @@ def _partners(runs: Sequence[Run], reach: FloatArray, *, corners: bool) -> _Join
     crowd = np.bincount(i[apart <= reach[i] + reach.max()], minlength=len(ends))
     touching = (apart <= reach[i] + reach[j]) & (group[i] == group[j]) & (crowd[i] <= _MOST_ENDS)
     i, j = i[touching], j[touching]
-    paired = np.bincount(i, minlength=len(ends)) == 2  # each end is also near itself
+    paired = np.bincount(i, minlength=len(ends)) == 2  # two: the other end and the end itself
     partners = {}
     for k, other in zip(i.tolist(), j.tolist(), strict=True):
         end_a, end_b = divmod(k, 2), divmod(other, 2)
@@ -298,7 +300,7 @@ class _RunIndex:
         self.axis = int(np.ptp(middles, axis=0).argmax())
         self.sorted = middles[:, self.axis].argsort()
         self.along = middles[self.sorted, self.axis]
-        # numbers of the runs by decreasing length
+        # numbers of the runs, longest first
         self.by_length = np.argsort(-self.sizes.round(6), kind="stable")
         self.rank = np.argsort(self.by_length)
 
@@ -325,7 +327,9 @@ class _RunIndex:
 def _without_overlaps(
     runs: Sequence[Run], tolerance: float
 ) -> tuple[list[Run], tuple[tuple[Source, Source, str], ...]]:
-    """Return the runs that coincide with no longer run and no earlier run of equal length, and all overlaps."""
+    """Return the runs without those that coincide with a longer or an earlier equally long run, and all
+    overlaps.
+    """
     index, sources = _RunIndex(runs, tolerance), [_source_of(run) for run in runs]
     called = [(source.layer, source.is_named and source.name) for source in sources]
     in_part: list[tuple[int, int]] = []
@@ -345,9 +349,7 @@ def _without_overlaps(
             elif partly:
                 in_part.append((i, j))
     limits: dict[int, list[_Place]] = {}
-    least = max(
-        tolerance, 2 * float(_digits_of_ends(runs).max())
-    )  # a shorter common part is a gap that rounding causes
+    least = max(tolerance, 2 * float(_digits_of_ends(runs).max()))  # rounding causes shorter common parts
     alone = _ends([runs[i] for i in range(len(runs)) if i not in dropped])
     for i, j in in_part:
         cuts = [] if {i, j} & dropped else _common_parts(runs[i], runs[j], tolerance, least)
@@ -369,10 +371,10 @@ def _without_overlaps(
 def _common_parts(
     run: Run, longer: Run, tolerance: float, least: float
 ) -> list[tuple[int, _Place, FloatArray]]:
-    """Return the end parts of a run, longer than `least` mm, that coincide with the end of a longer run.
+    """Return the end parts of a run, longer than `least` mm, that coincide with an end part of a longer run.
 
-    Each entry has the end of the run (0 or 1), and the position on the run and the point (d,) of the
-    longer run's end.
+    Each entry is the end of the run (0 or 1), and the end of the longer run: its position on the run, and its
+    point (d,).
     """
     parts = []
     on_run = [(place, end) for end in _ends([longer]) if (place := _nearest_place(end, run, tolerance))]
@@ -390,12 +392,13 @@ def _common_parts(
 
 
 def _end_places(run: Run) -> tuple[_Place, _Place]:
-    """Return the positions of both ends of a run."""
     return (0, float(run[0].spans.edges[0])), (len(run) - 1, float(run[-1].spans.edges[-1]))
 
 
 def _nearest_place(point: FloatArray, run: Run, tolerance: float) -> _Place | None:
-    """Return the position in a run that is nearest to a point (d,), or None beyond `tolerance` mm."""
+    """Return the position in a run that is nearest to a point (d,), or None if it is farther than `tolerance`
+    mm.
+    """
     nearest = [(*_nearest(edge, point[None]), k) for k, edge in enumerate(run)]
     away, t, k = min((float(away[0]), float(t[0]), k) for away, t, k in nearest)
     return (k, t) if away <= tolerance else None
@@ -504,7 +507,7 @@ def curve_from_run(
 def _interpolated_points(edge: Edge, rounding: float) -> MeasuredPoints | None:
     """Return the points that a dense spline interpolates, or None if the curvature is smooth.
 
-    Invisible noise of the points, or zero curvature at an end, affects the widths of a strip.
+    The widths of a strip show noise of points, or zero curvature at an end, that cannot be seen in the curve.
     """
     knots = edge.spans.edges
     inner = edge.knots[edge.degree + 1 : -edge.degree - 1]
@@ -529,13 +532,13 @@ def curve_from_points(
     noise: float = 0.0,
     sides: bool = False,
 ) -> PlaneCurve:
-    """Return the line through points (n, 2) if they are collinear, else a curve within `tolerance` mm of them.
+    """Return a curve within `tolerance` mm of points (n, 2); it is a line if they are collinear.
 
     Corners are preserved; see `PlaneCurve.tangent_breaks`. A corner is a turn by more than 50 degrees between
     two straight pieces that are long compared with the tolerance and the noise. The provenance of the curve
     states the noise of the points, at least `noise` mm. If no smooth curve follows noisy points, the curve is
-    a polyline. `sides` means that the straight sides between the points belong to the drawing. If the curve
-    is then more than `allowed_distance` from the sides, it is cut at every turn of more than 5 degrees.
+    a polyline. With `sides`, the drawing is a polyline: a curve more than `allowed_distance` from its sides
+    is cut at every turn of more than 5 degrees.
     """
     if not np.all(np.isfinite(points)):
         raise InputError("a point has a coordinate that is not a finite number: export the file again")
@@ -567,7 +570,7 @@ def curve_from_points(
         _require_near(pieces[0], points, tolerance)
         return pieces[0].drawn_as(replace(drawn, measured=measured))
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
-    # record no noise, because noise and corners cannot be separated
+    # state no noise, because it cannot be told from corners
     drawn = (
         replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, noise=0.0))
     )
@@ -621,24 +624,24 @@ def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list
 
 
 _AWAY = 0.0214
-"""Largest distance between two curves, as a fraction of the distance of d from the line through a and c.
+"""Largest distance between the parabola with control points a, c, d and the cubic with control points a, a,
+c, d.
 
-The curves are the parabola with control points a, c, d and the cubic with control points a, a, c, d.
-"""
+It is a fraction of the distance of d from the line through a and c."""
 
 
 _OFF_MM, _OFF_SHARE = 0.004, 2e-5
-"""Largest distance that a curve is moved to make its end curvature finite: in mm, and as a fraction of its
-size.
-"""
+"""Limit of the displacement that makes the end curvature of a curve finite: in mm, and as a fraction of its
+size."""
 
 
 def _with_handles(edge: Edge) -> list[Edge]:
-    """Replace ends of infinite curvature of a cubic Bezier piece, within 0.004 mm of the drawn curve.
+    """Replace the ends of a cubic Bezier piece at which the curvature is infinite, within 0.004 mm of the
+    curve.
 
-    If the first two control points of a piece are equal, the end curvature is infinite. The first part of the
-    curve has control points a, a, c, d. It is replaced by the parabola a, c, d, which has the same ends and
-    end tangents.
+    The curvature is infinite if the first two control points are equal. The first part of such a curve has
+    control points a, a, c, d. It is replaced by the parabola a, c, d, which has the same ends and end
+    tangents.
 
     Examples
     --------
@@ -702,8 +705,7 @@ def _clamped(
 ) -> tuple[FloatArray, FloatArray]:
     """Return the knots and homogeneous control points of a part of an edge, as a clamped spline of a degree.
 
-    The degree is at least the degree of the edge. The spline space of the higher degree contains the edge,
-    so interpolation at the Greville abscissae is exact.
+    The degree is at least that of the edge, so interpolation at the Greville abscissae is exact.
     """
     first, last = np.clip(edge.spans.edges[[0, -1]], low, high)
     inner = edge.knots[(edge.knots > first) & (edge.knots < last)]

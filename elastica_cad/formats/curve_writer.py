@@ -33,13 +33,13 @@ _TOLERANCE_MM = 1e-3
 """Largest distance, mm, between a curve and the cubics or arcs that replace it in a file."""
 
 _MOST_POINTS = 1001
-"""Largest number of points in a CSV file; a shorter curve has a point every mm."""
+"""Largest number of points in a CSV file. A curve of less than 1 m has a point every mm."""
 
 _WIDTH_STATIONS = 401
 
 
 class FitWarning(UserWarning):
-    """Warning that a curve in a file is approximate."""
+    """Warning that a file contains an approximation of a curve."""
 
 
 def write_curves(
@@ -53,9 +53,9 @@ def write_curves(
 
     DXF keeps degree, knots and weights of every spline. JSON stores the exact numbers, and SVG stores cubics
     to 1e-12 mm. In SVG, weighted splines and higher degrees become cubics. In DXF R12, curves become arcs.
-    Both replacements are accurate to 0.001 mm. CSV contains points. If a curve is replaced, a `FitWarning`
-    reports its distance from the drawn curve and the largest change of strip width. Two curves of a DXF or
-    SVG whose ends meet are read back as a single curve.
+    Both replacements are accurate to 0.001 mm. CSV contains points. A `FitWarning` reports the distance
+    between a curve and its replacement, and the largest change of strip width. Two curves of a DXF or SVG
+    whose ends meet are read back as a single curve.
 
     Parameters
     ----------
@@ -137,7 +137,9 @@ def _edge(segment: Line | Arc | Spline) -> Edge:
 
 
 def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> Refusal:
-    """Return the message on the distance between a curve and the copy in a file, and on the change of width."""
+    """Return the message on how far the copy of a curve in a file differs, and how much that changes the
+    widths.
+    """
     far = Length(two_sided_distance(drawn, fitted))
     before, after = _widths(drawn), _widths(fitted)
     if before is None or after is None:
@@ -158,7 +160,7 @@ def _fit_note(file: str, number: int, drawn: PlaneCurve, fitted: PlaneCurve) -> 
 
 
 def _widths(curve: PlaneCurve) -> FloatArray | None:
-    """Return strip widths (n,), mm, at equal distances along a curve, or None if no strip has this shape."""
+    """Return strip widths (n,), mm, at equal distances along a curve, or None if no strip takes this curve."""
     try:
         rod = optimal_rod(smooth_curve(curve).curve)
     except ElasticaError:

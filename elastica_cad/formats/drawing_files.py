@@ -30,8 +30,7 @@ _LETTERS = {2: "Q", 3: "C"}
 _DECIMALS, _EXACT_DECIMALS = 6, 12
 """Decimals of coordinates, mm: in a drawing for a machine, and in a curve that is read again.
 
-A curve needs more decimals because strip widths depend on the second differences of its coordinates.
-"""
+A curve needs more, because strip widths depend on the second differences of its coordinates."""
 
 
 def path_data(path: Path, origin: FloatArray, decimals: int = _DECIMALS) -> str:
@@ -73,7 +72,7 @@ def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
         return f"L{place(segment.end.tolist())}"
     if isinstance(segment, Arc):
         radius, turns = _shortest_text(segment.radius), "0" if segment.sweep > 0 else "1"
-        # SVG defines an arc by its ends, which is inaccurate for almost full circles
+        # SVG defines an arc by its ends, which makes almost full circles inaccurate
         long = abs(segment.sweep) > np.pi * (1 + 1e-9)
         ends = segment.at(np.array([0.5, 1.0] if long else [1.0])).tolist()
         return "".join(f"A{radius} {radius} 0 0 {turns} {place(end)}" for end in ends)
@@ -84,10 +83,10 @@ def _stroke(segment: Segment, place: Callable[[list[float]], str]) -> str:
 
 
 _MARGIN_MM = 1.0
-"""Space around the drawing, mm, so that strokes at its edge are visible."""
+"""Space around the drawing, mm. Without it, strokes at its edge would be cut off."""
 
 _STROKE_MM = 0.1
-"""Width of strokes, mm; laser programs cut along thin strokes."""
+"""Width of strokes, mm. Laser programs recognize thin strokes as cuts."""
 
 
 def encode_svg(
@@ -97,7 +96,7 @@ def encode_svg(
     tolerance: float = 0.02,
     layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
-    """Return the bytes of an SVG file in mm; the same drawing and command give the same bytes.
+    """Return the bytes of an SVG file in mm, which are reproducible.
 
     Each layer is a group, in the order of machining, and each loop is a <path>. On the sheet, y points
     upward. Arcs and polynomial splines up to degree 3 are exact.
@@ -182,7 +181,8 @@ def write_drawing(
         The suffix selects the format.
     kerf : float
         Width of the cut, mm. Closed outer loops grow by half the kerf, and inner loops shrink by half the
-        kerf. Cutting services often compensate the kerf themselves, so the default is 0. It may be negative.
+        kerf. Cutting services often compensate the kerf themselves, so the default is 0. A negative kerf
+        reverses the offsets.
     curves : str
         "spline", "bezier", "arc" or "polyline".
     tolerance : float

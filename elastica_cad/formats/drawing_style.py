@@ -16,17 +16,17 @@ from elastica_cad.strip.drawing import CUT_INNER, CUT_OUTER, ENGRAVE, LAYERS, MA
 CURVES = ("spline", "bezier", "arc", "polyline")
 
 EXACT = "exact"
-"""Curve style that writes splines of any degree unchanged, for CAD programs."""
+"""Curve style for CAD programs, in which splines of any degree are unchanged."""
 
 _SPLINE_TOLERANCE_MM = 1e-3
-"""Largest tolerance of approximated splines, mm. A coarser tolerance would hardly make files smaller."""
+"""Largest tolerance of approximated splines, mm. A coarser one would hardly make files smaller."""
 
 FINEST_MM = 1e-5
-"""Smallest tolerance of arcs and polylines, mm. A smaller tolerance would only make larger files."""
+"""Smallest tolerance of arcs and polylines, mm. A smaller one would only make files larger."""
 
 
 def check_curve_style(curves: str) -> str:
-    """Return the name of a curve style, and refuse names that are neither in `CURVES` nor `EXACT`."""
+    """Return the name of a curve style. Raise InputError if it is neither in `CURVES` nor `EXACT`."""
     if not isinstance(curves, str) or curves not in (*CURVES, EXACT):
         raise InputError(
             "curves is {curves!r}: use one of {curves_2}", curves=curves, curves_2=", ".join(CURVES)
@@ -35,7 +35,7 @@ def check_curve_style(curves: str) -> str:
 
 
 def shape_paths(paths: Iterable[Path], curves: str, tolerance: float, *, rational: bool = True) -> list[Path]:
-    """Convert paths to a curve style: splines of degree 3 at most, joined Bezier curves, arcs, or lines.
+    """Convert paths to a curve style: splines up to degree 3, joined Bezier curves, arcs, or lines.
 
     Splines have weights only if `rational` is True. With the style `EXACT` and `rational`, splines of any
     degree are unchanged.
@@ -110,7 +110,7 @@ Scheme: TypeAlias = Literal["elastica", "boxes", "lightburn"]
 
 SCHEMES: dict[str, dict[str, LayerStyle]] = {
     "elastica": _STANDARD,
-    # colours of boxes.py: outer cuts black, inner cuts blue, etching green and cyan, annotations red
+    # as in boxes.py: outer cuts black, inner cuts blue, etching green and cyan, annotations red
     "boxes": {
         CUT_OUTER: LayerStyle(CUT_OUTER, "#000000"),
         CUT_INNER: LayerStyle(CUT_INNER, "#0000ff"),
@@ -126,11 +126,11 @@ SCHEMES: dict[str, dict[str, LayerStyle]] = {
         SHEET: LayerStyle(SHEET, "#f36926"),
     },
 }
-"""Colour schemes for other programs, in which the colour of a line selects the operation."""
+"""Colour schemes for programs in which the colour of a line selects the operation."""
 
 
 def style_layers(choices: Mapping[str, LayerChoice] | str | None = None) -> dict[str, LayerStyle]:
-    """Return the style of every layer: the defaults with the user's choices.
+    """Return the style of every layer: the user's choice or the default.
 
     Parameters
     ----------

@@ -23,25 +23,18 @@ from elastica_cad.geometry.plane_points import near_pairs
 from elastica_cad.geometry.segments import Spline
 from elastica_cad.refusals import Length, Listed, Point, note, sentences
 
-# least ratio of perimeter to width of a stroke
+# a closed loop is the outline of a stroke only if its perimeter is at least this many stroke widths
 _LEAST_SLENDERNESS = 12.0
 _MOST_SAMPLES = 8000
 _SAMPLES_PER_WIDTH = 4  # samples per width of a stroke
-_SEARCH_WIDTHS = 3.0  # largest distance to the opposite side of a stroke, in stroke widths
+_SEARCH_WIDTHS = 3.0  # largest distance, in stroke widths, at which the opposite side of a stroke is sought
 _WIDTH_VARIATION = 0.05  # largest relative variation of the width along a stroke
-# largest total length of the outline at the two ends of a stroke, without an opposite side, in stroke widths
+# largest length of the outline that has no opposite side, in stroke widths; it is at the ends of a stroke
 _MOST_END_WIDTHS = 6.0
 
 
 def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
-    """Return the width, mm, if a closed run of edges is the outline of a stroke of constant width, else None.
-
-    Examples
-    --------
-    >>> bar = Edge.polyline([(0, 0), (100, 0), (100, 4), (0, 4), (0, 0)])
-    >>> round(_stroke_width([bar], 0.01), 2), _stroke_width([Edge.polyline(bar.points * (1, 10))], 0.01)
-    (4.0, None)
-    """
+    """Return the width, mm, of a stroke of constant width whose outline is the closed run, or None."""
     if float(np.linalg.norm(run[0].start - run[-1].end)) > tolerance or run[0].points.shape[1] != 2:
         return None
     drawn = np.concatenate([edge.at(edge.stations()) for edge in run])
@@ -67,7 +60,7 @@ def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
 
 
 KEYS_OF_FILES = ("$INSUNITS", "a comment", "width and height", "units", "STEP")
-"""Sources of units within a file, which reports for people name "the file"."""
+"""Sources of a unit that reports call "the file"."""
 
 EXACT_MM = 1e-3
 """Largest distance from the drawing, mm, at which a curve counts as exact."""
@@ -154,7 +147,9 @@ class ReadReport:
 
 
 def kinds_of(chain: Run) -> Counter[str]:
-    """Return the number of shapes of each kind in a chain; edges of the same shape are counted once."""
+    """Return the number of shapes of each kind in a chain; a shape is counted once even if it has several
+    edges.
+    """
     shapes = {
         (id(edge.source) if edge.source else number, _kind(edge.degree, len(edge.points), edge.weights))
         for number, edge in enumerate(chain)
@@ -184,7 +179,7 @@ class DrawnCurve:
     id : str
         Id of the curve, or the handle (2F for a shape named "SPLINE 2F").
     piece, pieces : int
-        Number of the piece, from 1, and number of pieces of a curve that was cut at its corners.
+        Number of this piece, from 1, and count of pieces, for a curve that was cut at its corners.
     joints : (str, str)
         Names, such as "J1", of the corners at its start and end that join it to another piece. Empty for
         other ends.
@@ -242,7 +237,9 @@ class DrawnCurve:
         return f"{part}curve {self.number}" + (f" ({', '.join(known)})" if known else "")
 
     def split_at_corners(self) -> tuple["DrawnCurve", ...]:
-        """Return the pieces between corners, or the curve itself if it has no corner or is not valid."""
+        """Return the pieces between corners; a curve without corners, or an invalid one, is returned
+        unchanged.
+        """
         cut = () if self.problem else split_at_corners(self.curve)
         if len(cut) < 2:
             return (self,)
@@ -273,7 +270,7 @@ class DrawnFile:
     unit : ReadUnit
         Unit of the file, and its source.
     remarks : tuple of str
-        Messages on curves that were not joined, look different in the drawing, or are probably not strips.
+        Messages on curves that were not joined, are displayed differently, or are probably not strips.
     """
 
     path: Path
@@ -307,7 +304,7 @@ class DrawnFile:
         return report_on(self.curves if curves is None else curves, self.unit)
 
     def chosen(self, which: str | None = None, layer: str | None = None) -> tuple[DrawnCurve, ...]:
-        """Return the curves selected by number or id (`which`) and by layer; by default all curves."""
+        """Return the curves selected by `which` (number or id) and by layer; by default all curves."""
         curves = [curve for curve in self.curves if layer is None or curve.layer == layer]
         if which is not None:
             named = [curve for curve in curves if which and curve.name == which]
@@ -318,8 +315,8 @@ class DrawnFile:
     def one(self, which: str | None, layer: str | None, how: str) -> DrawnCurve:
         """Return the curve that `which` and `layer` select.
 
-        `how` is the part of the error message that explains how to select a curve. In it, {count} is replaced
-        by the number of selected curves.
+        `how` tells the user, in the error message, how to select a curve. In it, {count} stands for the
+        number of selected curves.
         """
         curves = self.chosen(which, layer)
         how = how.format(count=len(self.curves))
@@ -355,7 +352,7 @@ class DrawnFile:
         with name_source(self.path):
             return CurveList(
                 [curve.curve for curve in good or self.curves[:1]], self
-            )  # no curve is valid, so this raises the error of curve 1
+            )  # with no valid curve, this raises the error of curve 1
 
 
 class CurveList(list[PlaneCurve]):
@@ -407,18 +404,18 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
     )
 
 
-_MOST_POINTS = 200  # largest number of points of the drawing whose distance from the curve is computed
-_LEAST_SLOPE = 1e-3  # a drawing counts as turned if its plane has at least this slope
+_MOST_POINTS = 200  # largest number of points of the drawing that are compared with the curve
+_LEAST_SLOPE = 1e-3  # a plane with at least this slope counts as inclined
 
 
 def _is_turned(chain: Run, flat: Run) -> bool:
-    """Return True if a chain, mapped to its plane, has other x and y coordinates than in the drawing."""
+    """Return True if a chain has other x and y coordinates in its plane than in the drawing."""
     drawn, read = (np.concatenate([edge.points[:, :2] for edge in run]) for run in (chain, flat))
     return bool(np.abs(drawn - read).max() > _LEAST_SLOPE * np.ptp(read, axis=0).max())
 
 
 def _distance(curve: PlaneCurve, flat: Run) -> float:
-    """Return the largest distance, mm, between a curve and the drawing (edges in its plane, or points)."""
+    """Return the largest distance, mm, between a curve and the edges or points that were drawn."""
     record = curve.provenance
     if flat:
         if len(flat) == 1 and np.array_equal(flat[0].points, curve.control_points):
@@ -543,7 +540,7 @@ _OVERLAPS = {
     "joined": "partly drawn twice, so the two shapes are joined into one curve: {pairs}",
     "in part": "partly drawn twice, and both shapes are used: {pairs}. Trim one of them in the drawing",
 }
-"""Messages about overlapping shapes, by the result of the overlap."""
+"""Messages about overlapping shapes, by the result that `JoinedRuns.overlaps` gives."""
 
 
 def _shape(source: Source) -> str:
@@ -552,7 +549,7 @@ def _shape(source: Source) -> str:
     return note("{name} (layer {layer})", name=name, layer=source.layer) if source.layer else name
 
 
-_SHOWN = 6  # largest number of curves and kinds in a message
+_SHOWN = 6  # largest number of curves and kinds that a message lists
 
 
 def _list_of_curves(curves: Sequence[DrawnCurve]) -> str:
@@ -561,7 +558,7 @@ def _list_of_curves(curves: Sequence[DrawnCurve]) -> str:
 
 
 def _alternative_names(curve: DrawnCurve) -> set[str]:
-    """Return the id of a curve, and both parts of the name of a clone ("use1/path3")."""
+    """Return other names of a curve: its id, and both parts of the name of a clone ("use1/path3")."""
     return {curve.id, *curve.name.split("/"), *curve.id.split("/")}
 
 

@@ -33,22 +33,22 @@ if TYPE_CHECKING:
     from ezdxf.document import Drawing
 
 
-DEEPEST_BLOCK = 20  # largest depth of nested blocks; deeper nesting means an error or an attack
+DEEPEST_BLOCK = 20  # deeper nesting of blocks is an error or an attack
 
 ODDITIES = (ValueError, TypeError, LookupError, AttributeError, ArithmeticError, AssertionError)
 """Exceptions that ezdxf raises for truncated or corrupt entities."""
 
-MODEL_SPACE = np.eye(4)  # placement of entities outside of blocks, which is the identity
+MODEL_SPACE = np.eye(4)  # placement of entities outside of blocks: the identity
 
 _CURVES = {"LINE", "ARC", "CIRCLE", "ELLIPSE", "SPLINE", "HELIX", "LWPOLYLINE", "POLYLINE"}
 
-FLAT_HELIX = 1e-6  # a HELIX with a smaller ratio of height to radius counts as a flat spiral
+FLAT_HELIX = 1e-6  # a HELIX with a smaller ratio of height to radius is a flat spiral
 
 _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
 _UNDECODED = re.compile("[\udc80-\udcff]")
 _SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
-_MOST_NUMBERS = 20_000  # largest number of coordinates whose digits are examined
-_MOST_COUNTED = 10**9  # upper limit of the count of inserted entities
+_MOST_NUMBERS = 20_000  # largest number of coordinates that are searched for their decimals
+_MOST_COUNTED = 10**9  # inserted entities are counted up to this number
 
 
 def _dxf_rounding(path: Path) -> float:
@@ -71,7 +71,6 @@ def _dxf_rounding(path: Path) -> float:
 
 
 def _refuse_many_inserts(document: "Drawing") -> None:
-    """Refuse a drawing that has too many entities after its blocks are inserted."""
     known: dict[str, int] = {}
     total = _count(document, document.modelspace(), known, 0)
     check_count(
@@ -83,7 +82,7 @@ def _refuse_many_inserts(document: "Drawing") -> None:
 
 
 def _count(document: "Drawing", layout: Any, known: dict[str, int], depth: int) -> int:
-    """Return the number of entities of a layout with expanded blocks, at most `_MOST_COUNTED`."""
+    """Return the number of entities of a layout with expanded blocks, but not more than `_MOST_COUNTED`."""
     if depth > DEEPEST_BLOCK:
         raise InputError(
             "blocks are nested more than {deepest_block} deep: explode them before export",
@@ -120,10 +119,11 @@ _NAMES = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
 """Names of the usual unit numbers of $INSUNITS."""
 
 _OWN_UNIT = b"all lengths in mm"
-"""Comment at the top of R12 files written by this package; R12 has no $INSUNITS."""
+"""Comment at the top of R12 files that this package writes, because R12 has no $INSUNITS."""
 
 _INCHES_BELOW = 40.0
-"""A drawing with $MEASUREMENT = 0 that is smaller than this, in drawing units, is in inches."""
+"""Without a unit, a drawing with $MEASUREMENT = 0 is in inches if it is smaller than this, in drawing
+units."""
 
 _ASSUMED = (
     "its unit is assumed to be {unit}, because {reason}; if that is wrong, set {field} to the right unit, "
@@ -154,7 +154,7 @@ def read_dxf_drawing(
     shown = Provenance(
         place=np.diag([1 / scale, 1 / scale, 1.0]), unit="mm" if scale == 1 else "drawing units"
     )
-    # overflow is ignored, because `check_places` later refuses values that are not finite
+    # `check_places` refuses values that overflow
     with np.errstate(over="ignore", invalid="ignore"):
         drawn = collect_curves(
             file, _runs(document, scale, rounding, skipped), skipped, tolerance=tolerance, flat=flatten_run,
@@ -175,7 +175,7 @@ def _curves_on_paper(document: "Drawing") -> Counter[str]:
 
 
 def _runs(document: "Drawing", scale: float, rounding: float, skipped: Counter[str]) -> Iterator[Run]:
-    """Yield the edges, mm, of every curve, and count other and unreadable entities in `skipped`."""
+    """Yield the edges, mm, of every curve. Other and unreadable entities are counted in `skipped`."""
     from ezdxf.lldxf.const import DXFError
 
     bad: list[InputError] = []
@@ -232,7 +232,7 @@ def _opened(path: Path) -> "Drawing":
     with path.open("rb") as opened:
         if re.match(rb"AC10\d\d", opened.read(6)):
             raise InputError("This is a DWG file, not a DXF file. Save the drawing as DXF.")
-    # errors that ezdxf reports for truncated or corrupt files
+    # exceptions of ezdxf for truncated or corrupt files
     damage = (
         DXFError,
         OSError,
@@ -304,7 +304,7 @@ def _unit_code(document: "Drawing") -> int:
 
 @dataclass(frozen=True)
 class _Hidden:
-    """Lower-case names of the layers that are off or frozen (`layers`), and of those that are frozen (`frozen`)."""
+    """Lower-case names of the layers that are off or frozen (`layers`), and of the frozen ones (`frozen`)."""
 
     layers: frozenset[str]
     frozen: frozenset[str]
@@ -318,7 +318,7 @@ class _Hidden:
     def hides(self, entity: Any, layer: str) -> bool:
         """Return True if an entity is hidden.
 
-        Blocks on a layer that is off stay visible, but not on a frozen layer.
+        A block is hidden if its layer is frozen, but not if its layer is off.
         """
         layers = self.frozen if entity.dxftype() == "INSERT" else self.layers
         if layer.lower() in layers:
@@ -337,8 +337,8 @@ def _entities(
     """Yield the entities of a layout and of its blocks with their placement (4, 4) and layer.
 
     An entity on layer 0 of a block takes the layer of the insertion. Hidden entities are counted in
-    `skipped`. Placements of nested blocks are multiplied as matrices, because unequal scales and rotations
-    combine to a shear, which a DXF insertion cannot represent.
+    `skipped`. Placements of nested blocks are matrices, because unequal scales and rotations combine to a
+    shear.
     """
     from ezdxf.lldxf.const import DXFError
 
@@ -371,7 +371,6 @@ def _entities(
 
 
 def _run(entity: Any) -> Run | None:
-    """Return the entity's edges in space, or None if the entity is not a curve."""
     kind = entity.dxftype()
     if kind == "LINE":
         return (Edge.polyline([entity.dxf.start, entity.dxf.end]),)
@@ -387,7 +386,7 @@ def _run(entity: Any) -> Run | None:
     if kind == "POLYLINE" and (entity.is_2d_polyline or entity.is_3d_polyline):
         vertices = [
             v for v in entity.vertices if not v.dxf.flags & 16
-        ]  # flag 16 marks control points of a spline, which are not on the curve
+        ]  # flag 16 marks control points, which are not on the curve
         places = [(v.dxf.location, v.dxf.get("bulge", 0.0)) for v in vertices]
         if entity.is_3d_polyline:
             return _polyline([(*p, 0.0) for p, _ in places], closed=entity.is_closed, to_world=np.asarray)
@@ -436,11 +435,11 @@ def _spline(entity: Any) -> Edge:
     degree = int(entity.dxf.degree)
     check_degree(degree)
     backwards = np.maximum.accumulate(knots) - knots
-    # knots may decrease slightly if they were written with too few decimals
+    # knots with too few decimals may decrease slightly
     if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):
         knots = knots + backwards
     if weights is not None and len(weights) != len(points):
-        # the constructor of Edge refuses these weights
+        # `Edge` refuses the weights
         return Edge(knots, points, degree, weights)
     poles = points if weights is None else np.column_stack([points, weights])
     knots, poles = _without_doubled_poles(*_full_period(knots, poles, degree, entity.closed), degree)
@@ -454,10 +453,11 @@ def _is_flat(helix: Any) -> bool:
 def _full_period(
     knots: FloatArray, poles: FloatArray, degree: int, closed: bool
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the full knots and control points of a periodic spline that is stored with a single period.
+    """Return the full knots and control points of a periodic spline, of which the file stores a single
+    period.
 
-    OpenCASCADE stores splines in this form. Leading control points are repeated at the end. Other splines
-    are returned unchanged.
+    OpenCASCADE writes such files. Control points at the start are repeated at the end. Other splines are
+    returned unchanged.
     """
     count = len(poles)
     first = int(np.count_nonzero(knots == knots[0])) if knots.size else 0
@@ -479,7 +479,9 @@ def _without_doubled_poles(
 
 
 def _spline_through_fit_points(entity: Any, points: FloatArray) -> Edge:
-    """Return the cubic spline through points (n, 3), with the entity's end tangents or zero end curvature."""
+    """Return the cubic spline through points (n, 3), with the end tangents of the entity or zero end
+    curvature.
+    """
     ends: list[list[tuple[int, Any]]] = []
     for name in ("start_tangent", "end_tangent"):
         along = np.array(tuple(entity.dxf.get(name) or (0.0, 0.0, 0.0)), dtype=float)
@@ -489,13 +491,13 @@ def _spline_through_fit_points(entity: Any, points: FloatArray) -> Edge:
 
 
 def _closed_spline(points: FloatArray) -> Edge:
-    """Return the closed cubic spline through points (n, 3), with continuous curvature."""
+    """Return the closed cubic spline through points (n, 3). Its curvature is continuous."""
     around = points if np.array_equal(points[0], points[-1]) else np.vstack([points, points[:1]])
     return _cubic_spline(around, "periodic")
 
 
 def _cubic_spline(points: FloatArray, ends: Any) -> Edge:
-    """Return the cubic spline through points, with chord lengths as parameters; `ends` is scipy's `bc_type`."""
+    """Return the cubic spline through points, parametrised by chord lengths. `ends` is scipy's `bc_type`."""
     from scipy.interpolate import make_interp_spline
 
     chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
@@ -511,7 +513,7 @@ def _cubic_spline(points: FloatArray, ends: Any) -> Edge:
 
 
 def _polyline(rows: list[tuple[float, float, float, float]], *, closed: bool, to_world: Any) -> Run:
-    """Return a polyline without bulges as a single edge, else a line or arc for each side."""
+    """Return a polyline without bulges as a single edge, otherwise a line or arc for each side."""
     if closed and len(rows) > 1:
         rows = [*rows, rows[0]]
     if len(rows) < 2:
@@ -535,7 +537,7 @@ def _arc_of_bulge(p: FloatArray, q: FloatArray, bulge: float) -> Edge:
     chord = q - p
     left = np.array([-chord[1], chord[0], 0.0])
     sweep = 4 * np.arctan(bulge)
-    # the centre of a flat arc is too far away to be accurate
+    # the centre of a flat arc is too far away to be computed accurately
     if abs(sweep) <= np.pi / 2:
         middle = (p + q) / 2 - left * np.tan(sweep / 2) / 2
         knots = np.repeat([0.0, 1.0], 3)

@@ -50,7 +50,7 @@ def encode_dxf(
     version: str = "R2010",
     layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
-    """Return the bytes of a DXF file in mm; the same drawing and command give the same bytes.
+    """Return the bytes of a DXF file in mm, which are reproducible.
 
     A loop of lines and arcs is a closed polyline, or a CIRCLE. A loop that is a single spline is a closed
     SPLINE. A loop with splines and other segments is a GROUP of LINE, ARC and SPLINE in order, whose ends
@@ -69,8 +69,7 @@ def encode_dxf(
     tolerance : float
         Largest distance, mm, between a curve and its replacement.
     version : str
-        One of `DXF_VERSIONS`. R12 has no units in its header; a comment states mm. R12 is written without
-        ezdxf.
+        One of `DXF_VERSIONS`. R12 is written without ezdxf; its header has no units, so a comment states mm.
     layers : mapping, optional
         Names and colours, see `style_layers`.
 
@@ -102,7 +101,9 @@ def encode_dxf(
 
 
 def _made_by() -> list[str]:
-    """Return the running command as comment lines, because old readers limit lines to 255 characters."""
+    """Return the running command as comment lines of limited length, because old readers limit lines to 255
+    characters.
+    """
     return wrap(MADE_BY.get(), LONGEST_COMMENT)
 
 
@@ -112,7 +113,6 @@ def _made_by() -> list[str]:
 def _through_ezdxf(
     paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray, version: str
 ) -> bytes:
-    """Return the bytes of a DXF file of version R2000 or later, with each path on its layer."""
     with _plain_ezdxf() as ezdxf:
         document = ezdxf.new(version, setup=False, units=ezdxf.units.MM)
         for layer, style in styles.items():
@@ -123,8 +123,8 @@ def _through_ezdxf(
         for layer, path in paths:
             entities = [*_entities(space, path, {"layer": layer})]
             if len(entities) > 1:
-                # `document.groups.new` is not used: it compares the name with all names, which takes minutes
-                # for thousands of holes
+                # `document.groups.new` would compare each name with all others: minutes for thousands of
+                # holes
                 group = document.objects.add_dxf_object_with_reactor("GROUP", {"owner": groups.dxf.handle})
                 groups.add(f"LOOP_{len(groups) + 1}", group)
                 group.set_data(entities)
@@ -133,7 +133,7 @@ def _through_ezdxf(
         document.header["$EXTMIN"], document.header["$EXTMAX"] = (left, low, 0.0), (right, high, 0.0)
         height = 1.1 * max(high - low, (right - left) / 2)
         document.set_modelspace_vport(height, ((left + right) / 2, (low + high) / 2))
-        # ezdxf stores the classes of a version in a set, whose order differs between processes
+        # ezdxf stores the classes of a version in a set, so their order differs between runs
         document.classes.add_required_classes(document.dxfversion)
         document.classes.classes = dict(sorted(document.classes.classes.items()))
         stream = io.StringIO("".join(f"999\n{line}\n" for line in _made_by()))
@@ -165,7 +165,7 @@ def _entities(space: Any, path: Path, on: dict[str, Any]) -> Iterator[Any]:
 
 @contextmanager
 def _plain_ezdxf() -> Iterator[Any]:
-    """Import ezdxf without time stamps, random identifiers and log, so that files are reproducible."""
+    """Import ezdxf without time stamps, random identifiers and log, which would make files irreproducible."""
     try:
         ezdxf = import_module("ezdxf")
     except ImportError:
@@ -186,7 +186,7 @@ def _plain_ezdxf() -> Iterator[Any]:
 
 
 def _r12(paths: Sequence[tuple[str, Path]], styles: Mapping[str, LayerStyle], bounds: FloatArray) -> bytes:
-    """Return the bytes of an R12 file, which has pairs of lines: group code and value."""
+    """Return the bytes of an R12 file: pairs of lines with a group code and its value."""
     tags: list[tuple[int, object]] = [(999, line) for line in ("all lengths in mm", *_made_by())]
     tags += [(0, "SECTION"), (2, "HEADER")]
     tags += [(9, "$ACADVER"), (1, "AC1009")]
@@ -261,7 +261,7 @@ def _vertices_with_bulges(path: Path) -> list[tuple[float, float, float]]:
 
 
 def _up_to_half_turns(segment: Segment) -> list[Segment]:
-    """Return an arc of more than 180 degrees as halves, because its bulge would be large."""
+    """Return the segment; an arc of more than 180 degrees is halved, because its bulge would be large."""
     if isinstance(segment, Arc) and abs(segment.sweep) > pi * (1 + 1e-9):
         return [trim_segment(segment, 0.0, 0.5), trim_segment(segment, 0.5, 1.0)]
     return [segment]

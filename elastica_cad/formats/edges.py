@@ -128,7 +128,7 @@ class Edge:
 
     @cached_property
     def spans(self) -> Spans:
-        """The Bezier pieces of the edge."""
+        """Bezier pieces of the edge."""
         return bezier_spans(self.knots, self.degree)
 
     @cached_property
@@ -158,12 +158,12 @@ class Edge:
 
     @cached_property
     def size(self) -> float:
-        """Length of the control polygon, mm, which is an upper bound of the length of the curve."""
+        """Length of the control polygon, mm; the curve is not longer."""
         return float(np.linalg.norm(np.diff(self.points, axis=0), axis=1).sum())
 
     @cached_property
     def length(self) -> float:
-        """Length of the curve, mm, extrapolated from chords of two sizes."""
+        """Length of the curve, mm, extrapolated from the chords of two divisions."""
         if self.degree == 1:
             return self.size
         points = self.at(self.stations())
@@ -171,10 +171,10 @@ class Edge:
         return float(4 * fine - coarse) / 3
 
     def stations(self, each: int = 17) -> FloatArray:
-        """Return parameters along the edge, `each` for every span, with both ends and all knots."""
+        """Return parameters along the edge: `each` for every span, both ends and all knots."""
         edges = self.spans.edges
         places = edges[:-1, None] + np.diff(edges)[:, None] * np.linspace(0, 1, each)
-        # `np.unique` is not used because it loads all of numpy.ma
+        # `np.unique` would load all of numpy.ma
         return knot_runs(np.sort(places, axis=None))[0]
 
     def reversed(self) -> "Edge":
@@ -194,7 +194,7 @@ class Edge:
         source = source or self.source
         if not np.isfinite(points).all():
             return Edge(self.knots, points, self.degree, self.weights, source)
-        edge = object.__new__(Edge)  # skip the checks of the constructor, because `self` has passed them
+        edge = object.__new__(Edge)  # skip the checks that `self` has passed
         parts = {"knots": self.knots, "points": points, "degree": self.degree, "weights": self.weights}
         vars(edge).update(parts, source=source)
         return edge

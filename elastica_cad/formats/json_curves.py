@@ -30,7 +30,7 @@ def curve_record(curve: PlaneCurve) -> dict[str, Any]:
 
 
 def curves_json(curves: Sequence[PlaneCurve]) -> str:
-    """Return the text of a JSON file of curves, from which `read_json_drawing` reads exactly equal curves."""
+    """Return the text of a JSON file of curves, from which `read_json_drawing` reads equal curves."""
     data = {
         "schema": CURVES_SCHEMA,
         "units": "mm",
@@ -45,7 +45,7 @@ def read_json_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
         data = json.loads(file.read_bytes())
     except RecursionError as error:
         raise InputError("has lists or records nested too deeply: give a file that elastica wrote") from error
-    except ValueError as error:  # this error is also raised for an integer of thousands of digits
+    except ValueError as error:  # an integer of thousands of digits raises ValueError too
         raise InputError(
             "is not JSON ({partition}): export it again", partition=str(error).partition(";")[0]
         ) from error

@@ -90,9 +90,9 @@ _OBJ_LISTS = {b"v": 0, b"vt": 1, b"vn": 2}
 
 
 def _obj_with_positive_indices(data: bytes) -> BytesIO:
-    """Return the OBJ file with positive indices, because trimesh misreads negative indices.
+    """Return the OBJ file with positive indices only, because trimesh misreads negative indices.
 
-    A negative index counts back from its line, but trimesh counts from the end of the file.
+    A negative index counts back from its own line, but trimesh counts back from the end of the file.
     """
     counts = [0, 0, 0]
     lines = []
@@ -107,7 +107,7 @@ def _obj_with_positive_indices(data: bytes) -> BytesIO:
 
 
 def _with_positive_indices(corner: bytes, counts: Sequence[int]) -> bytes:
-    """Return the indices v/vt/vn of a corner of a face, with positive indices only."""
+    """Return the indices v/vt/vn of a corner, with negative indices made positive."""
     indices = corner.split(b"/")
     return b"/".join(
         b"%d" % (count + 1 + int(index)) if index.startswith(b"-") else index
@@ -116,7 +116,6 @@ def _with_positive_indices(corner: bytes, counts: Sequence[int]) -> bytes:
 
 
 def _unlikely_size_message(size: float) -> str:
-    """Return the message for a mesh with an unlikely size in mm."""
     guesses = {name: size * look_up_unit(name) for name in GUESSES}
     likely = [name for name, long in guesses.items() if LIKELY_SIZES_MM[0] <= long <= LIKELY_SIZES_MM[1]]
     hint = f" ({', '.join(f'{name}: {guesses[name]:.4g} mm' for name in likely)})" if likely else ""
@@ -129,11 +128,11 @@ def _unlikely_size_message(size: float) -> str:
 
 
 LEAST_SIZE_MM, MOST_SIZE_MM = 1.0, 1e6
-"""Smallest and largest size, mm, of a surface. A size outside this range means that the unit is wrong."""
+"""Range of sizes, mm, of a surface. A size outside this range means that the unit is wrong."""
 
 
 SurfaceReader: TypeAlias = Callable[..., Surface]
-"""Type of functions `read_surface(path, unit=..., scale=...)`."""
+"""Function `read_surface(path, unit=..., scale=...)`."""
 
 
 def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.0) -> Surface:
@@ -147,7 +146,7 @@ def mesh_surface(path: str | Path, *, unit: str | None = None, scale: float = 1.
 def read_sized_surface(
     read_surface: SurfaceReader, path: Path, *, unit: str | None = None, scale: float | None = None
 ) -> Surface:
-    """Read a surface from a file, in mm. If `scale` is given, `unit` is not needed."""
+    """Read a surface from a file, in mm. `unit` is not needed if `scale` is given."""
     unit = "mm" if unit is None and scale is not None else unit
     surface = read_surface(path, unit=unit, scale=1.0 if scale is None else scale)
     if not LEAST_SIZE_MM <= surface.size <= MOST_SIZE_MM:

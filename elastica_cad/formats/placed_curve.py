@@ -15,17 +15,14 @@ from elastica_cad.geometry.frame import Frame
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import Length, Point, note
 
-# largest distance of a drawing from its plane: in mm, and as a fraction of its size
+# a drawing may deviate from its plane by this: in mm, and as a fraction of its size
 NOISE_MM, NOISE_SHARE = 0.05, 1e-3
-# a plane counts as horizontal if the z component of its unit normal is at least this
+# least z component of the unit normal of a plane that counts as horizontal
 HORIZONTAL = np.cos(np.radians(1.0))
 
 
 def flatten_run(run: Sequence[Edge], tolerance: float) -> Run:
-    """Map a run of edges from space to the coordinates of its plane.
-
-    The axes are chosen by `drawing_plane`.
-    """
+    """Map a run of edges from space to the coordinates of its `drawing_plane`."""
     return in_plane(run, drawing_plane(run, tolerance))
 
 
@@ -57,7 +54,7 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
     centred = points - points.mean(axis=0)
     _, sizes, directions = np.linalg.svd(centred, full_matrices=False)
     normal = directions[-1]
-    if len(sizes) < 3 or sizes[1] <= 1e-9 * sizes[0]:  # collinear points: use the vertical plane
+    if len(sizes) < 3 or sizes[1] <= 1e-9 * sizes[0]:  # collinear points are drawn in the vertical plane
         normal = np.cross(directions[0], (0.0, 0.0, 1.0))
         if np.linalg.norm(normal) < 1e-9:
             normal = np.array([0.0, 1.0, 0.0])
@@ -84,10 +81,10 @@ def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
 
 JOIN = 1e-4  # largest gap, mm, between ends of edges that meet
 TANGENT = 1e-3  # largest turn, rad, at a joint that counts as smooth
-LEAST_TURN = 1e-6  # a curve with a smaller total turn, rad, does not determine the side of its plane
-# largest distance of ends that are probably intended to meet, as a fraction of the extent of all edges
+LEAST_TURN = 1e-6  # a curve with a smaller total turn, rad, has no side to which its plane could face
+# ends closer than this, as a fraction of the extent of all edges, are probably intended to meet
 INTENDED_GAP_FRACTION = 0.05
-JOINED_MM = 0.5  # largest gap, mm, for which a larger tolerance for joining is suggested
+JOINED_MM = 0.5  # a larger tolerance is suggested for gaps up to this, mm
 AS_DRAWN = np.eye(3)
 
 
@@ -143,7 +140,7 @@ def place_chain(
     run: Run, frame_of: Callable[[Run], Frame], holes: Sequence[Run] = (), join: float = JOIN
 ) -> tuple[PlaneCurve, Frame]:
     """Return the curve of a chain of edges and its frame. A chain with corners is refused."""
-    # in a closed chain, the first edge follows the last
+    # the last edge of a closed chain is followed by the first
     closed = dist(run[0].start.tolist(), run[-1].end.tolist()) <= join
     for before, after in pairwise((*run, *run[:1]) if closed else run):
         out, onward = before.points[-1] - before.points[-2], after.points[1] - after.points[0]
@@ -172,7 +169,7 @@ def place_chain(
 def _several_chains_message(runs: Sequence[Run]) -> str:
     """Return the message that edges form several chains, with the ends that nearly meet, if any."""
     ends = np.array([(run[0].start, run[-1].end) for run in runs])
-    # axes: run, end of the run, other run, end of the other run
+    # axes of the array: run, end of the run, other run, end of the other run
     between = np.linalg.norm(ends[:, :, None, None] - ends, axis=-1)
     between[np.arange(len(runs)), :, np.arange(len(runs))] = np.inf
     run, side = np.unravel_index(between.argmin(), between.shape)[:2]
@@ -203,7 +200,7 @@ def _several_chains_message(runs: Sequence[Run]) -> str:
 
 
 def _require_in_plane(run: Sequence[Edge], plane: Frame) -> Frame:
-    """Return the given plane, and refuse edges that are not in this plane."""
+    """Return the plane. Raise InputError for edges outside it."""
     points = np.concatenate([edge.at(edge.stations()) for edge in run])
     off = (points - plane.origin) @ plane.z_axis
     if np.abs(off).max() > max(JOIN, 1e-6 * float(np.ptp(points, axis=0).max())):
@@ -215,7 +212,7 @@ def _require_in_plane(run: Sequence[Edge], plane: Frame) -> Frame:
 
 
 def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
-    """Return the plane of the edges, with the z axis that `placed_curve` describes."""
+    """Return the plane of the edges, with its z axis on the side that `placed_curve` describes."""
     points = np.concatenate([edge.points for edge in run])
     heights = points[:, 2]
     if heights.max() - heights.min() <= JOIN and turned is AS_DRAWN:
@@ -234,7 +231,7 @@ def _side_of(run: Sequence[Edge], turned: FloatArray) -> Frame:
 
 
 def _total_turn(points: FloatArray, normal: FloatArray) -> float:
-    """Return the total turn, rad, of a polyline (m, 3) about a normal; if it is 0, the initial turn."""
+    """Return the total turn, rad, of a polyline (m, 3) about a normal or, if it is 0, the initial turn."""
     chords = np.diff(points, axis=0)
     chords = chords[np.linalg.norm(chords, axis=1) > 0]
     before, after = chords[:-1], chords[1:]

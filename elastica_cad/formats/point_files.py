@@ -32,16 +32,16 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import Length, note
 
 ALONG = ("distance", "station")
-"""Headings of the common x column of a table of offsets, in order of preference."""
+"""Headings of the x column of a table of offsets, which all curves share; the first one found is used."""
 
 NOTHING = ("", "-", "\u2013", "\u2014")
-"""Contents of cells in a table of offsets at which a curve has no point."""
+"""Cells of a table of offsets that leave a curve without a point there."""
 
 _MINUS = "\u2212"
-"""Typographic minus sign, which spreadsheets in Nordic languages write."""
+"""Typographic minus sign, as in Nordic spreadsheets."""
 
 _FRACTIONS = re.compile("[\u00bc-\u00be\u2150-\u215e]")
-"""Single characters for fractions, such as five eighths."""
+"""Fractions that are a single character, such as five eighths."""
 
 _LEAST_SIZE_MM = 20.0
 """Smallest likely size, mm, of a drawing of a strip."""
@@ -66,19 +66,18 @@ _STATED = re.compile(
     (?:\b(?:all|dimensions|measurements|coordinates|values)\s+in\s+|[(\[])([^\W\d_]+)""",
     re.IGNORECASE | re.VERBOSE,
 )
-"""Patterns for a unit stated in a remark or a title ("Units: inches"), and possibly stated ("all in mm",
-"(inches)").
-"""
+"""Pattern for a unit in a remark or title: stated ("Units: inches"), or possibly stated ("all in mm",
+"(inches)")."""
 
 _NUMBER = re.compile(r"[-+]?[\d.,]*\d[\d.,]*(?:[eE][-+]?\d+)?")
 _SPACES = re.compile("[ '\u2019]")
 _GROUPED = re.compile(r"[-+]?[1-9]\d{0,2}(?:([ '\u2019])\d{3})(?:\1\d{3})*(?:[.,]\d*)?")
-"""Pattern for a number with blanks or apostrophes as separators of thousands."""
+"""Pattern for a number with thousands separated by blanks or apostrophes."""
 
 _UNIT_BEHIND = re.compile(rf"({_NUMBER.pattern}|[-+]?\d+[ -]\d+/\d+)\s*([^\W\d_]+\.?)")
 
 Row = tuple[int, list[str]]
-"""Number of a row in the file, and the cells of the row."""
+"""Number of a row in the file, and its cells."""
 
 
 class Column(NamedTuple):
@@ -89,7 +88,7 @@ class Column(NamedTuple):
     name : str
         Heading of the curve; "" if the table is a single curve.
     rows : list
-        Number and coordinates of each row. A row that separates blocks has no coordinates.
+        Number and coordinates of each row. A row without coordinates separates two pieces.
     """
 
     name: str
@@ -106,9 +105,9 @@ class PointTable:
     unit : str or None
         Unit named in the table.
     note : str
-        Message on how ambiguous numbers were interpreted.
+        Message on how ambiguous numbers were read.
     is_offsets : bool
-        True for a table of offsets, in which every column is a curve over a common column.
+        True for a table of offsets: all curves share one x column.
     """
 
     columns: list[Column]
@@ -147,7 +146,7 @@ def read_text(path: Path) -> str:
 
 
 def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
-    """Return the rows with unquoted cells, the remarks, and the separator of cells (a blank by default)."""
+    """Return the rows with unquoted cells, the remarks, and the separator of cells (" " by default)."""
     lines = text.splitlines()
     stated = _SEP.fullmatch(lines[0].strip(" ")) if lines else None
     numbered = [(n, line.strip(" ")) for n, line in enumerate(lines, 1) if not line.lstrip().startswith("#")]
@@ -155,9 +154,7 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
     if stated:
         separator = stated[1]
     else:
-        outside = [
-            re.sub('"[^"]*"', "", line) for _, line in numbered
-        ]  # a separator within quotes does not count
+        outside = [re.sub('"[^"]*"', "", line) for _, line in numbered]  # ignore separators in quotes
         often = {sign: sum(sign in line for line in outside) for sign in _SEPARATORS}
         separator = max(often, key=lambda sign: often[sign]) if any(often.values()) else " "
     if separator == " ":
@@ -180,7 +177,7 @@ def _split_rows(text: str) -> tuple[list[Row], list[str], str]:
 
 
 class _Head(NamedTuple):
-    """Cell of a heading: axis, name, and unit, each empty if missing."""
+    """Cell of a heading: axis, name and unit; missing parts are empty."""
 
     axis: str
     name: str
@@ -264,7 +261,7 @@ class _Layout:
         units = [
             *units,
             *(unit_name for unit_name in stated if len(names) < 2 or unit_name not in names),
-        ]  # several unknown names in a heading are the names of curves
+        ]  # unknown names are names of curves only if there are several
         if count == 1:
             last = max(curves[0])
             rows = [(n, [cells[k] for k in curves[0]] if len(cells) > last else cells) for n, cells in below]
@@ -297,7 +294,7 @@ class _Layout:
 
 
 def _cells_of_curve(cells: list[str], places: Sequence[int]) -> list[str]:
-    """Return the cells of a row that belong to a curve, or an empty list if x or y is blank."""
+    """Return the cells of a row that belong to a curve, or an empty list if the curve has no point there."""
     cells_of_curve = [cells[k] if k < len(cells) else "" for k in places]
     return cells_of_curve if any(cell not in NOTHING for cell in cells_of_curve[:2]) else []
 
@@ -307,7 +304,7 @@ def _words(rows: list[Row]) -> list[str]:
 
 
 def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
-    """Return the units if the top row contains only units, and the other rows."""
+    """Return the units of the top row, if it contains nothing else, and the other rows."""
     for k, (_, cells) in enumerate(rows):
         if cells:
             bare = [cell.strip(" []()") for cell in cells]
@@ -317,7 +314,7 @@ def _units_row(rows: list[Row]) -> tuple[list[str], list[Row]]:
 
 
 def _units(names: Sequence[str], titles: Sequence[str]) -> list[str]:
-    """Return the units named in the heading, or else in titles and remarks."""
+    """Return the units named in the heading or, if it names none, in titles and remarks."""
     stated = [match for title in titles for match in _STATED.finditer(title)]
     words = [word for word in names if word not in NOTHING] or [
         match[1] or match[2] for match in stated if match[1] or read_unit(match[2])
@@ -338,7 +335,7 @@ def _mapped(columns: list[Column], change: Callable[[str], str]) -> list[Column]
 
 
 def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
-    """Return the columns of numbers such as "12.5 mm" without their units, and the units."""
+    """Return the columns without the units of numbers such as "12.5 mm", and these units."""
     units: dict[str, None] = {}
 
     def bare(cell: str) -> str:
@@ -353,7 +350,9 @@ def _without_units(columns: list[Column]) -> tuple[list[Column], list[str]]:
 
 
 def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple[list[Column], str]:
-    """Return columns with decimal points and without separators of thousands, and a message on ambiguity."""
+    """Return the columns with decimal points and without separators of thousands, and a message if they are
+    ambiguous.
+    """
     columns = _mapped(
         columns,
         lambda cell: _SPACES.sub("", cell) if _SPACES.search(cell) and _GROUPED.fullmatch(cell) else cell,
@@ -364,11 +363,11 @@ def _plain_numbers(columns: list[Column], separator: str, scale: float) -> tuple
 
 
 def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) -> tuple[str, str]:
-    """Return the separator of thousands ("" if none), and a message if the separator is a guess.
+    """Return the separator of thousands ("" if none), and a message if it was guessed.
 
-    A single separator before three digits may separate thousands or decimals; the other cells decide. If
-    they are ambiguous too, a quoted comma in comma-separated cells separates thousands. Other signs are
-    decimal points, unless the curve would then be smaller than any strip.
+    A single separator before three digits may separate thousands or decimals; the other cells decide. If all
+    are ambiguous, a quoted comma in a comma-separated file separates thousands. Another sign is a decimal
+    point, unless the curve would then be smaller than any strip.
     """
     numbers = [(n, cell.lstrip("+-")) for n, cell in cells if _NUMBER.fullmatch(cell)]
     kinds: dict[str, dict[str, list[tuple[int, str]]]] = {",": {}, ".": {}}
@@ -414,7 +413,9 @@ def _group_sign(cells: Sequence[tuple[int, str]], separator: str, scale: float) 
 
 
 def _first_data(rows: list[Row]) -> int:
-    """Return the index of the top row with two numbers, else with one number, else of the second row."""
+    """Return the index of the first row with two numbers or, without any, with one; by default of the second
+    row.
+    """
     filled = [k for k, (_, cells) in enumerate(rows) if cells]
     for least in (2, 1):
         for k in filled:
@@ -449,7 +450,6 @@ def _is_length(cell: str) -> bool:
 
 
 def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -> list[float]:
-    """Return the coordinates of a row, mm."""
     if not least <= len(cells) <= most:
         raise InputError(
             "row {row} has {count} columns but needs {needed}",
@@ -472,13 +472,13 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
     return values
 
 
-# rounding error, mm, of a ruler divided into half millimetres: coarser points count as measured by hand
+# points rounded more coarsely than half a millimetre, mm, count as measured by hand with a ruler
 RULER_MM = 0.25
-_DIGITS = 20_000  # largest number of numbers whose digits are examined
+_DIGITS = 20_000  # largest number of numbers that are searched for their decimals
 
 
 def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:
-    """Fit curves to measured points. Each row has a point "x, y"; blank rows separate curves.
+    """Fit curves to measured points, one "x, y" in each row; blank rows separate curves.
 
     Columns are separated by commas, semicolons, tabs or blanks, or by the sign defined in a row such as
     Excel's `sep=;`. Rows that start with # are remarks. Titles, a heading and a row of units may precede the
@@ -496,7 +496,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
     cells = [cell for column in table.columns for _, row in column.rows for cell in row]
     inches = [cell for cell in cells if is_in_inches(cell)]
     scale = look_up_unit(table.unit or ("in" if inches else "mm"))
-    # denominators of fractions
+    # denominators of the fractions of an inch
     parts = [int(match[1]) for cell in inches if (match := re.search(r"/(\d+)", cell))]
     parts += [8 for cell in inches if cell.count("-") > 1]
     rounded = MM_PER_INCH / max(parts) / 2 if parts else scale * half_last_place(cells[:_DIGITS])
@@ -530,7 +530,7 @@ def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> D
 
 
 def read_path_points(file: Path) -> FloatArray:
-    """Read the points (n, 3), mm, of a path in space from a table with x, y and z, as `read_csv_drawing` does."""
+    """Read the points (n, 3), mm, of a path in space from a table with x, y and z: see `read_csv_drawing`."""
     with name_source(file):
         table = PointTable.read(file, unit=None)
         scale = look_up_unit(table.unit or "mm")

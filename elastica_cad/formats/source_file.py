@@ -1,4 +1,4 @@
-"""Checks of input files and their numbers: size of the file, range of the numbers, count of shapes."""
+"""Checks of input files: size of the file, range of its numbers, count of its shapes."""
 
 import os
 import re
@@ -16,7 +16,7 @@ from elastica_cad.errors import InputError, NotConvergedError
 from elastica_cad.refusals import FieldName, Length
 
 FileMark: TypeAlias = tuple[int, int, int] | None
-"""Fingerprint of a file: modification time, size and inode number, or None for a missing file."""
+"""Fingerprint of a file (modification time, size and inode number), or None for a missing file."""
 
 _read: ContextVar[dict[Path, FileMark] | None] = ContextVar("files read", default=None)
 
@@ -35,12 +35,12 @@ LARGEST_OF_KIND = {".toml": 2 * 2**20} | dict.fromkeys(
 
 
 def require_file(path: str | Path) -> Path:
-    """Return the path of a file, and refuse it if the file is missing, empty, too large or not readable."""
+    """Return the path of a file. Raise InputError if it is missing, empty, too large or not readable."""
     path, noted = require_path(path), _read.get()
     if noted is not None:
         noted.setdefault(path.absolute(), mark_file(path))
     require_below(path)
-    if os.path.isdir(path):  # `isdir` returns False for invalid names, without an error
+    if os.path.isdir(path):  # no error for invalid names
         raise InputError("{path} is a folder: name one file in it", path=path)
     if os.path.exists(path) and not path.is_file():
         raise InputError("{path} is a device or a pipe, not a file: name a file", path=path)
@@ -67,7 +67,7 @@ def require_file(path: str | Path) -> Path:
 
 
 def require_below(path: Path) -> None:
-    """Refuse a file outside of the folders allowed by `read_below`, after following symbolic links."""
+    """Raise InputError for a file outside the folders that `read_below` allows, with symbolic links resolved."""
     folders, real = _below.get(), Path(os.path.realpath(path))
     if folders and not any(real.is_relative_to(folder) for folder in folders):
         raise InputError(
@@ -81,7 +81,7 @@ def require_below(path: Path) -> None:
 
 @contextmanager
 def read_below(*folders: str | os.PathLike[str]) -> Iterator[None]:
-    """Restrict the code in a `with` block to reading files in these folders and their subfolders."""
+    """Allow a `with` block to read files only in these folders and their subfolders."""
     token = _below.set(tuple(Path(os.path.realpath(folder)) for folder in folders))
     try:
         yield
@@ -100,7 +100,7 @@ def mark_file(path: Path) -> FileMark:
 
 @contextmanager
 def note_reads() -> Iterator[dict[Path, FileMark]]:
-    """Collect the files that a `with` block passes to `require_file`, with fingerprints at that time."""
+    """Collect the files that a `with` block passes to `require_file`, with their fingerprints."""
     noted: dict[Path, FileMark] = {}
     token = _read.set(noted)
     try:
@@ -124,7 +124,7 @@ def quiet_log(name: str) -> Iterator[None]:
 
 @contextmanager
 def name_source(path: str | Path) -> Iterator[Path]:
-    """Check a file as `require_file` does, and add its name to the errors that the `with` block raises."""
+    """Check a file with `require_file`, and add its name to the errors that the `with` block raises."""
     path = require_file(path)
     try:
         yield path
@@ -137,16 +137,15 @@ SMALLEST_SIZE, LARGEST_SIZE = 1e-3, 1e6
 """Smallest and largest size of curves that are read, mm."""
 
 FARTHEST = 1e10
-"""Largest coordinate, mm. Maps in metres with a distant origin have such coordinates."""
+"""Largest coordinate, mm. Maps in metres with a distant origin need this range."""
 
 LARGEST_NUMBER = 1e9
 """Largest absolute value of an option or of a number in a design, in any unit.
 
-Most of them have smaller limits.
-"""
+Most options have smaller limits."""
 
 MOST_SHAPES = 20_000
-"""Largest number of shapes in a drawing. Shapes in blocks and clones are counted for every copy."""
+"""Largest number of shapes in a drawing. A shape in a block or clone is counted for every copy."""
 
 MOST_EDGES = 120_000
 """Largest number of pieces of all curves of a file."""
@@ -157,22 +156,21 @@ MOST_CURVES = 5_000
 MOST_PIECES = 3_000
 """Largest number of pieces of a curve.
 
-The largest number of control points or measured points is four times this.
-"""
+It may have four times as many control points or measured points."""
 
 MOST_DEGREE = 25
 """Largest degree of a spline."""
 
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _WRITTEN = re.compile(r"[-+]?(\d*)(?:\.(\d*))?(?:[eE]([-+]?\d+))?")
-# a program that writes a fixed number of significant digits, not decimals, writes at least this many
+# programs that write a fixed number of significant digits, not decimals, write at least this many
 _LEAST_DIGITS = 6
-# least number of large coordinates, not multiples of 10, from which the decimals are inferred
+# decimals are inferred from large coordinates only if there are at least this many, multiples of 10 excluded
 _LEAST_LARGE_NUMBERS = 2
 
 
 def check_places(points: FloatArray) -> FloatArray:
-    """Return coordinates in mm, and refuse them if any is not finite or is too large."""
+    """Return coordinates in mm. Raise InputError if any is too large or not finite."""
     bad = ~(np.abs(points) <= FARTHEST)
     if bad.any():
         value = points[bad].flat[0]
@@ -186,7 +184,7 @@ def check_places(points: FloatArray) -> FloatArray:
 
 
 def check_size(points: FloatArray, *, in_file: bool = True) -> None:
-    """Refuse a curve whose control points (n, d), mm, have an extent that no strip can have.
+    """Raise InputError for control points (n, d), mm, that are too small or too large for a strip.
 
     The message names the option for the unit only if the curve is in a file.
     """
@@ -206,7 +204,10 @@ def check_size(points: FloatArray, *, in_file: bool = True) -> None:
 
 
 def check_count(count: int, most: int, what: str, instead: str) -> int:
-    """Return `count`, the number of items named `what`, or refuse it with the advice `instead`."""
+    """Return `count`.
+
+    If it is more than `most`, refuse it; the message names the items (`what`) and advises `instead`.
+    """
     if count > most:
         raise InputError(
             "has {whole} {what}, more than the limit of {most}: {instead}",
@@ -219,7 +220,7 @@ def check_count(count: int, most: int, what: str, instead: str) -> int:
 
 
 def check_degree(degree: int) -> int:
-    """Return the degree of a spline, and refuse a degree below 1."""
+    """Return the degree of a spline, and refuse a degree outside 1 to `MOST_DEGREE`."""
     if not 1 <= degree <= MOST_DEGREE:
         raise InputError(
             "a spline has degree {whole}, outside 1 to {most_degree}: export it with degree 3",
@@ -230,7 +231,7 @@ def check_degree(degree: int) -> int:
 
 
 def check_tolerance(value: float, name: str = "tolerance") -> float:
-    """Check the tolerance, mm, of a file reader for joints and fits, and return it.
+    """Return the tolerance, mm, of a file reader for joints and fits, after a check.
 
     Parameters
     ----------
@@ -255,9 +256,9 @@ def _shortened(number: int) -> str:
 def half_last_place(numbers: Iterable[str]) -> float:
     """Return half a unit of the last written digit of coordinates: their largest rounding error.
 
-    Some programs write a fixed number of decimals without trailing zeros, so the most decimals determine the
-    result. Other programs write a fixed number of significant digits, so the largest numbers determine it,
-    because their rounding is coarsest. Without numbers the result is 0.
+    Some programs write a fixed number of decimals without trailing zeros; then the number with the most
+    decimals determines the result. Others write a fixed number of significant digits; then the largest number
+    determines it, because its rounding is coarsest. Without numbers the result is 0.
 
     Examples
     --------
@@ -280,7 +281,7 @@ def half_last_place(numbers: Iterable[str]) -> float:
 
 
 def _value_and_digits(text: str) -> tuple[float, int, int] | None:
-    """Return the absolute value of a number and its numbers of decimals and significant digits, or None."""
+    """Return the absolute value of a number, its decimals and its significant digits, or None for other text."""
     match = _WRITTEN.fullmatch(text.strip())
     if match is None or not (match[1] or match[2]):
         return None

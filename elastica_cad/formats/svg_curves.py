@@ -25,7 +25,7 @@ _PX, _PT = MILLIMETRES["px"], MILLIMETRES["pt"]
 _INKSCAPE = "{http://www.inkscape.org/namespaces/inkscape}version"
 _AFFINITY = "xmlns:serif"
 _ILLUSTRATOR = "Generator: Adobe Illustrator"
-_EXPORTED_CLASS = re.compile(r"cls-\d+")  # names of CSS classes in files that Illustrator exports for screens
+_EXPORTED_CLASS = re.compile(r"cls-\d+")  # classes in files that Illustrator exports for screens
 _ZERO = re.compile(r"\s*[+]?(0*\.?0+|0+\.)(e[-+]?\d+)?\s*(%|[a-z]*)\s*", re.IGNORECASE)
 _TRANSPARENT = re.compile(
     r"(rgb|hsl)a?\(([^,]*,){3}\s*0*\.?0*%?\s*\)|(rgb|hsl)a?\([^,]*/\s*0*\.?0*%?\s*\)|#[0-9a-f]{6}00|#[0-9a-f]{3}0"
@@ -33,7 +33,7 @@ _TRANSPARENT = re.compile(
 """Pattern for colours with opacity 0."""
 
 _LEAST_UNIT = 1e-9  # least size of a user unit, mm
-_LARGEST = 1e15  # larger numbers are refused, so that the product of two numbers is finite
+_LARGEST = 1e15  # larger numbers are refused, so that products of two numbers are finite
 
 
 def read_svg_drawing(
@@ -45,7 +45,7 @@ def read_svg_drawing(
     applied. A path of straight lines only is fitted. The size of a user unit follows from width, height and
     viewBox. Without a width in a physical unit, a user unit is a CSS pixel, 25.4/96 mm. It is a point,
     25.4/72 mm, in files of Adobe Illustrator, and 25.4/90 mm in files of Inkscape before 0.92. The origin is
-    the origin of the user units. Text, images, definitions and hidden shapes are left out and counted.
+    the origin of the user units. Text, images, definitions and hidden shapes are only counted.
     """
     tree = svg_tree(file)
     known, pixel = (ReadUnit.requested(unit), _PX) if unit else _program(tree)
@@ -95,7 +95,7 @@ _OF_INKSCAPE = (
 
 
 def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
-    """Return the unit with its source, and the size of a pixel, mm, for the program that wrote the file.
+    """Return the unit, its source, and the size of a pixel, mm, in files of the program that wrote this file.
 
     Illustrator and Affinity may omit a size in a physical unit. Inkscape before 0.92 may also omit the
     viewBox.
@@ -122,7 +122,7 @@ def _program(tree: SvgTree) -> tuple[ReadUnit, float]:
 def _is_exported_for_screens(tree: SvgTree) -> bool:
     """Return True if the file was written by Illustrator's Export As.
 
-    Such a file does not name Illustrator. Files of Adobe XD are similar, but have a size.
+    Such a file does not contain the name of Illustrator. Files of Adobe XD are similar, but have a size.
     """
     if any(tree.size):
         return "data-name" in tree.root.attrib
@@ -183,7 +183,7 @@ def _runs(path: Path, shapes: "_Shapes", to_mm: FloatArray) -> Iterator[Run]:
 
 
 class _DrawnShape(NamedTuple):
-    """Subpaths of a shape in local coordinates, and the map to user units: matrix (2, 2) and offset (2,)."""
+    """Subpaths of a shape in its own coordinates, and the map to user units: matrix (2, 2) and offset (2,)."""
 
     runs: Sequence[Run]
     source: Source
@@ -192,18 +192,18 @@ class _DrawnShape(NamedTuple):
 
 
 class _Shapes:
-    """Reader of the shapes of an SVG tree. It parses a path once for all its clones, and counts skipped shapes.
+    """Reader of the shapes of an SVG tree. It parses a path once for all clones, and counts skipped shapes.
 
     Attributes
     ----------
     drawn : set of int
-        Marks of visible shapes.
+        Numbers of visible shapes.
     unpainted : set of int
-        Marks of shapes without stroke and fill.
+        Numbers of shapes without stroke and fill.
     clipped : dict
-        Names of shapes of which a clip path or mask may hide a part, as keys of a dict without values.
+        Names of shapes that a clip path or mask may hide in part; a dict without values keeps their order.
     bad : dict
-        Errors of shapes that cannot be read, by mark.
+        Errors of shapes that cannot be read, by number.
     """
 
     def __init__(self, tree: SvgTree) -> None:
@@ -268,7 +268,7 @@ class _Shapes:
         return [_with_polylines(run) for run in path.runs], path.rounding
 
     def report_left_out(self) -> None:
-        """Add hidden and invalid shapes to the skipped items, or raise an error if all shapes are invalid."""
+        """Count hidden and invalid shapes as skipped. Raise an error if all shapes are invalid."""
         shapes, skipped = self.tree.shapes, self.tree.skipped
         hidden = {mark for mark, shape in enumerate(shapes) if shape.shown} - self.drawn - self.unpainted
         for kind, marks in (
@@ -305,7 +305,7 @@ def _is_hidden(shape: Any) -> bool:
 
 
 def _is_painted(values: Mapping[str, str], what: str) -> bool:
-    """Return True if the stroke or the fill (`what`) of a shape is visible."""
+    """Return True if a shape has a visible stroke or fill; `what` is "stroke" or "fill"."""
     paint = values[what].strip().lower()
     clear = paint in ("none", "transparent") or _TRANSPARENT.fullmatch(paint)
     sizes = [values.get(f"{what}-opacity"), values.get("stroke-width") if what == "stroke" else None]
@@ -313,7 +313,7 @@ def _is_painted(values: Mapping[str, str], what: str) -> bool:
 
 
 def _may_be_clipped(runs: Sequence[Run], box: Box | None, transform: str) -> bool:
-    """Return True if a part of a shape may be outside of the area that clips it."""
+    """Return True if a clip path or mask may hide a part of a shape."""
     from svgelements import Matrix
 
     if box is None:
@@ -326,7 +326,7 @@ def _may_be_clipped(runs: Sequence[Run], box: Box | None, transform: str) -> boo
 
 
 def _in_user_units(tree: SvgTree) -> bytes:
-    """Return the document without viewBox, so that the parser leaves all coordinates in user units."""
+    """Return the document without viewBox, so that the parser does not scale coordinates."""
     root = tree.root
     box = root.get("viewBox", "").replace(",", " ").split()
     lengths = [read_length(text) for text in tree.size]
@@ -335,12 +335,12 @@ def _in_user_units(tree: SvgTree) -> bytes:
         root.attrib.pop(name, None)
     root.set("width", size[0])
     root.set("height", size[1])
-    # attribute names may contain non-ASCII letters
+    # names of attributes may contain non-ASCII letters
     return bytes(ElementTree.tostring(root, encoding="utf-8"))
 
 
 def _subpaths(segments: Any) -> Iterator[Run]:
-    """Yield the edges of each subpath, which starts at a Move segment."""
+    """Yield the edges of each subpath. A Move segment starts a subpath."""
     run: list[Edge] = []
     for segment in segments:
         kind = type(segment).__name__
@@ -374,7 +374,10 @@ def _points(*points: Any) -> FloatArray:
 
 
 def _arc(segment: Any) -> Edge | None:
-    """Return the exact arc of a segment, because svgelements computes an inaccurate centre for half turns."""
+    """Return the exact arc of a segment.
+
+    The centre that svgelements computes for half turns is inaccurate.
+    """
     start, end, center, px, py = _points(segment.start, segment.end, segment.center, segment.prx, segment.pry)
     x_axis, y_axis = px - center, py - center
     rx, ry = float(np.hypot(*x_axis)), float(np.hypot(*y_axis))

@@ -1,4 +1,4 @@
-"""Conversion of SVG path data (the text of commands and numbers in attribute `d`) to edges.
+"""Conversion of SVG path data (commands and numbers in the attribute `d`) to edges.
 
 SVG 2, section 9.3 ("Path data") and appendix B.2 (arcs). https://www.w3.org/TR/SVG2/paths.html
 """
@@ -38,7 +38,7 @@ class PathData:
 
 @dataclass
 class _Pen:
-    """Position of the pen, and the edges up to there."""
+    """Position of the pen, and the edges drawn so far."""
 
     here: FloatArray = field(default_factory=lambda: np.zeros(2))
     start: FloatArray = field(default_factory=lambda: np.zeros(2))
@@ -81,7 +81,7 @@ def path_data(text: str) -> PathData:
 
 
 def _commands(text: str) -> Iterator[tuple[str, list[str]]]:
-    """Yield every command with its numbers; implicit repetitions of a command are written out."""
+    """Yield every command with its numbers. A command that is repeated implicitly is yielded again."""
     at = _skip(text, 0)
     first = True
     while at < len(text):
@@ -102,7 +102,7 @@ def _commands(text: str) -> Iterator[tuple[str, list[str]]]:
 
 
 def _read_numbers(text: str, at: int, kind: str) -> tuple[list[str], int]:
-    """Return the numbers of a command and the position after them. Flags of an arc need no separator."""
+    """Return the numbers of a command and the position after them. The flags of an arc need no separator."""
     words = []
     for position in range(_COUNTS[kind]):
         if kind == "A" and position in (3, 4):
@@ -176,7 +176,7 @@ def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
 
 
 def _mirrored_handle(pen: _Pen, after: str) -> FloatArray:
-    """Return the previous Bezier handle mirrored at the pen, or the pen position after another command."""
+    """Return the last Bezier handle mirrored at the pen, or the pen if the last command is not in `after`."""
     if pen.handle is None or pen.before not in after:
         return pen.here
     return 2 * pen.here - pen.handle
@@ -187,14 +187,14 @@ def _line(start: FloatArray, end: FloatArray) -> Edge | None:
 
 
 def bezier_edge(points: FloatArray) -> Edge | None:
-    """Return the edge of a Bezier piece: a line if the piece is straight, or None if it has no length."""
+    """Return the edge of a Bezier piece: a line if it is straight, None if it has no length."""
     if not np.any(points != points[0]):
         return None
     return Edge.polyline(points[[0, -1]]) if _is_straight(points) else Edge.bezier(points)
 
 
 def _is_straight(points: FloatArray) -> bool:
-    """Return True if the control points are on the chord in order, so that the Bezier piece is straight."""
+    """Return True if the control points are on the chord and in order."""
     chord = points[-1] - points[0]
     along = (points - points[0]) @ chord
     across = (points - points[0]) @ np.array([-chord[1], chord[0]])
@@ -204,7 +204,7 @@ def _is_straight(points: FloatArray) -> bool:
 def _arc_edge(
     start: FloatArray, end: FloatArray, radii: FloatArray, turned: float, *, large: bool, sweep: bool
 ) -> Edge | None:
-    """Return the exact elliptic arc between two points. Radii that are too small are enlarged.
+    """Return the exact elliptic arc between two points. Too small radii are enlarged.
 
     Parameters
     ----------
@@ -227,7 +227,7 @@ def arc_between(
     start: FloatArray, end: FloatArray, axes: FloatArray, *, large: bool, sweep: bool
 ) -> Edge | None:
     """Return the exact arc between two points; its semi-axes are the columns of `axes` (2, 2), see `_arc_edge`."""
-    # in units of the semi-axes, the arc is part of a unit circle with its centre on the bisector of the chord
+    # in units of the semi-axes, the arc is part of a unit circle, centred on the bisector of the chord
     half = np.linalg.solve(axes, (end - start) / 2)
     reach = float(np.hypot(*half))
     if reach < 1e-12:

@@ -1,6 +1,7 @@
-"""Element tree of an SVG file with resolved styles and a limited size.
+"""Element tree of an SVG file, of limited size, with resolved styles.
 
-CSS Syntax 3, Cascade 4 and Selectors 3. https://www.w3.org/TR/css-syntax-3/, https://www.w3.org/TR/selectors-3/
+CSS Syntax 3, Cascade 4 and Selectors 3. https://www.w3.org/TR/css-syntax-3/,
+https://www.w3.org/TR/selectors-3/
 """
 
 import re
@@ -31,7 +32,7 @@ _PROPERTIES = frozenset((
 ))  # fmt: skip
 """Properties that affect the visibility and position of curves."""
 
-_OF_PARENT = ("inherit", "unset")  # CSS values that select the value of the parent element
+_OF_PARENT = ("inherit", "unset")  # CSS values that take the value of the parent element
 _SCREEN = re.compile(r"\s*((only\s+)?(all|screen)|not\s+(print|speech))?\s*", re.IGNORECASE)
 _PRINT = re.compile(r"\s*((only\s+)?(print|speech)\b.*|not\s+(all|screen))\s*", re.IGNORECASE)
 _DYNAMIC = re.compile(r"::|:(hover|active|focus|visited|target|before|after)", re.IGNORECASE)
@@ -50,7 +51,7 @@ _SIMPLE = re.compile(
 )
 
 _Steps = list[tuple[str, list[re.Match[str]]]]
-"""Parts of a CSS selector from left to right: combinator and simple selectors of an element."""
+"""Parts of a CSS selector from left to right: a combinator, and the simple selectors of one element."""
 
 
 class _Rule(NamedTuple):
@@ -103,8 +104,10 @@ def _apply_styles(root: Element) -> list[str]:
 
 
 def _rules(sheet: Element) -> Iterator[tuple[str, str, bool]]:
-    """Yield the selectors and declarations of each rule, and True if the rule always applies on a screen."""
-    # for each open block: None if its rules do not apply on a screen
+    """Yield selectors, declarations, and True if the rule applies on every screen, for each rule of a style
+    sheet.
+    """
+    # for each open block, a result of `_applies_on_screen`
     holds: list[bool | None] = [_applies_on_screen(sheet.get("media", ""))]
     selector = text = ""
     for piece in _PIECE.findall(_COMMENT.sub(" ", "".join(sheet.itertext()))):
@@ -146,7 +149,6 @@ def _declarations(text: str) -> list[tuple[str, str, bool]]:
 
 
 def _steps(selector: str) -> _Steps | None:
-    """Return the parts of a CSS selector, or None if the selector is not supported."""
     steps: _Steps = [("", [])]
     at = 0
     while at < len(selector):
@@ -162,7 +164,7 @@ def _steps(selector: str) -> _Steps | None:
 
 
 def _rank(part: re.Match[str]) -> int:
-    """Return the rank of a simple selector: 0 id, 1 class, attribute or pseudo-class, 2 element, 3 "*"."""
+    """Return 0 for an id, 1 for a class, attribute or pseudo-class, 2 for an element name, 3 for "*"."""
     if part["name"] == "*":
         return 3
     return {"#": 0, "": 2}.get(part["kind"], 1) if part["name"] else 1
@@ -188,7 +190,7 @@ class _Tree:
             for parent in self.elements
             for before, after in zip(parent, list(parent)[1:], strict=False)
         }
-        self.after = set(self.before.values())  # elements that have a following sibling
+        self.after = set(self.before.values())  # elements that follow a sibling
 
     def matches(self, element: Element, steps: _Steps) -> bool:
         """Return True if a selector matches the element."""
@@ -289,7 +291,7 @@ _HELD = ("svg", "symbol")
 
 Box = tuple[float, float, float, float]
 Extent = tuple[float, float]
-# fit of a drawing in a box: scale along x, scale along y, and position (x, y) of the origin
+# scale along x, scale along y, and origin (x, y) that fit a drawing into a box
 Fit = tuple[float, float, float, float]
 
 
@@ -327,7 +329,10 @@ def _fit_views(root: ElementTree.Element) -> None:
 
 
 def _resolve(element: ElementTree.Element, around: Extent) -> None:
-    """Convert the percentages of an element to user units; a radius refers to the diagonal / sqrt(2)."""
+    """Convert the percentages of an element to user units.
+
+    A radius is a percentage of the diagonal / sqrt(2).
+    """
     for name in (*_ALONG, "r"):
         share = _SHARE.fullmatch(element.get(name, ""))
         if share:
@@ -349,7 +354,7 @@ def _origin(word: str, whole: float) -> float:
 
 
 def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Extent:
-    """Return width and height from the clone, else from the nested drawing, else from the enclosing drawing."""
+    """Return width and height of the clone or, if missing, of the nested or the enclosing drawing."""
     width, height = (
         _size(shown.get(side) or view.get(side), whole)
         for side, whole in zip(("width", "height"), around, strict=True)
@@ -358,7 +363,7 @@ def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent
 
 
 def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Fit:
-    """Return the scale and origin that fit `view` into the box of `shown`, which is `view` or a clone of it."""
+    """Return the scale and origin that fit `view` into the box of `shown`: `view` itself, or its clone."""
     box, sides = _box(view), _sides(shown, view, around)
     at = [_size(shown.get(axis), whole, default=0.0) for axis, whole in zip("xy", around, strict=True)]
     if box is None:
@@ -381,7 +386,7 @@ def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) 
 
 
 def _replaced_fit(requested: Fit, own: Fit, target: ElementTree.Element) -> Fit:
-    """Return the transform that replaces the fit `own` of a drawing by the fit `requested` of its clone."""
+    """Return the transform that fits a drawing as `requested` by its clone instead of its `own` fit."""
     if not (own[0] and own[1]):
         return 0.0, 0.0, 0.0, 0.0
     start = [_size(target.get(axis), 0.0, default=0.0) for axis in "xy"]
@@ -407,7 +412,7 @@ def _box(element: ElementTree.Element) -> tuple[float, float, float, float] | No
 
 
 def _size(text: str | None, whole: float, default: float | None = None) -> float:
-    """Return a length in user units, by default `default`, or else the full side `whole`."""
+    """Return a length in user units. A missing length is `default` or, by default, `whole`."""
     length = read_length(text)
     if length is None:
         return whole if default is None else default
@@ -443,35 +448,32 @@ _KIND = re.compile(
     ([ _-]*(copy|kopie|\d+|\(stroke\)|n?w[ef]?\d+))*_?""",
     re.IGNORECASE | re.VERBOSE,
 )
-"""Pattern for labels and ids made by drawing programs: the kind of the shape with numbers ("path37-1-6",
-"Vector 2").
-"""
+"""Labels and ids that drawing programs make: the kind of shape and numbers ("path37-1-6", "Vector 2")."""
 
 _TOKEN = re.compile(
     r"""_?\d[0-9a-f]*|[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}|(xmlid|svgid)_\d+_|svgjs\w*\d+|id\d+
     |(?-i:(LINE|ARC|CIRCLE|ELLIPSE|SPLINE|(LW)?POLYLINE|HELIX)[ _-]?[0-9A-F]*\d[0-9A-F]*)""",
     re.IGNORECASE | re.VERBOSE,
 )
-"""Pattern for ids, not labels, made by programs: CAD handles ("2F", "SPLINE_2F"), UUIDs and numbers of
-libraries.
-"""
+"""Ids that programs make: CAD handles ("2F", "SPLINE_2F"), UUIDs and numbers of libraries. Labels may look
+like these."""
 
 _GZIP_MARK = b"\x1f\x8b"  # first bytes of gzip
-_HEAD = 4096  # block size, bytes, in which the file is read up to its first element
-# largest length of an XML entity, characters; expat limits the total of all references
+_HEAD = 4096  # bytes that are read at a time to find the first element
+# largest length of an XML entity, characters; expat limits the total length of all
 _LONGEST_ENTITY = 1000
 _DEEPEST = 200  # largest depth of nested elements
-# largest number of elements after clones are expanded; groups and texts take time, too
+# largest number of elements including those of clones; groups and texts count too
 _MOST_ELEMENTS = 5 * MOST_SHAPES
-_MOST_TEXT = 64 * 2**20  # largest number of characters after clones are expanded
+_MOST_TEXT = 64 * 2**20  # largest number of characters including those of clones
 MARK = "data-shape"
-"""Attribute for the number of a shape in the tree, by which copies of it in clones are recognized."""
+"""Attribute that numbers the shapes, so that copies in clones are recognized."""
 
 CLIPPED = "data-clipped"
 """Attribute of a clone that is clipped or masked."""
 
 CLONE = "data-clone-"
-"""Prefix of the attributes that number clones, in the order from outermost to innermost clone."""
+"""Prefix of the attributes that number nested clones, the outermost first."""
 
 
 @dataclass(frozen=True)
@@ -520,8 +522,8 @@ class Shape:
     shown : bool
         True if the shape is not inside definitions or other hidden elements.
     clips : tuple of (box, str)
-        Clip paths and masks. Each has the transforms from the shape to the area, and the box (low x, low y,
-        high x, high y) of a rectangular area, or None for other areas.
+        Box and transforms of each clip path or mask. The box (low x, low y, high x, high y) is None if the
+        area is not a rectangle; the transforms lead from the shape to the area.
     """
 
     kind: str
@@ -535,7 +537,8 @@ class Shape:
 
 @dataclass
 class SvgTree:
-    """The element tree of a file, its shapes, and the names of clones. In the tree, numbers replace the path data.
+    """The element tree of a file, its shapes, and the names of clones. In the tree, path data are replaced by
+    the numbers of shapes.
 
     Attributes
     ----------
@@ -578,7 +581,7 @@ def svg_tree(path: Path) -> SvgTree:
 
 
 def _open_svg(path: Path) -> BinaryIO:
-    """Open the file, and decompress it if it is compressed (.svgz)."""
+    """Open the file; a compressed file (.svgz) is decompressed."""
     file = path.open("rb")
     if file.read(2) != _GZIP_MARK:
         file.seek(0)
@@ -623,7 +626,7 @@ def _read_head(file: BinaryIO) -> str:
             texts.append(text)
 
     parser.EntityDeclHandler, parser.StartElementHandler, parser.CommentHandler = declare, begin, comment
-    # if the file is not XML, the later parsing of the whole file raises the error
+    # if the file is not XML, the parser of the whole file reports it
     with suppress(ExpatError, LookupError):
         while elements < 2 and (data := file.read(_HEAD)):
             parser.Parse(data)
@@ -632,9 +635,9 @@ def _read_head(file: BinaryIO) -> str:
 
 
 def _check_expanded_count(tree: SvgTree) -> None:
-    """Count the shapes with expanded clones (<use>), and remove clones that refer to themselves."""
+    """Count the shapes including those of clones (<use>), and remove clones that contain themselves."""
     order: list[tuple[ElementTree.Element, int]] = [(tree.root, 0)]
-    for element, depth in order:  # `order` grows during the loop, parents before children
+    for element, depth in order:  # grows during the loop, parents before children
         if depth > _DEEPEST:
             raise InputError(
                 "has groups nested more than {deepest} deep: ungroup them before export", deepest=_DEEPEST
@@ -655,7 +658,7 @@ def _check_expanded_count(tree: SvgTree) -> None:
             size = len(element.get("d", "")) + len(element.get("points", ""))
             for node in below:
                 if node is links.get(element) and node in state and not state[node][0]:
-                    # the expansion of this clone contains no shapes
+                    # the clone contains no shapes
                     unlink(element)
                 elif node in state:
                     shapes, elements, size = (
@@ -680,7 +683,7 @@ def _check_expanded_count(tree: SvgTree) -> None:
 
 
 def _elements_of_clones(root: ElementTree.Element, ids: set[str]) -> dict[str, ElementTree.Element]:
-    """Return the first element of each id, and delete the ids of later elements."""
+    """Return the element of each id. If several have the same id, the later ones lose it."""
     named: dict[str, ElementTree.Element] = {}
     for element in root.iter():
         name = element.get("id")
@@ -749,7 +752,7 @@ def _id_in_url(text: str) -> str:
 
 
 def _rectangle(area: ElementTree.Element) -> Box | None:
-    """Return the rectangle if a clip path is a single rectangle parallel to the axes, else None."""
+    """Return the rectangle of a clip path that is a single rectangle parallel to the axes, otherwise None."""
     shapes = [child for child in area if tag(child) in (*_SHAPES, "use", "text", "g")]
     written = {name for element in (area, *shapes) for name in element.attrib}
     if tag(area) != "clipPath" or len(shapes) != 1 or written & {"transform", "clipPathUnits", *_AREAS}:

@@ -40,7 +40,7 @@ def write_json(path: Path, record: Any) -> None:
 def check_target(path: str | os.PathLike[str], *, force: bool = False) -> Path:
     """Return the path of a file to be written, after following symbolic links.
 
-    Refuse it if the file can't be written.
+    Raise InputError if the file cannot be written.
     """
     require_flag(force, "force")
     target = Path(os.path.realpath(require_path(path)))
@@ -72,9 +72,7 @@ def write_atomically(
 ) -> Path:
     """Write a file under a temporary name in its folder, then rename it.
 
-    After an error, no incomplete file remains.
-
-    If a program is killed while it writes, the file with the temporary name may remain.
+    After an error, no incomplete file remains. A killed program may leave the file with the temporary name.
 
     Parameters
     ----------
@@ -112,12 +110,12 @@ def write_atomically(
                 else:
                     file.write(content)
                 file.close()
-                # check again, because another process may have written the file in the meantime
+                # another process may have written the file in the meantime
                 check_target(path, force=force)
                 os.replace(temporary, target)
             except BaseException:
                 file.close()  # Windows cannot remove an open file
-                with suppress(OSError):  # on a read-only disk the removal fails too
+                with suppress(OSError):  # it cannot be removed from a disk that became read-only
                     temporary.unlink()
                 raise
     except OSError as error:
@@ -136,7 +134,7 @@ def reason(error: OSError) -> str:
 def write_together(
     folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False
 ) -> Iterator[Path]:
-    """Provide a temporary folder. Its files are moved to `folder` only if the `with` block succeeds.
+    """Provide a temporary folder, whose files are moved to `folder` if the `with` block succeeds.
 
     A new folder appears in a single step. If the folder exists, the files move one by one. If moving fails or
     Ctrl-C stops it, moved files that did not replace another file are removed.
@@ -230,7 +228,7 @@ def write_files(
 
 
 def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool = False) -> None:
-    """Refuse a folder to which files of these names cannot be written. Call it before the files are computed.
+    """Raise InputError for a folder to which files of these names cannot be written.
 
     Parameters
     ----------
@@ -248,25 +246,25 @@ def check_folder(folder: str | os.PathLike[str], names: Iterable[str], *, force:
 
 
 _LOCK, _FILES = "lock", "files"
-"""Contents of a temporary folder: the lock file of its process, and the folder for the files that are written."""
+"""Contents of a temporary folder: the lock file of its process, and the folder of written files."""
 
 _OURS = b"elastica_cad writes files here\n"
 """Content of a lock file."""
 
 _STALE_S = 24 * 3600
-"""Age, s, from which temporary folders of dead processes are removed."""
+"""Age, s, above which temporary folders of dead processes are removed."""
 
 
 @contextmanager
 def _workshop(ground: Path, above: Path) -> Iterator[Path]:
     """Provide a folder in a locked temporary folder in `ground`, which is removed at the end.
 
-    Before that, old temporary folders in `ground` and `above` are removed: folders of processes that were
-    killed more than a day ago.
+    First, temporary folders in `ground` and `above` are removed if their process was killed more than a day
+    ago.
     """
     for place in {ground, above}:
         for old in place.glob(".elastica-*"):
-            with suppress(OSError):  # removal fails if the folder is in use, or if another process removes it
+            with suppress(OSError):  # it may be in use, or be removed by another process
                 _remove_stale(old)
     home = ground / f".elastica-{os.urandom(8).hex()}"
     home.mkdir()
@@ -283,10 +281,10 @@ def _workshop(ground: Path, above: Path) -> Iterator[Path]:
 def _remove(home: Path) -> None:
     """Remove a temporary folder.
 
-    Its lock file is removed last, so that an interrupted removal can be recognized.
+    Its lock file is removed last, so that a later run recognizes the folder after an interruption.
     """
     shutil.rmtree(home / _FILES, ignore_errors=True)
-    with suppress(OSError):  # on Windows, removal fails while a program displays the folder
+    with suppress(OSError):  # on Windows, a program may display the folder
         (home / _LOCK).unlink(missing_ok=True)
         home.rmdir()
 
@@ -313,7 +311,7 @@ def _take(lock: BinaryIO | FileIO) -> None:
     if sys.platform == "win32":
         import msvcrt
 
-        lock.seek(len(_OURS))  # lock the byte after the text, so that other processes can read the text
+        lock.seek(len(_OURS))  # lock the byte after the text; the text stays readable for other processes
         msvcrt.locking(lock.fileno(), msvcrt.LK_NBLCK, 1)
     else:
         import fcntl
@@ -335,7 +333,7 @@ def _refusals(folder: str | os.PathLike[str]) -> Iterator[None]:
 
 @contextmanager
 def _about_its_own_files(workshop: Path) -> Iterator[None]:
-    """Remove the name of the temporary folder, which the user does not know, from error messages."""
+    """Remove the name of the temporary folder, which means nothing to the user, from error messages."""
     try:
         yield
     except (InputError, OSError) as problem:
@@ -347,9 +345,9 @@ def _about_its_own_files(workshop: Path) -> Iterator[None]:
 
 
 def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool) -> tuple[Path, Path]:
-    """Return the checked real path of the folder, and its nearest existing parent."""
+    """Return the real path of the folder, and its nearest existing parent, after checks."""
     target = Path(os.path.realpath(os.fspath(folder)))
-    # for unreadable folders and invalid names, `exists` raises OSError
+    # `exists` raises OSError for unreadable folders and invalid names
     if target.exists() and not target.is_dir():
         raise InputError(
             "{folder} is a file, not a folder: choose another folder for the files", folder=folder
@@ -359,7 +357,7 @@ def _places(folder: str | os.PathLike[str], names: Iterable[str], *, force: bool
 
 
 def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) -> None:
-    # check again, because another process may have written files in the meantime
+    # another process may have written files in the meantime
     _check(target, names, force=force)
     if not target.exists():
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -380,7 +378,7 @@ def _move(workshop: Path, target: Path, names: Sequence[str], *, force: bool) ->
 
 
 def _check(target: Path, names: Iterable[str], *, force: bool) -> None:
-    """Refuse files that exist, and files that have the name of a required folder."""
+    """Raise InputError for files that exist, and for files in the place of a required folder."""
     for path in (target / name for name in names):
         files = [parent for parent in path.parents if parent.exists() and not parent.is_dir()]
         if files:
