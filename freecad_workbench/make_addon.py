@@ -45,7 +45,7 @@ def _repository(text: str) -> str:
 
 
 def _metadata(maintainer: tuple[str, str] | None, repository: str | None) -> ElementTree.ElementTree:
-    """Adapt package.xml of the checkout to the folder, and add today's date, maintainer and repository."""
+    """Return the checkout's package.xml, adapted to the folder, with date, maintainer and repository."""
     ElementTree.register_namespace("", SPACE)
     tree = ElementTree.parse(ROOT / "package.xml")
     package = tree.getroot()
@@ -72,7 +72,10 @@ def _metadata(maintainer: tuple[str, str] | None, repository: str | None) -> Ele
 
 
 def _readme(repository: str | None) -> str:
-    """Links and pictures become absolute if a repository is given; otherwise they are removed."""
+    """Return the README.
+
+    Links and pictures become absolute if a repository is given, and are removed otherwise.
+    """
     text = (ROOT / "freecad_workbench" / "README.md").read_text(encoding="utf-8")
     if repository:
         text = re.sub(r"!\[([^]]*)\]\(\.\./", rf"![\1]({repository}/raw/main/", text)

@@ -32,8 +32,7 @@ class Command:
     run : callable
         Function that does the work. It raises `ElasticaError` with a message if it fails.
     has_subject : callable
-        Function that returns True if an object for the command is selected, or if there is a single
-        candidate.
+        Function that returns True if an object for the command is selected or can be guessed.
     in_sketch : bool
         True if the command can be used while a sketch is open. It closes the sketch if necessary.
     checkable : bool
@@ -57,7 +56,7 @@ class Command:
             resources["CmdType"] = "ForEdit"  # FreeCAD disables all other commands during editing
         if self.shortcut:
             resources["Accel"] = self.shortcut
-        # the command is not checked at first
+        # not checked at first
         return resources | ({"Checkable": False} if self.checkable else {})
 
     def IsActive(self) -> bool:
@@ -101,9 +100,7 @@ LIVE = Command(
 
 
 class LiveManipulator:
-    """Manipulator that adds the commands for an open sketch to the sketcher's toolbar and menu, from FreeCAD
-    1.0.
-    """
+    """Adds the commands for an open sketch to the sketcher's toolbar and menu (FreeCAD 1.0 and later)."""
 
     def modifyToolBars(self) -> list[dict[str, str]]:
         """Insert the commands before the sketcher's command for the section view."""
@@ -119,7 +116,7 @@ def _registered_names() -> list[str]:
 
 
 def register() -> None:
-    """Register the command, and update its check mark when the overlay is switched on or off."""
+    """Register the command. Its check mark follows the overlay."""
     if LIVE.name not in Gui.listCommands():
         Gui.addCommand(LIVE.name, LIVE)
     sketches.listeners.append(_show_state)
@@ -130,7 +127,7 @@ def register() -> None:
 def _show_state(on: bool) -> None:
     command = Gui.Command.get(LIVE.name)
     for action in command.getAction() if command is not None else []:
-        # with signals blocked, changing the check mark does not run the command
+        # with signals blocked, the new check mark does not run the command
         action.blockSignals(True)
         action.setChecked(on)
         action.blockSignals(False)

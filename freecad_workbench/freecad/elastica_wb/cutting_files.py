@@ -45,9 +45,7 @@ from elastica_cad.strip.solids import FlatSolid, frame_beside
 
 
 def later_feature_messages(obj: Any) -> list[str]:
-    """Return a warning if a later feature of a body changes a strip, a model or a plate: the files do not
-    include the later feature.
-    """
+    """Return a warning if a later feature of a body changes the object, because the files do not include it."""
     words = translate(
         "Elastica",
         "The cutting files show {strip} without {later}, a later feature of its body. Use the slots, tabs "
@@ -61,7 +59,7 @@ KINDS = ("dxf", "svg", "step", "csv", "nest")
 
 
 def cutting_of(*, version: str = "R2010", **options: Any) -> Cutting:
-    """Return the options of cutting files, with DXF version R12 if ezdxf is missing."""
+    """Return the options of cutting files. Without ezdxf, the DXF version is R12."""
     return Cutting(version=version if find_spec("ezdxf") else "R12", **options)
 
 
@@ -100,7 +98,7 @@ def write_cutting_files(
     if not kinds:
         raise InputError("there is nothing to write: choose kinds of files")
     pieces = [cut.piece for cut in cuts]
-    # different labels may result in equal file names
+    # different labels may give equal file names
     stems = distinct(piece.file_stem for piece in pieces)
     drawings = [(stem, piece.drawing, piece.sheet) for stem, piece in zip(stems, pieces, strict=True)]
     if "nest" in kinds:
@@ -143,7 +141,7 @@ def write_cutting_files(
 
 
 def _cut_list_csv(cuts: Sequence[Cut], blocks: Sequence[EndFixture], files: Mapping[str, str]) -> str:
-    """The cut list has a column with instructions if parts are pre-bent before assembly."""
+    """Return the cut list, with a column of instructions if parts must be pre-bent."""
     text = cut_list((*(cut.piece for cut in cuts), *blocks), files).csv
     blanks = ["" if cut.strip is None else pre_bend_message(cut.strip) for cut in cuts]
     if not any(blanks):
@@ -157,7 +155,7 @@ def _cut_list_csv(cuts: Sequence[Cut], blocks: Sequence[EndFixture], files: Mapp
 
 
 def _write_step(obj: Any, path: Path) -> None:
-    """The file of a strip contains the flat part, and the bent part on the curve."""
+    """Write an object to a STEP file: a strip as its flat part and its bent part."""
     # only the module of the graphical interface writes colours
     exporter = import_module("ImportGui" if App.GuiUp else "Import")
     document = App.newDocument("ElasticaExport", hidden=True, temp=True)

@@ -40,7 +40,7 @@ class ElasticaWorkbench(Gui.Workbench):
         self.appendMenu("Elastica", commands.MENU)
 
     def ContextMenu(self, _recipient: str) -> None:
-        """Add the commands that apply to the selection to the context menu of the tree and the view."""
+        """Add the commands that apply to the selection to the context menu."""
         from freecad.elastica_wb import commands
 
         names = commands.context_menu()
@@ -49,7 +49,7 @@ class ElasticaWorkbench(Gui.Workbench):
 
 
 def _panel_of(obj: Any) -> Any:
-    """The module of panels is imported when the first panel opens."""
+    """Return the panel of an object. The module of panels is imported only when the first panel opens."""
     from freecad.elastica_wb.panels.feature_panels import panel_of
 
     return panel_of(obj)
@@ -80,7 +80,10 @@ class PreferencesPage:
             preferences.put(name, value_of(widget))
 
     def _widgets(self) -> Iterator[tuple[str, Any]]:
-        """The name of a widget is the name of the preference with a lower-case initial."""
+        """Yield preferences and widgets.
+
+        A widget is named after its preference, with a lower-case initial.
+        """
         for name in preferences.DEFAULTS:
             widget = getattr(self.form, name[0].lower() + name[1:], None)
             if widget is not None:

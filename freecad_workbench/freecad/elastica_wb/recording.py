@@ -13,7 +13,7 @@ import __main__
 from elastica_cad.geometry.plane_curve import PlaneCurve
 
 MADE = "elastica_made"
-"""Name of the last result, in macros and in the console."""
+"""Name of the last result in macros and in the console."""
 
 
 def recorded(make: Callable[..., Any], *arguments: Any, **options: Any) -> Any:

@@ -14,7 +14,7 @@ from freecad.elastica_wb import make_strip
 ARCH = ((0, 0), (30, 60), (70, 80), (120, 60), (150, 0))
 SNAKE = ((0, 0), (40, 60), (80, -60), (120, 20), (160, 30), (180, 0))
 SLACK = 1e-9  # mm
-VOLUME = 1e-3  # relative error of volumes, because of OpenCASCADE's integration along splines
+VOLUME = 1e-3  # relative error of volumes, because OpenCASCADE integrates splines inexactly
 
 
 class ElasticaTest(unittest.TestCase):

@@ -3,7 +3,7 @@
 
 """Undo steps by Python lines that macros record, for every version of FreeCAD.
 
-A transaction belongs to the whole program up to FreeCAD 1.1, and to one document from FreeCAD 1.2.
+Up to FreeCAD 1.1, a transaction belongs to the whole program; from FreeCAD 1.2, to one document.
 """
 
 from collections.abc import Callable
@@ -15,13 +15,13 @@ from freecad.elastica_wb.recording import record_call
 
 
 def open_step(document: Any, name: str) -> None:
-    """Begin an undo step by a Python line that macros record, so that the macro can also undo the changes."""
+    """Begin an undo step. The Python line is recorded in macros, which can then also undo."""
     record_call(document, "openTransaction", name)
 
 
 def open_step_and(close_sketch: Callable[[], None], document: Any, name: str) -> None:
     """Begin an undo step, and close the open sketch in it."""
-    # otherwise, FreeCAD would name the step after closing the sketch
+    # first, because FreeCAD would name the step after closing the sketch
     open_step(document, name)
     close_sketch()
     if not active_step(document):  # FreeCAD 1.2 ends the step with the sketch
@@ -32,7 +32,7 @@ def close_step(document: Any, *, abort: bool = False) -> None:
     """End the undo step of a document, or with `abort` undo all its changes."""
     record_call(document, "abortTransaction" if abort else "commitTransaction")
     if not _has_steps_of_documents():
-        # otherwise, FreeCAD would add later changes to the step if the document was not changed
+        # otherwise, if nothing changed, FreeCAD would add later changes to the step
         Gui.doCommand(f"App.closeActiveTransaction({abort})")
 
 
@@ -57,7 +57,7 @@ def undo_new_steps(before: dict[str, int]) -> None:
 
 
 def forget_step() -> None:
-    """Close the undo step of a document that was closed, unless FreeCAD did."""
+    """Close the undo step of a closed document, unless FreeCAD did."""
     if not _has_steps_of_documents():
         App.closeActiveTransaction(True)
 

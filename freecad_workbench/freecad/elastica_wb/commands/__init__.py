@@ -28,7 +28,7 @@ __all__ = ["COMMANDS", "MENU", "TOOLBARS", "context_menu", "register"]
 
 SKETCH = "Sketcher_NewSketch"
 HAS_STRIP, HAS_PARTS = partial(answers, chosen_strips), partial(answers, chosen_sources)
-"""Conditions: a strip, or objects to be cut, are selected, or the document has a single candidate."""
+"""True if a strip, or objects to be cut, are selected, or if the document has only one candidate."""
 
 DRAW = (
     Command(
@@ -265,7 +265,7 @@ EXAMPLE = Command(
         "Open a drawn arch with its strip and its flat part; drag its poles, change its sheet",
     ),
     run=open_example,
-    has_subject=lambda: True,  # the command makes a new document
+    has_subject=lambda: True,  # it makes a new document
 )
 
 COMMANDS: tuple[Command, ...] = (*DRAW, *STRIPS, *MODELS, *WORKSHOP, EXAMPLE)

@@ -39,7 +39,7 @@ def has_curve() -> bool:
 
 
 def answers(question: Callable[..., Any], **options: Any) -> bool:
-    """Return True if a function that reads the selection returns a true value without an error."""
+    """Return True if a function that reads the selection returns a true value and raises no error."""
     with suppress(ElasticaError):
         return App.ActiveDocument is not None and bool(question(**options))
     return False
@@ -52,7 +52,7 @@ def show_panel(make: Callable[..., Any], *arguments: Any) -> None:
 
 
 def open_on(panel: Callable[[Any], Any], choose: Callable[[], Any]) -> None:
-    """Open a panel on the selected objects."""
+    """Open a panel on the objects that `choose` returns."""
     show_panel(panel, choose())
 
 
@@ -62,7 +62,7 @@ def _close_sketch() -> None:
 
 
 def _begin_step(name: str) -> None:
-    """Begin an undo step, and close the open sketch in it. Cancel and undo show the sketch again."""
+    """Begin an undo step that also closes the open sketch. Cancel and undo show the sketch again."""
     if (sketch := edited_sketch()) is not None:
         sketch.Visibility = True  # FreeCAD hides a sketch while it is open
     open_step_and(_close_sketch, App.ActiveDocument, name)
@@ -120,7 +120,7 @@ def bodies_and_path() -> tuple[list[Any], Any]:
             paths.append((choice.Object, edges))
         else:
             bodies.append(choice.Object)
-    if not bodies:  # the path consists of edges of the body
+    if not bodies:  # the selected edges of the body are the path
         bodies = [obj for obj, edges in paths if edges]
     return chosen_bodies(bodies), paths[0] if paths else None
 
@@ -139,7 +139,7 @@ def make_strips() -> None:
 
 def _add_flat(strip: Any, layer: str = "Base") -> None:
     recorded(flat.create, strip.Document, strip, layer)
-    record_recompute(strip.Document)  # the next flat part is placed beside this part
+    record_recompute(strip.Document)  # so that the next flat part is placed beside this one
 
 
 def make_flat_parts() -> None:
@@ -160,14 +160,14 @@ def edit_strips() -> None:
 
 
 def perforate() -> None:
-    """Change the selected strips to a constant width, with holes that reduce the stiffness, and open the panel."""
+    """Give the selected strips a constant width, with holes that reduce the stiffness, and open the panel."""
     strips = chosen_strips()
     _set_constant_width(strips, "Perforated", "Perforate")
     show_panel(panel_of, strips[-1], strips)
 
 
 def laminate() -> None:
-    """Change the selected strips to a constant width, with a narrower glued strip, and open the panel."""
+    """Give the selected strips a constant width, with a narrower strip glued on, and open the panel."""
     strips = chosen_strips()
     _set_constant_width(strips, "Laminated", "Laminate")
     for strip in strips:
@@ -177,7 +177,7 @@ def laminate() -> None:
 
 
 def _set_constant_width(strips: list[Any], style: str, step: str) -> None:
-    """The constant width is by default the largest width of the plain strip."""
+    """Set a style and a constant width, by default the largest width of the plain strip."""
     _begin_step(step)
     usual = preferences.get("MaxWidth")
     for strip in strips:
@@ -199,7 +199,7 @@ def make_model() -> None:
     for strip in strips:
         if not failed:
             record_value(strip, "Visibility", False)
-        elif strip.Visibility:  # the single strip stays visible while the model cannot be made
+        elif strip.Visibility:  # the strip stays visible while the model cannot be made
             record_value(strip, "ShownByError", True)
     show_panel(panel_of, feature)
 
@@ -218,7 +218,7 @@ def make_nest() -> None:
         close_step(document, abort=True)
         raise
     close_step(document)
-    # the step remains, because the parts may fit on sheets of another size
+    # the step stays, because the parts may fit on larger sheets
     if "Invalid" in feature.State:
         show_message(feature.getStatusString())
     elif feature.LeftOut or feature.Reports:

@@ -35,7 +35,7 @@ OPEN = ("Edge", "Wire", "Compound")  # types of shapes that may be curves
 def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
     """Return the selected sketches and chains of edges, each with the names of its edges.
 
-    A body is replaced by its sketch.
+    A selected body means its sketch.
     """
     curves: list[tuple[Any, tuple[str, ...]]] = []
     meant = _picked()
@@ -73,7 +73,7 @@ def chosen_curves() -> list[tuple[Any, tuple[str, ...]]]:
 
 
 def _picked() -> dict[Any, list[str]]:
-    """A part that is displayed through a link is returned as a part of the link."""
+    """Return the names of picked elements by object. A part shown by a link belongs to the link."""
     names: dict[Any, list[str]] = {}
     for choice in Gui.Selection.getSelectionEx("", 0):
         for path in choice.SubElementNames or ("",):
@@ -89,7 +89,7 @@ def _curves_of_sketch(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[Any
 
 
 def _only_sketch_in(body: Any) -> Any:
-    """Return the only sketch of a body that no other feature uses, preferably a sketch without a strip."""
+    """Return the only sketch of a body that no other feature uses. A sketch without a strip is preferred."""
     sketches = [sketch for sketch in body.Group if is_sketch(sketch)]
     users = {sketch: [user for user in sketch.InList if user is not body] for sketch in sketches}
     ours = [sketch for sketch in sketches if all(map(is_ours, users[sketch]))]
@@ -111,9 +111,7 @@ def _only_sketch_in(body: Any) -> Any:
 
 
 def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
-    """Return True if at least three curves, all straight edges of different objects, are connected end to
-    end.
-    """
+    """Return True for three or more straight edges of different objects, connected end to end."""
     shapes = [source.Shape for source, names in curves if not names and not is_sketch(source)]
     lines = [shape.Edges[0] for shape in shapes if [e.Curve.TypeId for e in shape.Edges] == [LINE]]
     if not 3 <= len(lines) == len(curves):
@@ -122,14 +120,14 @@ def _are_pieces(curves: Sequence[tuple[Any, tuple[str, ...]]]) -> bool:
 
 
 def _chains(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
-    """Edges of a section are not grouped, because the section was split intentionally."""
+    """Return the chains of picked edges. Edges of a section are separate, because it was split on purpose."""
     if feature_kind(source) == "Section":
         return [(name,) for name in names]
     return chains_of(source, names)
 
 
 def is_curve_chosen() -> bool:
-    """Return True if `chosen_curves` would probably succeed, without the slow computation of shapes."""
+    """Return True if `chosen_curves` probably succeeds, without computing shapes, which is slow."""
     if edited_sketch() is not None or _only_sketch() is not None:
         return True
     return any(
@@ -149,7 +147,7 @@ def _may_be_open(shape: Any) -> bool:
 
 
 def _only_sketch() -> Any:
-    """Return the only sketch without a strip if nothing is selected, or else None."""
+    """Return the only sketch without a strip if nothing is selected, otherwise None."""
     if Gui.Selection.hasSelection() or App.ActiveDocument is None:
         return None
     free = [obj for obj in App.ActiveDocument.findObjects("Sketcher::SketchObject") if not followers(obj)]
@@ -166,10 +164,9 @@ def chosen_sketch() -> Any:
 
 
 def chosen_sources() -> list[Any]:
-    """Return the selected strips, models, plates and their copies, or all in the document if nothing is
-    selected.
+    """Return the selected strips, models, plates and copies; without a selection, all of the document.
 
-    A flat part with the slots of a model is replaced by the model, and a container by the contents.
+    A container stands for its contents, and a flat part with slots for its model.
     """
     sources = _sources(content for obj in Gui.Selection.getSelection() for content in contents(obj))
     return sources or _all_sources() or chosen_strips()
@@ -181,14 +178,12 @@ def _sources(objects: Iterable[Any]) -> list[Any]:
 
 
 def _may_be_cut(obj: Any) -> bool:
-    """Broken links are included, so that an error reports them."""
+    """Return True for an object to be cut, or a broken link, which an error must report."""
     return is_cut(cut_for(obj)) or is_broken_link(obj)
 
 
 def _all_sources() -> list[Any]:
-    """Return the models and base plates of the document with the strips on the plates, or else the only
-    strip.
-    """
+    """Return the models and base plates of the document with the strips on the plates, or the only strip."""
     objects = App.ActiveDocument.Objects
     sources = _sources(
         obj for obj in objects if _may_show(obj) and contents(obj) == [obj] and not is_broken_link(obj)
@@ -204,14 +199,14 @@ def _all_sources() -> list[Any]:
 
 
 def _may_show(obj: Any) -> bool:
-    """This fast check reads only the type, and looks for the proxy of a Python object."""
+    """Return True if an object may display strips. The check is fast: it looks only at type and proxy."""
     return obj.TypeId in COPYING or hasattr(obj, "Proxy")
 
 
 def chosen_strips(*, least: int = 1) -> list[Any]:
     """Return the selected strips, or the only strip of the document.
 
-    Selected flat parts and copies are replaced by their strips.
+    A selected flat part or copy stands for its strip.
     """
     shapes = [shape for obj in Gui.Selection.getSelection() for shape in originals(obj)]
     strips = [original.Strip if is_flat(original) else original for original in shapes]

@@ -18,31 +18,30 @@ Shown = tuple[Any, App.Matrix]
 MIRRORING = "Part::Mirroring"
 COMPOUND = "Part::Compound"
 BASE = "PartDesign::FeatureBase"
-"""Type of the first feature of a body that was made from an object outside the body."""
+"""Type of the first feature of a body, if the body was made from another object."""
 
 PATTERNS = tuple(
     f"PartDesign::{kind}"
     for kind in ("Mirrored", "LinearPattern", "PolarPattern", "Scaled", "MultiTransform")
 )
-"""Types that repeat features inside a body; copies that touch the solid are fused to it, others are left out.
-"""
+"""Types that repeat features inside a body. Copies that touch the solid are fused to it; other copies are
+lost."""
 
 COPYING = ("App::Link", "App::LinkGroup", MIRRORING, COMPOUND, BASE, *PATTERNS)
-"""Types of FreeCAD's built-in objects that may display copies of other objects."""
+"""Built-in types of FreeCAD that display copies of other objects."""
 
 SAME = App.Vector(1, 1, 1)
 AXES = (App.Vector(1, 0, 0), App.Vector(0, 1, 0), App.Vector(0, 0, 1))
 TURNED_OVER = App.Matrix(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1)
-"""Matrix that maps z to -z. A mirror image is its original, mapped by this matrix and then moved."""
+"""Matrix that maps z to -z. A mirror image is made by this matrix and then moved."""
 
 
 def copies(obj: Any) -> Iterator[Standing]:
-    """Yield the originals that an object displays, with the placement of each copy, and True for a mirror
-    image.
+    """Yield the original, the placement, and True for a mirror image, for each copy that an object displays.
 
-    The placement is in document coordinates, and applies to the shape of the original without its placement.
-    A mirror image is mapped by z to -z before it is placed. The pattern of a body is not a copy, because it
-    forms a single solid with its originals.
+    The placement, in document coordinates, replaces that of the original. A mirror image is mapped from z to
+    -z before it is placed. The pattern of a body is not a copy, because it forms a single solid with its
+    originals.
 
     Raises
     ------
@@ -55,17 +54,15 @@ def copies(obj: Any) -> Iterator[Standing]:
 
 
 def turned_over(place: App.Placement) -> App.Placement:
-    """Return the placement of the mirror image of a placed body, mapped by z to -z.
+    """Return the placement of a placed body's mirror image, which is mapped from z to -z.
 
-    It applies to the shape of the body after this shape is mapped by z to -z, too.
+    The shape of the body must also be mapped from z to -z.
     """
     return App.Placement(TURNED_OVER * place.toMatrix() * TURNED_OVER)
 
 
 def originals(obj: Any) -> list[Any]:
-    """Return the originals that an object displays; an object that displays no other object is its own
-    original.
-    """
+    """Return the originals that an object displays. An object without originals is its own original."""
     if obj.TypeId in PATTERNS:
         return repeated(obj)
     parts = _parts(obj)
@@ -78,7 +75,7 @@ def repeated(obj: Any) -> list[Any]:
     """Return the features that a pattern of a body repeats, or [] for other objects."""
     if obj.TypeId not in PATTERNS or getattr(obj, "Suppressed", False):
         return []
-    # without originals, newer releases repeat the preceding features
+    # without originals, FreeCAD 1.x repeats the preceding feature
     return list(obj.Originals or filter(None, [obj.BaseFeature]))
 
 
@@ -90,7 +87,7 @@ def contents(obj: Any) -> list[Any]:
 def not_repeated(objects: Iterable[Any]) -> list[Any]:
     """Remove objects that another object of the list displays.
 
-    These are the base objects of Draft arrays and of bodies, the strips of models, and the members of Part
+    Examples are the originals of Draft arrays and bodies, the strips of models, and the members of Part
     compounds.
     """
     objects = list(objects)
@@ -129,7 +126,7 @@ def _placement_of(obj: Any) -> App.Placement:
 
 
 def _parts(obj: Any) -> list[Shown] | None:
-    """Return the parts that an object displays, with placements relative to the object, or None for no parts."""
+    """Return the parts that an object displays, with placements relative to it, or None if it displays none."""
     if obj.TypeId == MIRRORING:
         return [(obj.Source, _mirror(obj) * _placement_of(obj.Source).toMatrix())] if obj.Source else None
     placed = _placed_parts(obj)
@@ -150,7 +147,7 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
         single = not_repeated(part for part, _ in inside)
         return [(part, where) for part, where in inside if part in single]
     if _is_draft(obj, "Clone"):
-        if len(obj.Objects) == 1:  # a clone of a single object ignores the placement of this object
+        if len(obj.Objects) == 1:  # a clone of a single object ignores the placement of the original
             return [(obj.Objects[0], App.Placement())]
         return [(part, _placement_of(part)) for part in obj.Objects]
     if obj.TypeId == "App::LinkGroup":
@@ -163,7 +160,7 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
     target = obj.Base if is_array else link_target(obj)
     if target is None:
         return None
-    if is_array and not hasattr(obj, "LinkTransform"):  # such an array stores shapes only, not links
+    if is_array and not hasattr(obj, "LinkTransform"):  # such an array stores shapes, not links
         inner = obj.Placement.inverse()
         return [(target, inner * part.Placement) for part in obj.Shape.childShapes()]
     inner_place = target.Placement if obj.LinkTransform else App.Placement()
@@ -173,9 +170,7 @@ def _placed_parts(obj: Any) -> list[tuple[Any, App.Placement]] | None:
 
 
 def _inside(group: Any) -> list[tuple[Any, App.Placement]]:
-    """Return the objects in a container and in nested containers, with placements relative to the outer
-    container.
-    """
+    """Return the objects in a container and nested containers, with placements relative to the outer one."""
     contained: list[tuple[Any, App.Placement]] = []
     for child in group.Group:
         place = _placement_of(child)
@@ -198,6 +193,6 @@ def _is_container(obj: Any) -> bool:
 
 
 def _is_draft(obj: Any, kind: str) -> bool:
-    """Return True for a Draft object whose type ends in `kind`: "Array" (such as `PathArray`) or "Clone"."""
+    """Return True for a Draft object whose type ends in `kind`, such as "Array" (`PathArray`) or "Clone"."""
     type_name = getattr(getattr(obj, "Proxy", None), "Type", None)
     return isinstance(type_name, str) and type_name.endswith(kind)

@@ -11,10 +11,10 @@ import FreeCAD as App
 import Part
 from freecad.elastica_wb.curves.sketch_curves import edge_called
 
-MEET_MM = 1e-4  # largest gap, mm, between connected edges; the same as for the edges of a strip
-MEANT_MM = 0.5  # ends of curves in a sketch that are closer than this, mm, are probably intended to meet
-SMOOTH_RAD = radians(5.0)  # a larger turn, rad, between a picked edge and the next edge is a corner
-DRAWN_MM = 1e-5  # largest distance, mm, between an edge and the geometry that it was made from
+MEET_MM = 1e-4  # largest gap, mm, between connected edges, as for the edges of a strip
+MEANT_MM = 0.5  # ends of curves in a sketch that are closer, mm, are probably intended to meet
+SMOOTH_RAD = radians(5.0)  # a larger turn, rad, is a corner
+DRAWN_MM = 1e-5  # largest distance, mm, of an edge from the geometry that it shows
 
 Edges = Sequence[tuple[str, Any]]
 End = tuple[App.Vector, App.Vector]
@@ -28,8 +28,8 @@ def chains_of(source: Any, names: Sequence[str]) -> list[tuple[str, ...]]:
 def curves_in(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[str, ...]]:
     """Return the names of the edges of each curve in a sketch, or of each picked curve.
 
-    A single picked edge selects all edges of its chain that continue the edge without a corner. Several
-    picked edges of a chain form the curve alone. An empty tuple represents the only curve of the sketch.
+    A single picked edge selects its chain up to the next corners. Several picked edges of a chain form a
+    curve without the other edges. An empty tuple stands for the only curve of the sketch.
     """
     edges = [(f"Edge{i + 1}", edge) for i, edge in enumerate(Part.getShape(sketch).Edges)]
     whole = _chained(edges, MEANT_MM)
@@ -46,14 +46,14 @@ def curves_in(sketch: Any, picked: Sequence[str] = ()) -> list[tuple[str, ...]]:
 
 
 def curves_of_geometry(geometry: Iterable[Any]) -> list[tuple[str, ...]]:
-    """Return the names of the edges of each curve that geometry of FreeCAD's Part module forms."""
+    """Return the names of the edges of each curve formed by geometry of FreeCAD's Part module."""
     return _chained([(f"Edge{i + 1}", item.toShape()) for i, item in enumerate(geometry)], MEANT_MM)
 
 
 def edges_drawn(sketch: Any, names: Iterable[str]) -> list[str]:
     """Convert the names of edges picked in an open sketch to the names of edges of the sketch's shape.
 
-    The numbers in an open sketch include construction geometry, which is not part of the shape.
+    Edges in an open sketch are numbered with the construction geometry, which is not part of the shape.
     """
     edges, converted = Part.getShape(sketch).Edges, []
     for number in (int(name[len("Edge") :]) - 1 for name in names):
@@ -66,7 +66,7 @@ def edges_drawn(sketch: Any, names: Iterable[str]) -> list[str]:
 
 
 def _chained(edges: Edges, gap: float, turn: float = pi) -> list[tuple[str, ...]]:
-    """Ends in a chain are at most `gap` mm apart, and the direction turns by at most `turn` rad."""
+    """Group edges whose ends are at most `gap` mm apart and whose direction turns by at most `turn` rad."""
     chains: list[tuple[list[str], list[End]]] = []
     for name, edge in edges:
         first, last = edge.ParameterRange

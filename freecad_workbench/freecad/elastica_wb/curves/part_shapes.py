@@ -27,8 +27,8 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.geometry.splines import knot_runs
 from elastica_cad.strip.solids import BodyRecord, FlatSolid, PrismSolid
 
-OFFSET_TOLERANCE_MM = 1e-6  # tolerance, mm, for the approximation of curves that are not NURBS
-# larger boxes, mm, count as infinite; FreeCAD's datum planes and axes have boxes of 1e100 mm
+OFFSET_TOLERANCE_MM = 1e-6  # tolerance, mm, for curves that are not NURBS
+# larger boxes, mm, count as infinite: datum planes and axes have boxes of 1e100 mm
 ENDLESS_MM = 1e99
 
 
@@ -54,7 +54,7 @@ def make_face(outline: Path, holes: Sequence[Path] = (), frame: Frame | None = N
 
 
 def _plane_of(frame: Frame) -> Frame:
-    """The accuracy of areas depends on the axes, so they are the axes that OpenCASCADE would choose."""
+    """Return the plane with the axes that OpenCASCADE would choose. Areas are most accurate with them."""
     about = _frame_about(tuple(frame.z_axis.tolist()))
     return Frame(frame.origin, about.x_axis, about.y_axis)
 
@@ -80,7 +80,7 @@ def make_solid(record: BodyRecord | PrismSolid) -> Part.Shape:
 
 
 def _read(brep: BinaryBrep) -> Part.Shape:
-    """FreeCAD reads a binary BREP only from a file."""
+    """Return the shape of a binary BREP, which FreeCAD reads only from a file."""
     shape = Part.Shape()
     try:
         handle, name = tempfile.mkstemp(suffix=".bin", dir=_folder())
@@ -100,14 +100,14 @@ def _read(brep: BinaryBrep) -> Part.Shape:
 
 
 def _folder() -> str:
-    """FreeCAD on Windows opens only files with an ASCII path."""
+    """Return a folder for temporary files. On Windows, FreeCAD opens only ASCII paths."""
     usual = tempfile.gettempdir()
     return usual if os.name != "nt" or usual.isascii() else os.environ["PROGRAMDATA"]
 
 
 def is_bounded(box: App.BoundBox) -> bool:
-    """Return True if a bounding box is neither empty nor infinite; bodies in FreeCAD 1.1 contain infinite
-    planes.
+    """Return True if a bounding box is neither empty nor infinite, as that of a body with FreeCAD 1.1's
+    infinite planes.
     """
     return bool(box.isValid()) and bool(box.DiagonalLength < ENDLESS_MM)
 
@@ -117,7 +117,7 @@ def plane_curve(
 ) -> tuple[PlaneCurve, Frame]:
     """Return the single curve that edges or Part geometry form, and its plane.
 
-    `plane` is the plane of the edges, if known. `gap` is the largest gap, mm, between edges that is closed.
+    `plane` is the plane of the edges, if known. Gaps between edges of at most `gap` mm are closed.
 
     Raises
     ------

@@ -37,11 +37,11 @@ AXES = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 FAMILIES = ("parallel", "about an axis", "along a path")
 CLOSED = ("left out", "left and right", "above and below")
 
-# number of points along a wire of a section; each edge has at least a quarter of this number
+# number of points along a wire of a section; each edge has at least a quarter of them
 SECTION_POINTS = 240
-# number of points along a path, so that planes are perpendicular to the path within a fraction of a degree
+# number of points along a path; planes are then perpendicular to it within a fraction of a degree
 PATH_POINTS = 400
-# largest gap, mm, that is closed; sections by OpenCASCADE have gaps of up to 1e-5 mm
+# largest gap, mm, that is closed; OpenCASCADE's sections have gaps of up to 1e-5 mm
 JOIN_MM = 1e-4
 
 STOPPED = "nothing was changed; take fewer planes, or try again"
@@ -57,7 +57,7 @@ class Family:
         One of `FAMILIES`.
     count : int
     axis : str
-        Axis: the normal of parallel planes, or the line at which radial half planes end.
+        Normal of parallel planes, or line at which radial half planes end: X, Y or Z.
     through : (3,) sequence, optional
         A point on the axis of radial planes, mm. The default is the middle of the object.
     sweep : float
@@ -79,7 +79,7 @@ class Family:
         return self.kind == "about an axis"
 
     def planes(self, box: Any) -> list[tuple[str, Frame]]:
-        """Return the name and plane of each cut through an object with the bounding box `box`."""
+        """Return the name and plane of each cut through an object with bounding box `box`."""
         if self.kind not in FAMILIES or self.axis not in AXES or self.count < 1:
             raise InputError("choose the kind of planes, an axis (X, Y or Z) and at least 1 plane")
         axis, middle = AXES[self.axis], np.array(tuple(box.Center))
@@ -112,7 +112,7 @@ class Family:
 
 
 def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
-    """Return the objects that have faces or triangles, except datum planes."""
+    """Return the objects with faces or triangles, except datum planes."""
     bodies = [obj for obj in objects if _has_triangles(obj) or _has_faces(obj)]
     if not bodies:
         raise InputError("select a body, a surface or a mesh to cut")
@@ -120,7 +120,7 @@ def chosen_bodies(objects: Iterable[Any]) -> list[Any]:
 
 
 def is_path(obj: Any) -> bool:
-    """Return True if an object has edges but no faces, so that it can be a path of planes."""
+    """Return True if an object has edges but no faces, as the path of planes must."""
     shape = _shape(obj)
     return bool(shape.Edges) and not shape.Faces
 
@@ -151,7 +151,7 @@ def box_of(source: Any) -> Any:
     """Return the bounding box of an object in document coordinates."""
     mesh = _mesh(source)
     if mesh is None:
-        # `BoundBox` contains the poles of splines and is larger
+        # `BoundBox` contains the poles of splines, so it is too large
         return _shape(source).optimalBoundingBox(False)
     box = App.BoundBox()
     for point in mesh[0][[*np.argmin(mesh[0], axis=0), *np.argmax(mesh[0], axis=0)]]:
@@ -165,7 +165,7 @@ def cut(source: Any, family: Family, step: Step | None = None) -> list[PlaneSect
     Raises
     ------
     NotConvergedError
-        The user stopped the computation: `step`, called with the number of finished planes, returned False.
+        The user stopped the computation: `step(finished planes)` returned False.
     """
     planes = family.planes(box_of(source))
     mesh = _mesh(source)
@@ -192,7 +192,7 @@ def curves_of(
     closed: str = CLOSED[0],
     step: Step | None = None,
 ) -> tuple[list[SectionCurve], list[str]]:
-    """Fit a smooth curve to every open section line, and return a message for every line without a curve."""
+    """Return a smooth curve for every open section line, and a message for every other line."""
     curves: list[SectionCurve] = []
     remarks: list[str] = []
     for i, section in enumerate(sections):
@@ -231,9 +231,7 @@ def _shape(obj: Any) -> Part.Shape:
 
 
 def _mesh(obj: Any) -> tuple[FloatArray, Any] | None:
-    """Return vertices (in document coordinates) and triangles of a mesh or linked mesh, or None for other
-    objects.
-    """
+    """Return vertices, in document coordinates, and triangles of a mesh or a link to a mesh; else None."""
     source = _mesh_object(obj)
     if source is None:
         return None
@@ -253,7 +251,7 @@ def _fingerprint(source: Any) -> tuple[float, ...]:
 
 @lru_cache(maxsize=4)
 def _arrays(document: str, name: str, *_fingerprint: float) -> tuple[FloatArray, Any]:
-    """Vertices and triangles are cached, because FreeCAD takes a second for a million points."""
+    """Return vertices and triangles, cached because FreeCAD takes a second for a million points."""
     points, faces = App.getDocument(document).getObject(name).Mesh.Topology
     vertices = check_places(np.array([tuple(p) for p in points]).reshape(-1, 3))
     return vertices, np.array(faces, dtype=int).reshape(-1, 3)
@@ -284,13 +282,16 @@ def _shape_section(shape: Part.Shape, frame: Frame, name: str, half: bool) -> Pl
 
 
 def _edge_points(edges: Sequence[Part.Edge]) -> list[FloatArray]:
-    """Edges are discretized separately, because FreeCAD crashes for some wires through the pole of a sphere."""
+    """Return points along each edge.
+
+    Edges are separate, because FreeCAD crashes for some wires through a sphere's pole.
+    """
     count = max(SECTION_POINTS // len(edges), SECTION_POINTS // 4)
     return [np.array([tuple(p) for p in edge.discretize(Number=count)]) for edge in edges]
 
 
 def _joined(lines: Iterable[FloatArray]) -> list[FloatArray]:
-    """The first and the last point of a closed line are equal."""
+    """Join lines whose ends meet. A closed line ends with its first point."""
     joined = []
     for run in join_runs([(Edge.polyline(line),) for line in lines], JOIN_MM).chains:
         points = np.concatenate([run[0].points, *(edge.points[1:] for edge in run[1:])])

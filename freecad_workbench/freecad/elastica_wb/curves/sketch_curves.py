@@ -20,14 +20,16 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.refusals import note
 
 MOST_DRAGGED = 24
-"""Largest number of poles for dragging; with more, the solver of FreeCAD 1.1 moves the curve."""
+"""Largest number of poles that can be dragged. With more, the solver of FreeCAD 1.1 moves the curve."""
 
 LINK = "App::Link"
 
 
 @dataclass(frozen=True, eq=False)
 class DrawnCurve:
-    """A drawn curve with its plane: relative to the container of its follower, and in the document."""
+    """A drawn curve and its plane: relative to the container of the feature that follows it, and in the
+    document.
+    """
 
     curve: PlaneCurve
     placement: App.Placement
@@ -40,7 +42,7 @@ class DrawnCurve:
 
 
 def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
-    """Return the curve of a link (object, names of edges), in the coordinates of the feature `follower`."""
+    """Return the curve of a link (object, names of edges) in the coordinates of `follower`, a feature."""
     source, names = link if isinstance(link, tuple) else (link, ())
     if source is None:
         raise InputError("the curve is missing: choose a sketch or an edge in the property Curve")
@@ -58,7 +60,7 @@ def drawn_curve(link: Any, follower: Any = None) -> DrawnCurve:
 
 
 def gap_of(*followers: Any) -> float:
-    """Return the largest gap, mm, between edges that these features close."""
+    """Return the largest gap, mm, between edges that these features allow."""
     gaps = (obj.JoinGaps.Value for obj in followers if hasattr(obj, "JoinGaps"))
     return float(max(gaps, default=0.0))
 
@@ -66,7 +68,7 @@ def gap_of(*followers: Any) -> float:
 def sketch_curve(sketch: Any, geometry: list[Any] | None = None, gap: float = 0.0) -> PlaneCurve:
     """Return the only curve of a sketch in sketch coordinates. Gaps of at most `gap` mm are closed.
 
-    `geometry` replaces the geometry of the sketch.
+    `geometry`, if given, replaces that of the sketch.
     """
     curve, frame = plane_curve(drawn_in(sketch, geometry), gap=gap)
     if abs(frame.z_axis[2] - 1) > 1e-12:
@@ -75,9 +77,7 @@ def sketch_curve(sketch: Any, geometry: list[Any] | None = None, gap: float = 0.
 
 
 def read_line(link: Any, geometry: list[Any] | None = None) -> str:
-    """Return a line of text on the geometry of a link (object, names of edges); `geometry` is as in
-    `sketch_curve`.
-    """
+    """Return a line of text on the geometry of a link (object, names of edges); `geometry` replaces it."""
     source, edges = link
     whole = is_sketch(source) and not edges
     curves = drawn_in(source, geometry) if whole else _edges(source, edges)
@@ -104,13 +104,13 @@ def is_blank(sketch: Any) -> bool:
 
 
 def linked(obj: Any) -> Any:
-    """Return the object that a link or an element of a link array displays, or else the object."""
+    """Return the object that a link or an element of a link array displays, or the object itself."""
     target = link_target(obj)
     return obj if target is None else linked(target)
 
 
 def link_target(obj: Any) -> Any:
-    """Return the target of a link, also in a container, or None for broken links and other objects."""
+    """Return the target of a link, or None for a broken link or another object."""
     target = getattr(obj, "LinkedObject", None) if obj.TypeId.startswith(LINK) else None
     return obj.getLinkedObject(False) if isinstance(target, tuple) else target
 
@@ -118,10 +118,10 @@ def link_target(obj: Any) -> Any:
 def picked(root: Any, path: str) -> tuple[Any, str]:
     """Return the picked object at a path (`Part.Body.Pad.Edge3`), and the name of the picked element.
 
-    An element that a link displays is returned as an element of the link, because the original is elsewhere.
+    An element displayed by a link belongs to the link, because the original is elsewhere.
     """
     along = root.getSubObjectList(path)
-    # names such as ;#14:1; from the history of an element change with every edit
+    # names such as ;#14:1; change with every edit
     names = [name for name in path.split(".") if not name.startswith(";")]
     for i, obj in enumerate(along):
         if obj.TypeId.startswith(LINK):
@@ -135,7 +135,7 @@ def is_edge(name: str) -> bool:
 
 
 def edge_called(source: Any, name: str) -> Any:
-    """Return the element of an object's shape with this name or path."""
+    """Return the element of an object's shape with the given name or path."""
     try:
         path = "." in name
         element = (
@@ -146,7 +146,7 @@ def edge_called(source: Any, name: str) -> Any:
         if element.isNull():
             raise IndexError(name)
     except (ValueError, IndexError, Part.OCCError) as error:
-        called = name.lstrip("?")  # FreeCAD 1.x marks the names of lost elements by "?"
+        called = name.lstrip("?")  # FreeCAD 1.x marks lost elements by "?"
         raise InputError(
             "{source} no longer has {part}. Choose the curve again.", source=source.Label, part=called
         ) from error
@@ -187,28 +187,29 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
 
 
 def is_outline(shape: Any) -> bool:
-    """Return True for a single plane face without holes, such as Draft makes from a closed curve."""
+    """Return True for a single plane face without holes, which Draft makes from a closed curve."""
     faces = shape.Faces
-    # FreeCAD's SVG reader scales faces, which converts planes to spline surfaces
+    # FreeCAD's SVG reader scales faces, which makes spline surfaces of planes
     return len(faces) == 1 and len(shape.Wires) == 1 and faces[0].findPlane() is not None
 
 
 def container(obj: Any) -> App.Placement:
-    """Return the placement, in the document, of the container of an object; FreeCAD has no such method for
-    links.
+    """Return the placement, in the document, of the container of an object.
+
+    For links, FreeCAD has no such method.
     """
     group = None if obj is None else obj.getParentGeoFeatureGroup()
     return App.Placement() if group is None else group.getGlobalPlacement()
 
 
 def curve_into(sketch: Any, curve: PlaneCurve) -> None:
-    """Replace the curves of a sketch by a spline, with visible poles if they are few enough for dragging.
+    """Replace the curves of a sketch by a spline, with visible poles if they can be dragged.
 
-    Construction geometry is not removed.
+    Construction geometry stays.
     """
-    # in a single call, because deleting a spline changes the numbers of later geometry
+    # in a single call, because each deletion renumbers the geometry
     sketch.delGeometries([i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)])
-    # types of the remaining poles and knots of the earlier spline
+    # types of the old spline's poles and knots
     points = ("Part::GeomCircle", "Part::GeomPoint")
     remaining = [
         i for i, g in enumerate(sketch.Geometry) if g.TypeId in points and not _has_user_constraint(sketch, i)
@@ -220,9 +221,7 @@ def curve_into(sketch: Any, curve: PlaneCurve) -> None:
 
 
 def move_poles(sketch: Any, curve: PlaneCurve) -> None:
-    """Move the poles of the only spline of a sketch, with the circles that display the poles, to those of a
-    curve.
-    """
+    """Move the poles of a sketch's only spline, and the circles that show them, to the poles of a curve."""
     geometry = sketch.Geometry
     (number,) = (
         i
@@ -233,7 +232,7 @@ def move_poles(sketch: Any, curve: PlaneCurve) -> None:
     circles = [geometry[i] for i in aligned if isinstance(geometry[i], Part.Circle)]
     for k, (x, y) in enumerate(curve.control_points.tolist(), start=1):
         before, pole = geometry[number].getPole(k), App.Vector(x, y, 0)
-        if circles:  # each pole takes the nearest circle, because FreeCAD 0.20 does not number circles
+        if circles:  # the nearest circle, because FreeCAD 0.20 does not number circles
             circles.sort(key=lambda circle, place=before: circle.Center.distanceToPoint(place), reverse=True)
             circles.pop().Center = pole
         geometry[number].setPole(k, pole)
@@ -241,9 +240,9 @@ def move_poles(sketch: Any, curve: PlaneCurve) -> None:
 
 
 def replace_curve(sketch: Any, number: int | None, curve: PlaneCurve) -> int:
-    """Replace a curve of a sketch by a spline, or add it if `number` is None. Return the number of the spline.
+    """Replace a curve of a sketch by a spline, or add the spline if `number` is None. Return its number.
 
-    A spline with hidden poles keeps its constraints. Visible poles are deleted with the earlier spline.
+    A spline with hidden poles keeps its constraints. Visible poles are deleted with the replaced curve.
     """
     spline = spline_geometry(curve)
     poles = [c.First for c in sketch.Constraints if c.Type == "InternalAlignment" and c.Second == number]
@@ -265,9 +264,9 @@ def _has_user_constraint(sketch: Any, number: int) -> bool:
     )
 
 
-# smallest side of the box around a nearly straight curve, as a fraction of its longer side
+# short side of the box around a nearly straight curve, as a fraction of its long side
 LEAST_SIDE = 0.2
-AUTOMATIC = ("InternalAlignment", "Weight", "Equal")  # types of constraints that FreeCAD adds
+AUTOMATIC = ("InternalAlignment", "Weight", "Equal")  # constraints that FreeCAD adds itself
 
 
 def box_around(curve: PlaneCurve) -> FloatArray:
@@ -283,7 +282,7 @@ def box_around(curve: PlaneCurve) -> FloatArray:
 
 
 def evened(curve: PlaneCurve) -> PlaneCurve:
-    """Return the same curve with weights of about 1, because the sketcher draws weights as radii of circles."""
+    """Return the same curve with weights near 1, which the sketcher draws as the radii of circles."""
     if curve.weights is None:
         return curve
     weights = curve.weights / np.exp(np.log(curve.weights).mean())
@@ -291,7 +290,7 @@ def evened(curve: PlaneCurve) -> PlaneCurve:
 
 
 def lost_constraints(sketch: Any) -> int:
-    """Return the number of user constraints on drawn geometry, which a new curve would lose."""
+    """Return the number of user constraints that would be lost with the drawn geometry."""
     numbers = {i for i in range(len(sketch.Geometry)) if not sketch.getConstruction(i)}
     return sum(
         bool(numbers & {c.First, c.Second, c.Third}) for c in sketch.Constraints if c.Type not in AUTOMATIC

@@ -40,7 +40,7 @@ PLATE_HOLE_SIZES = {name: field for name, field in HOLE_SIZES.items() if name no
 
 
 class BasePlateFeature(Feature):
-    """A base plate, whose upper face is the plane z = 0 of the placement."""
+    """A base plate. Its upper face is in the xy plane of the placement."""
 
     properties = (
         Property(
@@ -57,7 +57,7 @@ class BasePlateFeature(Feature):
     sheets: ClassVar = {"Sheet": "SheetData"}
 
     def make(self, obj: Any) -> None:
-        """Make the plate with its slots."""
+        """Set the shape to the plate with its slots."""
         (plate,) = plates_of(obj)
         solid = plate.solid
         lowered = Frame().shifted(z=-solid.thickness)
@@ -66,7 +66,9 @@ class BasePlateFeature(Feature):
 
 
 class RingsFeature(Feature):
-    """A ring for the tabs at each end of the strips, or two rings that hold inclined tabs at their angle."""
+    """A ring for the tabs at each end of the strips, or a pair of rings that also fixes the angle of inclined
+    tabs.
+    """
 
     properties = (
         Property("LinkListGlobal", "Sources", "Rings", "Model or strips whose tabs go through the rings"),
@@ -88,7 +90,7 @@ class RingsFeature(Feature):
     sheets: ClassVar = {"Sheet": "SheetData"}
 
     def make(self, obj: Any) -> None:
-        """Make the rings at their positions."""
+        """Set the shape to the rings, each in its position."""
         rings = plates_of(obj)
         shape = Part.Compound([make_solid(ring.solid) for ring in rings])
         shape.Placement = container(obj).inverse()

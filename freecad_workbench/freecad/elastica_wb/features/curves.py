@@ -50,7 +50,7 @@ class NearestFeature(Feature):
     sheets: ClassVar = {"Sheet": "SheetData"}
 
     def make(self, obj: Any) -> None:
-        """Find the nearest curve and show it."""
+        """Set the shape to the nearest curve."""
         curve = drawn_curve(obj.Curve, obj)
         near = find_nearest_to_draw(nearest_spec_of(obj, curve))
         obj.Shape = spline_geometry(near.curve).toShape()
@@ -83,7 +83,7 @@ class BentFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Bend the strip to the new ends and show the curve."""
+        """Set the shape to the curve of the bent strip."""
         if not is_strip(obj.Strip):
             raise InputError("The strip is missing. Choose a strip in the property Strip.")
         rest = strip_of(obj.Strip).rod_to_bend
@@ -121,7 +121,7 @@ class SectionFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Cut the sources and smooth the sections."""
+        """Set the shape to the smoothed sections of the sources."""
         sections, remarks = _cut_sources(obj)
         curves = [curve for _, body_curves in sections for curve in body_curves]
         if not curves and remarks and all(AT_TWO_PLACES in remark.all_changes for remark in remarks):
@@ -150,13 +150,15 @@ def _add_curve(document: Any, name: str, proxy: type[Feature], sources: list[Any
 
 
 def nearest(document: Any, source: Any, edges: tuple[str, ...] = ()) -> Any:
-    """Make the nearest curve of a sketch or of edges as a feature, without recomputing the document."""
+    """Make the nearest curve of a sketch or of edges, without recomputing the document."""
     label = f"{source.Label} {translate('Elastica', 'nearest')}"
     return _add_curve(document, "Nearest", NearestFeature, [source], Label=label, Curve=(source, list(edges)))
 
 
 def bent(document: Any, strip: Any, **moves: float) -> Any:
-    """Make the curve of a strip whose ends are moved (mm) and turned (degrees), named as in `MOVES`."""
+    """Make the curve of a strip with moved ends; `moves` are displacements (mm) and angles (degrees), named
+    as in `MOVES`.
+    """
     label = f"{strip.Label} {translate('Elastica', 'bent further')}"
     return _add_curve(document, "Bent", BentFeature, [strip], Label=label, Strip=strip, **moves)
 
@@ -166,7 +168,7 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
     label = f"{sources[0].Label} {translate('Elastica', 'curves')}"
     obj = _add_curve(document, "Section", SectionFeature, sources, Label=label, Sources=sources)
     for axis, value in zip(AXES, box_of(sources[0]).Center, strict=True):
-        # boxes of curved bodies are some hundredths of a mm too large
+        # FreeCAD's boxes of curved bodies are some hundredths of a mm too large
         setattr(obj, f"Through{axis}", round(value, 1))
     if path is not None:
         obj.Path, obj.Family = (path[0], list(path[1])), FAMILIES[2]
@@ -174,7 +176,10 @@ def section(document: Any, sources: list[Any], path: tuple[Any, tuple[str, ...]]
 
 
 def moved(rest: Rod, change: dict[str, float], guess: Rod | None = None) -> Rod:
-    """Return a rod with ends displaced (mm) and rotated (degrees); the keys of `change` are in `MOVES`."""
+    """Return a rod with displaced (mm) and rotated (degrees) ends.
+
+    The keys of `change` are those of `MOVES`.
+    """
     start = rest.position[0] + (change["StartX"], change["StartY"])
     end = rest.position[-1] + (change["EndX"], change["EndY"])
     angles = [

@@ -43,7 +43,7 @@ class FixturesFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Place a block at every end."""
+        """Set the shape to a block at every end."""
         model = source_model(obj.Sources, as_displayed=True)
         blocks = _blocks(obj, model)
         if not blocks:
@@ -62,7 +62,7 @@ def _blocks(obj: Any, model: Model) -> tuple[EndFixture, ...]:
 
 
 def blocks_for(source: Any) -> list[EndFixture]:
-    """Return the blocks of a document that hold the ends of a strip or a model, at their positions."""
+    """Return the blocks of a document, in their positions, that hold the ends of a strip or a model."""
     hanging = dict.fromkeys(user for obj in (source, *getattr(source, "Strips", ())) for user in obj.InList)
     users = [obj for obj in hanging if feature_kind(obj) == "Fixtures"]
     tabs = {tab.key for tab in place_tabs(source_model([source]).placed)} if users else set()
@@ -74,7 +74,8 @@ def blocks_for(source: Any) -> list[EndFixture]:
 def block_shape(block: EndFixture) -> Part.Shape:
     """Return the shape of a block at its position.
 
-    A change of a strip rotates the pockets of all blocks slightly, so the shape without the pocket is cached.
+    The shape without the pocket is cached, because each change of a strip rotates the pockets of all blocks
+    slightly.
     """
     pocket, *_ = block.solid.removed
     return _without_pocket(replace(block, lean=(0.0, 0.0))).cut(make_solid(pocket)).removeSplitter()
@@ -95,13 +96,11 @@ def create(document: Any, sources: list[Any]) -> Any:
 
 
 def report_holders(obj: Any, model: Model, holders: Iterable[EndFixture | BasePlate]) -> None:
-    """Write the warnings of holders, and the shift and rotation of tabs in the holders, into the results."""
+    """Write the play of tabs in their holders, and the warnings of holders, into the results."""
     warnings = one_of_each(text for holder in holders for text in holder.warnings)
     put(obj, Reports=[*holder_plays(model.placed, holders), *warnings])
 
 
 def source_model(sources: list[Any], *, as_displayed: bool = False) -> Model:
-    """Return a single model of all strips and models among the sources; `as_displayed` is as in
-    `strips_model`.
-    """
+    """Return one model of all strips and models among the sources; `as_displayed` is as in `strips_model`."""
     return strips_model(not_repeated(sources), name="strips", as_displayed=as_displayed)

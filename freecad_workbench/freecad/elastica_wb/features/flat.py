@@ -25,7 +25,7 @@ LAYERS = ["Base", "Backing"]
 
 
 class FlatFeature(Feature):
-    """Proxy of the flat part. The user may place it anywhere."""
+    """Proxy of the flat part. The user may place the part anywhere."""
 
     properties = (
         Property("LinkGlobal", "Strip", "Strip", "Strip of this flat part"),
@@ -34,7 +34,7 @@ class FlatFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Set the shape to that of the flat strip, with its engraved text."""
+        """Set the shape to the flat strip with its engraved text."""
         if obj.Strip is None or not is_strip(obj.Strip):
             raise InputError("The strip is missing. Choose a strip in the property Strip.")
         strip = _strip_with_slots(obj)
@@ -62,7 +62,7 @@ def create(document: Any, strip: Any, layer: str = "Base") -> Any:
 
 
 def layers_of(strip: Any) -> list[str]:
-    """Return the names of the layers of a strip, each cut from a separate sheet."""
+    """Return the names of the layers of a strip. Each layer is cut from its own sheet."""
     return LAYERS if strip.Style == "Laminated" else LAYERS[:1]
 
 
@@ -85,9 +85,9 @@ def _strip_with_slots(obj: Any) -> Strip:
 
 
 def _free_placement(strip: Any) -> App.Placement:
-    """The flat part is in the plane z = 0 in front of the drawn curve, and overlaps no other part."""
+    """Return a placement in the plane z = 0, in front of the drawn curve and clear of other parts."""
     source = strip.Curve[0] if strip.Curve else None
-    # largest width of the outline in every style
+    # the largest outline that any style gives
     width = max(strip.MaxWidth.Value, strip.OuterWidth.Value)
     if source is not None and not _box(source).isValid():
         source.recompute()  # the sketch may be outdated, for example after an undo
@@ -96,7 +96,7 @@ def _free_placement(strip: Any) -> App.Placement:
         return App.Placement(App.Vector(0, -GAP_MM - width, 0), App.Rotation())
     y = box.YMin - GAP_MM - width
     left, right = box.XMin - strip.StartTab.Value, box.XMin + source.Shape.Length + strip.EndTab.Value
-    # boxes in order from the back to the front
+    # from the back to the front
     for other in sorted(_other_boxes(strip), key=lambda flat_box: -flat_box.YMax):
         if (
             other.XMin < right
@@ -109,7 +109,7 @@ def _free_placement(strip: Any) -> App.Placement:
 
 
 def _box(source: Any) -> App.BoundBox:
-    """Return the bounding box of a curve, which is empty if the curve was deleted or has no shape."""
+    """Return the bounding box of a curve; it is empty if the curve was deleted or has no shape."""
     return source.Shape.BoundBox if hasattr(source, "Shape") else App.BoundBox()
 
 

@@ -38,7 +38,7 @@ from elastica_cad.strip.solids import FlatSolid
 
 FORMS = ["Everything", "First state", "Second state", "As cut", "Holder"]
 USUAL_SHEET = "pom-2"
-"""Sheet of a new part, thick and with a large permitted strain."""
+"""Sheet of a new part. It is thick and allows large strains."""
 
 GAP_MM = 10.0  # distance, mm, between the states and the part as cut
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the part with two states")
@@ -56,14 +56,14 @@ NAMES = {
     "label": "EngravedText", "ignore_limits": "Anyway", "limits.ratio": "RatioLimit",
     "limits.natural_curvature": "NaturalCurvatureLimit", "limits.bend": "BendLimit",
 }  # fmt: skip
-"""Names of properties that a strip has too, by key. All other names are derived from the keys."""
+"""Names of properties, by key, that a strip has too. All other names are derived from the keys."""
 
 FIELDS: dict[str, tuple[str, Field]] = {
     NAMES.get(path) or path.title().replace("_", "").replace(".", ""): (path, field)
     for path, field in paths_of(FlexureKeys).items()
     if path not in ("pad", "limits")
 }
-"""Key and declared field of each property, by the name of the property, such as PadLength."""
+"""Key and declared field of each property, by its name, such as PadLength."""
 
 
 class FlexureFeature(Feature):
@@ -95,7 +95,7 @@ class FlexureFeature(Feature):
         part = flexure_of(obj)
         shapes = [make_solid(solid) for _, solid in solids_of(part, obj.Form)]
         obj.Shape = shapes[0] if len(shapes) == 1 else Part.Compound(shapes)
-        # the user may choose the placement of the part as cut
+        # the user chooses the placement of the part as cut
         if obj.Form != "As cut":
             obj.Placement = drawn_curve(obj.Curve, obj).placement
         travel = part.travel
@@ -159,7 +159,7 @@ def flexure_of(obj: Any) -> Flexure:
 @remembered
 def _flexure(spec: FlexureSpec) -> Flexure:
     part = spec.make()
-    _ = part.warnings, part.force_text  # slow to compute
+    _ = part.warnings, part.force_text  # slow, so computed in the background
     return part
 
 
@@ -190,7 +190,7 @@ def solids_of(part: Flexure, form: str = FORMS[0]) -> list[tuple[str, FlatSolid]
 
 
 def drawings_of(part: Flexure, name: str) -> Iterator[tuple[str, Drawing]]:
-    """Yield the drawings of the part and of its holder, with their names."""
+    """Yield the names and drawings of the part and of its holder."""
     yield name, part.drawing()
     yield f"{name} {translate('Elastica', 'holder')}", part.holder()
 

@@ -35,15 +35,15 @@ from elastica_cad.strip.lettering import engravable
 from elastica_cad.strip.strip import Placed, Strip
 
 _overlaps: WeakKeyDictionary[Model, "Future[tuple[str, ...]]"] = WeakKeyDictionary()
-"""Overlaps of models, computed in another thread; the cache of models keeps the keys alive."""
+"""Overlaps of models, computed in another thread. The cache of models keeps the keys alive."""
 
 
 _shown: WeakKeyDictionary[Feature, tuple[Part.Shape, App.Placement, Model]] = WeakKeyDictionary()
-"""Shape, placement in the container, and model of each proxy."""
+"""Shape, placement of the container, and model that each proxy shows."""
 
 
 SLOTS = {option.name.title(): option for option in declared(interlock) if option.name != "above"}
-"""Options of slots, by the names of their properties; a zero vector is no direction."""
+"""Options of slots, by the names of their properties. A zero vector stands for no direction."""
 
 
 class ModelFeature(Feature):
@@ -71,7 +71,7 @@ class ModelFeature(Feature):
     )
 
     def make(self, obj: Any) -> None:
-        """Cut the slots, and set the shape to all strips at their positions."""
+        """Set the shape to all strips in their positions, with slots."""
         model = model_of(obj, as_displayed=True)
         shape = Part.Compound(solids_of(model, container(obj).inverse()))
         obj.Shape = shape
@@ -90,7 +90,7 @@ class ModelFeature(Feature):
         put(obj, Joints=0, Reports=[str(error)], Overlaps=[])
 
     def covered(self, obj: Any) -> list[Any]:
-        """Return the strips, which are hidden because their own shapes have no slots."""
+        """Return the strips, whose own shapes without slots are hidden."""
         return [strip for strip in obj.Strips if is_strip(strip)]
 
 
@@ -106,13 +106,15 @@ def create(document: Any, strips: list[Any], *, interlock: bool = True) -> Any:
 
 
 def shown_model(obj: Any) -> Model:
-    """Return the model from which the current shape was made, or compute it; see `shown_strip`."""
+    """Return the model from which the current shape was made. If it is unknown, compute it."""
     shape, place, model = _shown.get(obj.Proxy, (None, None, None))
     return model if model and obj.Shape.isPartner(shape) and container(obj) == place else model_of(obj)
 
 
 def model_of(obj: Any, *, as_displayed: bool = False) -> Model:
-    """Return the `Model` record of a model feature; `as_displayed` selects the strips of the current shapes."""
+    """Return the `Model` record of a model feature; if `as_displayed`, it has the strips of the current
+    shapes.
+    """
     other = next((strip for strip in obj.Strips if not is_strip(strip)), None)
     if other is not None:
         raise InputError("{object} is not a strip. Choose strips for the model.", object=other.Label)
@@ -124,7 +126,7 @@ def model_of(obj: Any, *, as_displayed: bool = False) -> Model:
 
 
 def overlaps_of(obj: Any) -> list[str]:
-    """Return a message for every pair of strips in a model that intersect without a slot."""
+    """Return a message for each pair of strips in a model that intersect without a slot."""
     return _worded(
         in_background(
             QT_TRANSLATE_NOOP("Elastica", "Looking for strips that meet"),
@@ -134,9 +136,9 @@ def overlaps_of(obj: Any) -> list[str]:
 
 
 def overlaps_sought(obj: Any) -> "Future[tuple[str, ...]] | None":
-    """Start the search for intersecting strips of a model, or return None if there is no model.
+    """Start the search for intersecting strips of a model. Return None if there is no model.
 
-    The search takes about as long as making the model, so it runs in another thread after the recompute.
+    It takes about as long as making the model, so it runs in another thread after the recompute.
     """
     try:
         return _search_overlaps(model_of(obj))
@@ -175,7 +177,7 @@ def solids_of(model: Model, place: App.Placement) -> list[Any]:
 def strips_model(
     strips: list[Any], *, name: str, options: tuple[tuple[str, Any], ...] = (), as_displayed: bool = False
 ) -> Model:
-    """Return a model of strips and models of a document at their positions. With `options`, slots are cut.
+    """Return one model of strips and models in their positions. With `options`, slots are cut.
 
     Copies, such as links and arrays, are included. With `as_displayed`, strips are those of the current
     shapes.
@@ -218,13 +220,13 @@ def _model(
 
 @remembered
 def _placed(strip: Strip, numbers: tuple[float, ...]) -> Placed:
-    """Equal arguments give the same object, so that its joints remain cached."""
+    """Return the strip in a position. Equal arguments return the same object, with its cached joints."""
     return Placed(strip, *np.array(numbers).reshape(3, 3))
 
 
 @remembered
 def _with_label(strip: Strip, label: str, name: str) -> Strip:
-    """If no letter of the label can be engraved, the name of the object is engraved."""
+    """Return the strip with the label, or with `name` if no letter of the label can be engraved."""
     engrave = None if any(map(str.isalnum, engravable(label))) else name
     return (
         strip

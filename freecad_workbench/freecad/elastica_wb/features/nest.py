@@ -19,12 +19,12 @@ from freecad.elastica_wb.host.words import report_warning, worded
 from elastica_cad.model.nesting import nest_pieces
 from elastica_cad.refusals import note, sentences
 
-SPACE_MM = 50.0  # distance, mm, between a nest and the objects behind it
+SPACE_MM = 50.0  # distance, mm, of a nest from the objects behind it
 SHEET_GAP_MM = 30.0  # mm between sheets
 
 
 class NestFeature(Feature):
-    """The outlines of all cuts, with the sheets side by side."""
+    """The outlines of all cuts on sheets side by side."""
 
     properties = (
         Property("LinkListGlobal", "Sources", "Nest", "Strips, models and base plates to be cut"),
@@ -53,7 +53,7 @@ class NestFeature(Feature):
 
 
 def report_left_out(obj: Any) -> None:
-    """Write messages on later features of the nested pieces, which the nest does not include."""
+    """Report later features that change the nested pieces, because the nest does not include them."""
     try:
         later_by_label = {original.Label: later_features(original) for original in counted(obj.Sources)}
     except FAILURES:  # the recompute has reported the error

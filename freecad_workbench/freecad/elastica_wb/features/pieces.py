@@ -34,12 +34,12 @@ CHANGED = {
     "Part::Fillet": ("Base",),
     "Part::Chamfer": ("Base",),
 }
-"""Properties in which operations of the Part workbench store the objects that they change."""
+"""Properties of operations of the Part workbench that contain the objects which they change."""
 
 BODY = "PartDesign::Body"
 
 SHOWN_BY = (BODY, BASE, COMPOUND, *PATTERNS)
-"""Types that display a shape unchanged; a later feature may change the shape."""
+"""Types that display another shape unchanged. A later feature may change the displayed shape."""
 
 
 @dataclass(frozen=True)
@@ -51,16 +51,14 @@ class Cut:
 
 
 def pre_bend_messages_of(cuts: Iterable[Cut]) -> list[str]:
-    """Return instructions for pieces that are pre-bent before assembly, one for all pieces with the same
-    pre-bend.
-    """
+    """Return instructions for pieces that must be pre-bent, one for all pieces with the same pre-bend."""
     return pre_bend_messages((cut.piece.name, cut.strip) for cut in cuts if cut.strip is not None)
 
 
 def cuts_of(sources: Iterable[Any]) -> list[Cut]:
     """Return the pieces to be cut for strips, models and base plates, including all copies.
 
-    Strips of a selected model, originals of an array, and a strip with a flat part are counted once.
+    A strip is counted once if it is also in a selected model, in an array, or shown by a flat part.
 
     Raises
     ------
@@ -92,7 +90,10 @@ def counted(sources: Iterable[Any]) -> dict[Any, int]:
 
 
 def cut_for(obj: Any) -> Any:
-    """Return the object that is cut: for a flat part its strip, or the model whose slots the part has."""
+    """Return the object that is cut.
+
+    For a flat part, it is the model whose slots the part has, or the strip.
+    """
     return (obj.Model or obj.Strip) if is_flat(obj) else obj
 
 
@@ -103,7 +104,7 @@ def is_cut(obj: Any) -> bool:
 
 def _cuts(obj: Any) -> list[Cut]:
     lost = why_left_out(obj)
-    if lost:  # the shapes of failed features are outdated
+    if lost:  # failed features have outdated shapes
         raise InputError(lost)
     if is_model(obj):
         model = model_of(obj)
@@ -127,7 +128,7 @@ def _cuts(obj: Any) -> list[Cut]:
 
 
 def later_features(obj: Any) -> str:
-    """Return the labels of the features that change a strip, a model or a plate, or its flat part."""
+    """Return the labels of later features that change an object to be cut, or its flat part."""
     flat = [user for user in obj.InList if is_flat(user)]
     return ", ".join(dict.fromkeys(label for feature in (obj, *flat) for label in _later_labels(feature)))
 
@@ -142,7 +143,7 @@ def _later_labels(obj: Any) -> Iterator[str]:
                 continue
             visited.add(user)
             todo.append(user)
-            # the next strip of a body also depends on the previous strip
+            # the next strip of a body depends on the previous one, but does not change it
             if takes and not (is_cut(user) or getattr(user, "Suppressed", False)):
                 yield user.Label
 

@@ -52,38 +52,39 @@ CONTAINERS = Property(
     result=True,
     hidden=True,
 )
-"""Property with the containers that move the curve but not the feature, which is then recomputed."""
+"""Property with the containers whose moves change the curve relative to the feature. The feature is then
+recomputed."""
 
 HIDDEN_BY_ERROR = Property(
     "Bool", "HiddenByError", "Result", "Hidden because its recompute failed", hidden=True
 )
-"""Property that is True for features that an error has hidden, because their shapes are outdated."""
+"""Property that is True for a feature that an error has hidden, because its shape is outdated."""
 
 SHOWN_BY_ERROR = result(
     "Bool", "ShownByError", "Shown because the recompute of its model failed", hidden=True
 )
-"""Property that is True for strips that became visible because their model failed."""
+"""Property that is True for a strip that was made visible because its model failed."""
 
 REPORTS = result("StringList", "Reports", "Messages of the last recompute")
 
 FOLLOWED = ("Curve", "SecondCurve", "Sources", "Strips")
-"""Names of the properties that contain the objects on which a feature depends."""
+"""Properties with the objects on which a feature depends."""
 
-# largest difference of equal colour components; FreeCAD stores colours in single precision or in 256 steps
+# largest difference of equal colour components: FreeCAD stores single precision or 256 steps
 SAME_COLOR = 1e-2
 MOST_NAMES = 6  # largest number of names in a line of the report view
 
 
 class Feature(Unsaved):
-    """Proxy of a feature, without data: all data are in the properties of the document object."""
+    """Proxy of a feature. It has no data; they are in the properties of the document object."""
 
     properties: tuple[Property, ...] = ()
     sheets: ClassVar[Mapping[str, str]] = {}
-    """For each property that names a sheet, the property that stores the data of the sheet in the document."""
+    """Property that stores a sheet's data in the document, by the property that names the sheet."""
     choices: ClassVar[frozenset[str]] = frozenset()
-    """Names of the properties of type enumeration."""
+    """Names of the enumeration properties."""
     chosen: str | None = None
-    """Choice before the current change, or None if a formula had set an invalid choice."""
+    """Choice before the current change; None if a formula had set an invalid choice."""
 
     def __init_subclass__(cls) -> None:
         groups = {entry.name: entry.group for entry in cls.properties}
@@ -99,7 +100,7 @@ class Feature(Unsaved):
         self.ensure(obj)
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """Update a feature from a file of an earlier version."""
+        """Update a feature of a file that an earlier version wrote."""
         self.ensure(obj)
         reword(obj)
         dress(obj)
@@ -115,13 +116,13 @@ class Feature(Unsaved):
             _show_title(obj, name)
 
     def onBeforeChange(self, obj: Any, name: str) -> None:
-        """Store the current choice, because a formula may set an invalid choice."""
+        """Store the current choice, which is restored if a formula sets an invalid one."""
         if name in self.choices:
             self.chosen = None if is_misread(obj, name) else getattr(obj, name)
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Set the thickness, sheet data and colour after another sheet is chosen."""
-        # FreeCAD calls this method for every result that is written, so slower checks are at the end
+        """Set thickness, sheet data and colour after the choice of another sheet."""
+        # FreeCAD calls this method for every written result, so slow checks come last
         if name in self.choices and is_misread(obj, name):
             if getattr(obj, name) is None or self.chosen not in (None, getattr(obj, name)):
                 choose_again(obj, name, self.chosen)
@@ -133,7 +134,7 @@ class Feature(Unsaved):
         if f"{name}Title" in obj.PropertiesList:
             _show_title(obj, name)
         numbers_name = self.sheets.get(name)
-        # after an invalid formula, `chosen` is None, and the restored sheet is unchanged
+        # after an invalid formula, the sheet was restored, and `chosen` is None
         if numbers_name in obj.PropertiesList and self.chosen is not None:
             with suppress(InputError):  # the next recompute reports the error
                 sheet = sheet_called(getattr(obj, name), getattr(obj, numbers_name))
@@ -144,7 +145,7 @@ class Feature(Unsaved):
                 _recolor(obj, self.chosen)
 
     def keep_sheets(self, obj: Any) -> None:
-        """Update the list of sheets, and mark the feature for recompute if the user has edited the sheet."""
+        """Update the list of sheets. Mark the feature for recompute if the user has edited its sheet."""
         measured = {name: getattr(obj, name) for name in ("Thickness",) if name in obj.PropertiesList}
         saved = {name: getattr(obj, name) for name in self.sheets.values()}
         for name in self.sheets:
@@ -161,18 +162,18 @@ class Feature(Unsaved):
                 if new != old:
                     obj.touch()
                 if name == "Sheet" and measured and obj.Thickness.Value == old.thickness:
-                    # the thickness was the nominal thickness of the sheet
+                    # the thickness was the sheet's nominal thickness
                     put(obj, Thickness=new.thickness)
 
     def _store_sheets(self, obj: Any) -> None:
-        """The shape is computed from the sheet, whose data are stored in the document."""
+        """Store the data of the sheets in the document, so that the shape can be computed from them."""
         for name, numbers in self.sheets.items():
             with suppress(InputError):
                 put(obj, **{numbers: text_of(sheet_called(getattr(obj, name), getattr(obj, numbers)))})
 
     @property
     def execute(self) -> Callable[[Any], None]:
-        """Function that FreeCAD calls in a recompute; after an error, the shape is unchanged."""
+        """Function that FreeCAD calls in a recompute. After an error, the shape is unchanged."""
         return raising(self._error_of_make)
 
     def _error_of_make(self, obj: Any) -> RefusalError | None:
@@ -188,7 +189,7 @@ class Feature(Unsaved):
         return None
 
     def make(self, obj: Any) -> None:
-        """Compute shape and results from the properties. Every feature defines this method."""
+        """Compute shape and results from the properties; each kind of feature has its own method."""
         raise NotImplementedError
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
@@ -197,17 +198,17 @@ class Feature(Unsaved):
         hide(obj)
 
     def show_error(self, obj: Any, error: ElasticaError) -> None:
-        """Write the error into the results, if the feature has results."""
+        """Write the error into the results; without results, do nothing."""
 
     def covered(self, _obj: Any) -> list[Any]:
-        """Return the features that are hidden because this feature displays them."""
+        """Return the features that are hidden because this feature displays them; by default none."""
         return []
 
 
 def added(
     document: Any, name: str, proxy: type[Feature], sources: Iterable[Any] = (), **properties: Any
 ) -> Any:
-    """Add a feature with these properties to the document, or to the App::Part that contains all sources."""
+    """Add a feature with these properties to the document, or to the App::Part with all its sources."""
     obj = document.addObject("Part::FeaturePython", name)
     proxy(obj)
     groups = {source.getParentGeoFeatureGroup() for source in sources}
@@ -225,7 +226,7 @@ def _show_title(obj: Any, name: str) -> None:
 
 
 def _recolor(obj: Any, before: str) -> None:
-    """Objects with their own sheet or a colour set by the user are not changed."""
+    """Set the colour of the new sheet on an object and its users. Colours chosen by the user stay."""
     with suppress(InputError):  # the sheet may no longer exist
         old, new = (sheet_color(sheet_called(name)) for name in (before, obj.Sheet))
         users = [user for user in obj.InList if not getattr(getattr(user, "Proxy", None), "sheets", None)]
@@ -236,9 +237,9 @@ def _recolor(obj: Any, before: str) -> None:
 
 
 def hide(obj: Any) -> None:
-    """Hide a failed feature and the features that depend on it, because their shapes are outdated.
+    """Hide a failed feature and its dependent features, because their shapes are outdated.
 
-    Valid features that the hidden features had replaced become visible again.
+    Valid features that the hidden ones had replaced become visible again.
     """
     failed = _with_users(obj)
     ours = [feature for feature in failed if is_ours(feature)]
@@ -256,14 +257,14 @@ def hide(obj: Any) -> None:
 
 
 def give_up(document: Any) -> None:
-    """Set the error of features that depend on a failed object, because FreeCAD does not recompute them.
+    """Set the error of features that FreeCAD skips because they depend on a failed object.
 
     The failed object belongs to another workbench, or has a formula that cannot be computed.
     """
     for source in filter(_failed_before, document.Objects):
         ours = [feature for feature in _with_users(source) if is_ours(feature)]
         message = why_not_made(source)
-        # the error was reported before if all features are hidden
+        # if all features are hidden, the error was already reported
         if any(feature.Visibility for feature in ours):
             names = ", ".join(
                 [feature.Label for feature in ours[:MOST_NAMES]] + ["..."] * (len(ours) > MOST_NAMES)
@@ -275,7 +276,7 @@ def give_up(document: Any) -> None:
 
 
 def why_left_out(obj: Any) -> str:
-    """Return why FreeCAD skipped the recompute of an object, or "" if FreeCAD recomputed the object."""
+    """Return why FreeCAD skipped the recompute of an object, or "" if it did not skip the object."""
     for followed in (obj, *_sources_of(obj)):
         sources = [
             source for source in followed.OutList if source not in getattr(followed, CONTAINERS.name, ())
@@ -286,7 +287,7 @@ def why_left_out(obj: Any) -> str:
 
 
 def _failed_before(obj: Any) -> bool:
-    """Return True if an object failed before FreeCAD called the code of this workbench."""
+    """Return True if an object failed in FreeCAD, before the code of this workbench was called."""
     return "Invalid" in obj.State and (not is_ours(obj) or bool(why_not_computed(obj)))
 
 
@@ -298,7 +299,7 @@ def hide_failed(source: Any) -> None:
 
 
 def _with_users(obj: Any) -> list[Any]:
-    """Return an object and all objects that depend on it, except by the placement of a container."""
+    """Return an object and all objects that depend on it other than by the placement of a container."""
     affected = [obj]
     for source in affected:
         users = [user for user in source.InList if source not in getattr(user, CONTAINERS.name, ())]
@@ -307,7 +308,7 @@ def _with_users(obj: Any) -> list[Any]:
 
 
 def _restore_visibility(obj: Any) -> None:
-    """A successful recompute restores the visibility that an error had changed."""
+    """Restore the visibility that an error had changed, after a successful recompute."""
     if obj.HiddenByError:
         obj.HiddenByError = False
         obj.Visibility = True
@@ -332,9 +333,9 @@ def parents(source: Any) -> list[Any]:
 
 
 def keep_containers(document: Any, moved: Collection[str]) -> None:
-    """Update features after objects with these names were moved into or out of a container.
+    """Update features after objects with these names moved into or out of a container.
 
-    A feature inside a container must not depend on that container.
+    A feature inside a container must not depend on this container.
     """
     for obj in document.Objects:
         if is_ours(obj) and CONTAINERS.name in obj.PropertiesList:
@@ -348,7 +349,10 @@ def keep_containers(document: Any, moved: Collection[str]) -> None:
 
 
 def keep_sheets() -> None:
-    """Update the lists of sheets in all open documents, and recompute features whose sheet the user has edited."""
+    """Update the lists of sheets in all open documents.
+
+    Recompute features whose sheet the user has edited.
+    """
     for document in App.listDocuments().values():
         ours = [obj for obj in document.Objects if is_ours(obj)]
         for obj in ours:
@@ -358,7 +362,7 @@ def keep_sheets() -> None:
 
 
 def keep_places(container: Any) -> None:
-    """Mark features for recompute if a container moves only the features, or only their sources."""
+    """Mark features for recompute if a container moves either only the features or only their sources."""
     for obj in container.Document.Objects:
         ours = is_ours(obj) and CONTAINERS.name in obj.PropertiesList
         inside = ours and container in parents(obj)
@@ -367,7 +371,7 @@ def keep_places(container: Any) -> None:
 
 
 def telling(obj: Any, name: str) -> list[Any]:
-    """Return the objects whose messages contain a name, among an object and the features made from it."""
+    """Return the features whose messages contain a name: the object and features made from it."""
     ours = (feature for feature in (obj, *obj.InListRecursive) if is_ours(feature))
     return [feature for feature in ours if any(name in words for words in _sentences(feature))]
 
@@ -380,7 +384,7 @@ def _sentences(obj: Any) -> Iterator[str]:
 
 
 def _containers(obj: Any) -> list[Any]:
-    """Return the containers that move the sources of a feature, except containers that depend on the feature."""
+    """Return the containers that move the sources of a feature, without those that depend on the feature."""
     ancestors = [obj, *parents(obj)]
     containers = [
         container

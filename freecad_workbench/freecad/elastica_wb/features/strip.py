@@ -51,11 +51,11 @@ BODY = "PartDesign::Body"
 
 CHANGEABLE = ("smooth", "nearest", "between", "max_width", "thickness", "sheet")
 DRAWN = ("point", "size")
-"""Fields that suggestions may change: CHANGEABLE of the strip, DRAWN of the sketch."""
+"""Fields of the sketch that suggestions may change; `CHANGEABLE` are those of the strip."""
 
 
 _shown: WeakValueDictionary[str, Strip] = WeakValueDictionary()
-"""Strips by the hash of their request; the caches of solved strips keep the strips alive."""
+"""Strips by the hash of their request. The caches of solved strips keep them alive."""
 
 
 class StripFeature(Feature):
@@ -69,21 +69,19 @@ class StripFeature(Feature):
         obj.Anticlastic = True
 
     def onDocumentRestored(self, obj: Any) -> None:
-        """Accept a strip beyond the limits if the version that wrote the file only warned of this."""
+        """Update a file of an earlier version, in which a strip beyond the limits was only a warning."""
         lacks_override = "Anyway" not in obj.PropertiesList
         super().onDocumentRestored(obj)
         if lacks_override:
             obj.Anyway = obj.StrainUse >= 100  # earlier versions did not refuse such a strip
 
     def onChanged(self, obj: Any, name: str) -> None:
-        """Reset PlacesLength after a change of ties or loads, because new positions refer to the current
-        curve.
-        """
+        """Reset PlacesLength after a change of ties or loads, whose positions now refer to the current curve."""
         super().onChanged(obj, name)
         if (
             name in ("Between", "Loads")
             and "Restore" not in obj.State
-            and not obj.Document.Transacting  # undo and redo also restore PlacesLength
+            and not obj.Document.Transacting  # undo and redo restore PlacesLength themselves
             and "PlacesLength" in obj.PropertiesList
         ):
             put(obj, PlacesLength=0.0)
@@ -96,7 +94,7 @@ class StripFeature(Feature):
         strip = solve_strip(spec)
         shape = bent_shape(strip) if obj.Form == "Bent" else flat_shape(strip)
         made_from = _hash_of_request(obj, drawn, spec)
-        if hasattr(obj, "AddSubShape"):  # the patterns of PartDesign repeat this shape
+        if hasattr(obj, "AddSubShape"):  # patterns of PartDesign repeat this shape
             obj.AddSubShape = shape
         obj.Shape = shape
         _shown[made_from] = strip
@@ -114,7 +112,7 @@ class StripFeature(Feature):
         _show_results(obj, strip, changed, moved_by_smoothing(spec))
 
     def failed(self, obj: Any, error: ElasticaError) -> None:
-        """While the sketch is open, an error hides no feature."""
+        """Show the error. While the sketch is open, no feature is hidden."""
         if is_edited(obj):
             self.show_error(obj, error)
         else:
@@ -147,7 +145,7 @@ def create(document: Any, sketch: Any, edges: tuple[str, ...] = ()) -> Any:
     body = group is not None and group.TypeId == BODY and not _solids(group)
     obj = document.addObject("PartDesign::FeatureAdditivePython" if body else "Part::FeaturePython", "Strip")
     StripFeature(obj)
-    # FreeCAD does not allow equal labels, so only a label that the user chose is used
+    # FreeCAD forbids equal labels, so only a label that the user chose is used
     if is_sketch(sketch) and sketch.Label != sketch.Name:
         obj.Label = f"{sketch.Label} {translate('Elastica', 'strip')}"
     if group is not None and (body or group.TypeId != BODY):
@@ -167,7 +165,7 @@ def shown_strips(obj: Any) -> Iterator[Standing]:
     Raises
     ------
     InputError
-        For the reasons of `copies`, or because a pattern of a body repeats a strip and fuses the copies.
+        As in `copies`; or a pattern of a body repeats a strip, which fuses the copies.
     """
     for standing in copies(obj):
         strip = next(filter(is_strip, repeated(standing[0])), None)
@@ -187,7 +185,7 @@ def strip_of(obj: Any) -> Strip:
 
 
 def valid_request(obj: Any) -> StripSpec | None:
-    """Return the request, even if no strip can take its curve, or None if the request is not valid."""
+    """Return the request, or None if it is not valid. A valid request may be impossible to make."""
     try:
         spec = spec_of(obj, drawn_curve(obj.Curve, obj))
     except FAILURES:
@@ -196,9 +194,9 @@ def valid_request(obj: Any) -> StripSpec | None:
 
 
 def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
-    """Return suggested changes that need no search, as a text and the new values of properties.
+    """Return suggested changes that need no search: a text, and new values of properties.
 
-    They follow from messages on a strip, join edges that do not meet, or ignore a limit.
+    They apply what a message suggests, join edges that do not meet, or ignore a limit.
     """
     changes: list[Change] = []
     spec = None
@@ -218,13 +216,16 @@ def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
 
 
 def changeable(obj: Any) -> tuple[str, ...]:
-    """Return the fields that suggestions may change. The sketch may change if the strip follows all its edges."""
+    """Return the fields that suggestions may change.
+
+    They include those of the sketch if the strip follows all its edges.
+    """
     source, edges = obj.Curve or (None, ())
     return (*CHANGEABLE, *(DRAWN if is_sketch(source) and not any(edges) else ()))
 
 
 def values_of(obj: Any, change: Change) -> dict[str, Any]:
-    """Return the values of properties for a suggested change; empty if the strip has no such property."""
+    """Return new values of properties for a suggested change, or none if the strip has no such property."""
     match change:
         case Change("max_width", width):
             return {"MaxWidth" if obj.Style == STYLES[0] else "MaterialWidth": width}
@@ -240,7 +241,7 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
 
 
 def _may_help(spec: StripSpec, change: Change) -> bool:
-    """Return True if a strip can be made after a change, which is not tried for a switch."""
+    """Return True if a change lets the strip be made. A change of a switch is not tried."""
     if isinstance(change.value, bool):
         return True
     with suppress(ElasticaError):
@@ -250,15 +251,15 @@ def _may_help(spec: StripSpec, change: Change) -> bool:
 
 
 def shown_strip(obj: Any) -> Strip:
-    """Return the strip from which the current shape was made, or compute it."""
+    """Return the strip from which the current shape was made. If it is unknown, compute it."""
     return _shown.get(obj.MadeFrom) or strip_of(obj)
 
 
 def show_held(obj: Any) -> None:
-    """Write into the results how far a strip, as cut and held, is from its curve.
+    """Write into the results how far the strip, as cut and held, is from its curve.
 
-    The computation takes as long as all other results together, so it follows the recompute. Strips with
-    rails, pins, ties or point forces are not computed.
+    This takes as long as all other results together, so it follows the recompute. It is not computed for
+    strips with rails, pins, ties or point forces.
     """
     if obj.Held or not obj.MadeFrom or "Invalid" in obj.State:
         return
@@ -282,7 +283,7 @@ def show_held(obj: Any) -> None:
 
 
 def is_stale(obj: Any, changed: set[str]) -> bool:
-    """Return True if the shape was made from another request. `changed` contains the names of changed objects."""
+    """Return True if the shape was made from another request. `changed` has the names of changed objects."""
     source = obj.Curve[0] if obj.Curve else None
     touched = {
         watched.Name for watched in (obj, *parents(obj), source, *parents(source)) if watched is not None
@@ -299,7 +300,7 @@ def is_stale(obj: Any, changed: set[str]) -> bool:
 
 
 def _hash_of_request(obj: Any, drawn: Any, spec: Any) -> str:
-    """The hash identifies a request within a session of FreeCAD."""
+    """Return a text that identifies a request within a session of FreeCAD."""
     return f"{hash((spec, obj.Form, tuple(drawn.placement.toMatrix().A))):x}"
 
 
@@ -309,7 +310,10 @@ def _solids(body: Any) -> bool:
 
 
 def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float) -> None:
-    """`changed` and `smoothed` are the distances, mm, by which search and smoothing moved the curve."""
+    """Write the results.
+
+    `changed` and `smoothed` are the distances, mm, by which search and smoothing moved the curve.
+    """
     rod, stability, sideways = strip.rod, judged(strip.rod), strip.sideways
     faults, bent, refused = list(strip_faults(strip)), is_bent_beforehand(strip), strip.strain_verdict.refused
     notes = [
@@ -357,7 +361,7 @@ def _show_results(obj: Any, strip: Strip, changed: float | None, smoothed: float
 
 
 def is_edited(obj: Any) -> bool:
-    """Return True if the sketch of the strip is open; hiding the strip would then cause flicker."""
+    """Return True if the sketch of the strip is open. Hiding the strip would then cause flicker."""
     if not App.GuiUp or obj.Curve is None or not is_sketch(obj.Curve[0]):
         return False
     import FreeCADGui as Gui

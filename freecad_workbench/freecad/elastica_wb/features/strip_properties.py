@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Properties of a strip, and the conversion of its options to the table of a design file, which the core
-reads.
-"""
+"""Properties of a strip, and their conversion to the table of a design file, which the core reads."""
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -47,7 +45,7 @@ KEPT_ENDS = ["both", "start", "end", "none"]
 TANGENT_ENDS = KEPT_ENDS[:3]
 
 DEFAULTS = {"MaxWidth": MAX_WIDTH, "OuterWidth": MAX_WIDTH, "RatioLimit": RATIO}
-"""Default values of a new strip that differ from the defaults of the fields."""
+"""Values of a new strip that differ from the defaults of the fields."""
 
 EXAMPLES = {
     "Between": "kind = 'tie', start = 40, end = 310",
@@ -56,13 +54,13 @@ EXAMPLES = {
     "KeepOut": "point = [0, 0], normal = [0, 1]",
     "StiffnessBounds": "lower = 1, upper = [2, 3, 2]",
 }
-"""Examples of the lines of properties with tables, written as in a design file."""
+"""Examples for properties whose lines are tables of a design file."""
 
 OWN_BOXES = (
     "curve", "engrave", "sheet", "style", "compensate", "gravity", "loads", "supports", "natural_curvature", "ends",
     "limits.margin", "limits.strain", "limits.length", "limits.width", "keep.ends", "keep.tangents", "keep.line",
 )  # fmt: skip
-"""Keys without a single property of their own, which special functions read."""
+"""Keys that do not correspond to a single property. Special functions read them."""
 
 OWN_TABLES = ("style", "limits", "keep")
 """Keys whose subkeys have properties."""
@@ -88,7 +86,7 @@ def _single_fields() -> Iterator[tuple[str, Field]]:
 
 
 FIELDS = dict(_single_fields())
-"""Fields of the keys with a single property, by the path of the key."""
+"""Fields of the keys that correspond to a single property, by the path of the key."""
 
 SHEET_PROPERTIES = (
     Property("Length", "Thickness", "Sheet", "Thickness of the sheet; measure yours", 1.0),
@@ -100,7 +98,7 @@ SHEET_PROPERTIES = (
         hidden=True,
     ),
 )
-"""Properties for the thickness and the stored data of the sheet of a feature."""
+"""Properties of a feature for the thickness and the stored data of its sheet."""
 
 PROPERTIES = (
     Property("LinkSubGlobal", "Curve", "Curve", "Sketch, or edges of an object, that the strip follows"),
@@ -114,7 +112,7 @@ PROPERTIES = (
         "Anticlastic",
         "Width",
         "Compensate anticlastic bending in the widths if the sheet's Poisson ratio is known",
-        # False in files of earlier versions, whose widths must not change
+        # False in files of earlier versions, whose widths stay the same
     ),
     Property(
         "Length",
@@ -250,27 +248,26 @@ NEAREST = tuple(
         CONTAINERS.name,
     )
 )
-"""Options and results of a nearest curve that is a separate feature."""
+"""Options and results of the nearest curve as a separate feature."""
 
 
-# limits of lengths: a hundred metres, and less than the thickness of any foil
+# limits of lengths: a hundred metres, and less than any foil is thick
 LONGEST_MM, THINNEST_MM = 1e5, 1e-3
 BLANK_LINE = "stations = [0, 300], curvatures = [0, 0.01]"
 MASS_LINE, WEIGHT_LINE, TAB_LINE = "at = 90, mass = 3", "alpha = 1, own = true", "length = 12, chamfer = 2"
 LENGTHS = tuple(p.name for p in PROPERTIES if p.kind == "Length" and not p.result)
 
 SHEET, BACKING = "sheet", "backing"
-"""Keys of the sheets in the table of a strip; the document stores the data of both sheets."""
+"""Keys of the sheets in the table of a strip. The document stores the data of both."""
 
 
 def spec_of(obj: Any, drawn: DrawnCurve) -> StripSpec:
-    """Return the request that the properties define, without properties of other styles or of an unused
-    nearest curve.
+    """Return the request that the properties define. Properties without effect are ignored.
 
     Raises
     ------
     InputError
-        A size is far out of range, because of a typing error or a wrong unit.
+        A size is far out of range: a typing error, or a wrong unit.
     """
     _refuse_slips(obj, drawn)
     sheets = {SHEET: sheet_of(obj)}
@@ -301,7 +298,7 @@ Acting: TypeAlias = Element | PointForce | PointMass
 
 
 def is_load(item: Acting) -> bool:
-    """Return True for a load, and False for a rail, pin or tie."""
+    """Return True for a load, False for a rail, pin or tie."""
     return not isinstance(item, Element)
 
 
@@ -316,7 +313,7 @@ def places_of(item: Acting) -> list[Any]:
 
 
 def acting_lines(items: Iterable[Acting]) -> dict[str, list[str]]:
-    """Return the values of the properties Between and Loads, with one line for each element or load."""
+    """Return the values of the properties Between and Loads: a line for each element or load."""
     lines: dict[str, list[str]] = {"Between": [], "Loads": []}
     for item in items:
         kind = word_of(type(item))
@@ -332,9 +329,7 @@ def _line(table: Mapping[str, Any]) -> str:
 
 
 def keep_fractions(obj: Any, drawn: DrawnCurve) -> None:
-    """Convert the positions of ties and loads to the current curve; the fractions of the length are
-    unchanged.
-    """
+    """Move ties and loads to the same fractions of the length of the current curve."""
     length, before = drawn.curve.length, obj.PlacesLength.Value
     if before == length:
         return
@@ -386,14 +381,14 @@ def _has_effect(obj: Any, path: str, *, nearest: bool) -> bool:
         return key in names_of(BY_KIND[Style][obj.Style.lower()])
     if table in ("limits", "keep"):
         return nearest
-    # a width law contains its limits
+    # a width law contains the limits of the width
     if path in ("max_width", "min_width"):
         return not obj.Law.strip() and (path == "min_width" or obj.Style == "Plain")
     return path != "samples" or not nearest
 
 
 def value_of_field(obj: Any, name: str, field: Field) -> Any:
-    """Return the value of a property as in a design file, or None if it is not set."""
+    """Return the value of a property as in a design file, or None if the property is not set."""
     value = getattr(obj, name)
     value = getattr(value, "Value", value)
     if field.option.unit == "rad":
@@ -429,8 +424,9 @@ def _refuse_slips(obj: Any, drawn: DrawnCurve) -> None:
 
 
 def sheet_of(obj: Any) -> Sheet:
-    """Return the sheet with the measured thickness, without a thickness range if this is not the nominal
-    thickness.
+    """Return the sheet with the measured thickness.
+
+    If this differs from the nominal thickness, it has no range.
     """
     sheet, thickness = sheet_called(obj.Sheet, obj.SheetData), obj.Thickness.Value
     if sheet.thickness == thickness:
@@ -448,12 +444,12 @@ def _max_width(obj: Any) -> float | None:
 
 
 def _shop(obj: Any) -> dict[str, Any] | None:
-    """The style sets the smallest ligament."""
+    """Return the limits of the workshop: in FreeCAD, the least ligament of a perforated strip."""
     return {"least_ligament": obj.LeastLigament.Value} if obj.Style == "Perforated" else None
 
 
 def _compensate(obj: Any) -> bool | None:
-    """True compensates everything, False nothing, and None is the default."""
+    """Return True to compensate everything, False for nothing, None for the default."""
     return None if obj.Anticlastic and not obj.Compensate else bool(obj.Compensate)
 
 
@@ -491,7 +487,7 @@ def _limits(obj: Any) -> dict[str, Any]:
 
 
 def _range(obj: Any, kind: str) -> list[float] | None:
-    """Return the smallest and the largest value, mm, or None without a largest value."""
+    """Return the smallest and the largest value, mm, or None if no largest value is set."""
     least, most = getattr(obj, f"Least{kind}").Value, getattr(obj, f"Most{kind}").Value
     if not most:
         return None
@@ -546,4 +542,4 @@ READ_ROD: dict[str, Callable[[Any], Any]] = {
     "natural_curvature": _natural_curvature,
 }
 READ_LIMITS: dict[str, Callable[[Any], Any]] = {"limits": _limits, "keep": _keep}
-"""Functions for keys without a single property of their own."""
+"""Functions that read keys which do not correspond to a single property."""

@@ -16,17 +16,17 @@ class View(Unsaved):
 
     icon_name = "Elastica"
     panel_of: ClassVar[Callable[[Any], Any]]
-    """Function that makes the panel of a feature, set by the graphical interface."""
+    """Function that makes the panel of a feature. The graphical interface sets it."""
 
     def __init__(self, provider: Any) -> None:
         provider.Proxy = self
 
     def attach(self, provider: Any) -> None:
-        """Store the object. FreeCAD calls this method at creation and after loading."""
+        """Store the object. FreeCAD calls this method for new and for loaded objects."""
         self.Object = provider.Object
 
     def setEdit(self, provider: Any, mode: int = 0) -> bool | None:
-        """Open the panel, but leave other edit modes, such as Transform, to FreeCAD."""
+        """Open the panel. Other edit modes, such as Transform, are left to FreeCAD."""
         if mode != 0:
             return None
         Gui.Control.showDialog(self.panel_of(provider.Object))
@@ -72,11 +72,11 @@ class ModelView(View):
     icon_name = "Elastica_Interlock"
 
     def claimChildren(self) -> list[Any]:
-        """Return the strips, which the model displays with their slots."""
+        """Return the strips, which the model displays with slots."""
         return list(self.Object.Strips)
 
     def onDelete(self, _provider: Any, _elements: Any) -> bool:
-        """Make the strips visible that the model had hidden, unless they failed."""
+        """Make the strips visible that the model had hidden, except failed ones."""
         for strip in self.Object.Strips:
             if not any(is_model(user) for user in strip.InList if user is not self.Object):
                 strip.HiddenByError = "Invalid" in strip.State

@@ -13,7 +13,7 @@ INK, LINE, MARK = "#222222", "#1f5fa8", "#c2571a"
 
 
 def line_chart(x: Sequence[float], y: Sequence[float], names: tuple[str, str], mark: float | None) -> Any:
-    """Draw y over x with the names (x, y) of the axes, and a dashed line at x = mark."""
+    """Draw y over x with the given names of the axes (x, y), and a dashed line at x = mark."""
     picture = QtGui.QPixmap(WIDTH_PX, HEIGHT_PX)
     picture.fill(QtGui.QColor("white"))
     painter = QtGui.QPainter(picture)

@@ -14,20 +14,20 @@ from freecad.elastica_wb.host.resources import translate
 from freecad.elastica_wb.host.sheet_store import titled_sheets
 from freecad.elastica_wb.host.words import worded
 
-LARGEST = 1e9  # limit of numbers whose field declares no limit
+LARGEST = 1e9  # limit of numbers without a declared limit
 WHOLE = 1_000_000
-SHEET_LETTERS = 14  # number of visible letters of the name of a sheet in a narrow panel
+SHEET_LETTERS = 14  # visible letters of a sheet's name in a narrow panel
 NARROWEST_PX = 105  # least width, pixels, of a box for a length with its unit
 TRIES = 10
 
 _aside: list[Any] = []
 
-UNTYPED = ("", "\t", "\r", "\x1b")  # text of key events that enter no text: arrows, Tab, Enter, Escape
-# properties of a box: exact value, and rounded value that the box shows
+UNTYPED = ("", "\t", "\r", "\x1b")  # text of keys that type nothing: arrows, Tab, Enter, Escape
+# properties of a box: the exact value, and the rounded value that it shows
 EXACT, SHOWN = "exactValue", "shownValue"
 UNITS = {"App::PropertyLength": "mm", "App::PropertyDistance": "mm", "App::PropertyAngle": "deg"}
 NUMBER_CHANGED = QtCore.SIGNAL("valueChanged(double)")
-"""Signal of FreeCAD's box with a number; the quantity of the other signal cannot be read in Python."""
+"""Signal of FreeCAD's quantity box with a number. Python cannot read the quantity of the other signal."""
 
 
 def field_for(obj: Any, name: str) -> Any:
@@ -54,7 +54,7 @@ def field_for(obj: Any, name: str) -> Any:
 
 
 def put_away(widget: Any) -> None:
-    """Delete a widget of `field_for`, because a bound widget would continue to react to formulas."""
+    """Delete a widget of `field_for`. Otherwise it would continue to react to formulas."""
     widget.blockSignals(True)
     widget.setParent(None)
     widget.deleteLater()
@@ -72,7 +72,7 @@ def put_choices(box: Any, choices: list[str]) -> None:
 
 
 def put_sheets(box: Any, names: list[str]) -> None:
-    """Fill a combo box with sheets, grouped under the titles of their kinds, which cannot be chosen."""
+    """Fill a combo box with sheets. The title of each kind cannot be chosen."""
     _put_items(box, [(worded(text), name) for text, name in titled_sheets(names)])
     box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)  # panels are narrow
     box.setMinimumContentsLength(SHEET_LETTERS)
@@ -91,7 +91,7 @@ def _put_items(box: Any, items: list[tuple[str, str | None]]) -> None:
 
 
 def value_of(widget: Any) -> Any:
-    """Return the value that a widget shows, lengths in mm."""
+    """Return the value that a widget shows; lengths are in mm."""
     if isinstance(widget, QtWidgets.QComboBox):
         return widget.currentText() if widget.currentData() is None else widget.currentData()
     if isinstance(widget, QtWidgets.QAbstractButton):
@@ -100,7 +100,7 @@ def value_of(widget: Any) -> Any:
         return widget.text()
     if _is_quantity(widget):
         displayed, exact = float(widget.property("rawValue")), widget.property(EXACT)
-        # the box stores only the displayed digits: a kerf of 0.2 mm would become 0.01 in
+        # the box stores only the displayed digits, so a kerf of 0.2 mm would become 0.01 in
         return float(exact) if exact is not None and displayed == widget.property(SHOWN) else displayed
     return widget.value()
 
@@ -159,9 +159,7 @@ def into_sight(widget: Any) -> None:
 
 
 def calm(form: Any) -> None:
-    """Make the widgets of a form ignore the mouse wheel until they are clicked, and keep the digits of typed
-    numbers.
-    """
+    """Make the widgets of a form ignore the mouse wheel until clicked, and keep the digits of typed numbers."""
     keeper = _InputFilter(form)
     for kind in (QtWidgets.QAbstractSpinBox, QtWidgets.QComboBox):
         for widget in form.findChildren(kind):
@@ -176,7 +174,7 @@ def calm(form: Any) -> None:
 
 @cache
 def _loader() -> Any:
-    """PySide deletes the widgets when their loader is deleted."""
+    """Return the loader of forms. It is kept, because PySide deletes its widgets with it."""
     return Gui.UiLoader()
 
 
@@ -184,7 +182,7 @@ def quantity_box() -> Any:
     """Return a new FreeCAD input field for quantities.
 
     PySide sometimes gives a new widget the Python wrapper of a deleted widget at the same address. Such a
-    widget cannot be used. It is kept in memory, so that the next attempt gets another address.
+    widget is unusable; it is kept in memory so that the next attempt gets another address.
     """
     for _ in range(TRIES):
         box = _loader().createWidget("Gui::QuantitySpinBox")
@@ -202,7 +200,7 @@ def _is_quantity(widget: Any) -> bool:
 
 
 def _is_emptied(widget: Any) -> bool:
-    """Return True for an empty box whose empty state has a meaning; Qt would restore the earlier text."""
+    """Return True for an empty box, if being empty has a meaning. Qt would restore the earlier text."""
     may_be_empty = isinstance(widget, QtWidgets.QDoubleSpinBox) and bool(widget.specialValueText())
     return may_be_empty and not widget.cleanText().strip()
 
@@ -212,9 +210,9 @@ def _is_number_box(widget: Any) -> bool:
 
 
 def _widen(box: Any) -> None:
-    """Remove the limits of a box, because FreeCAD's box ignores a key that would make the length too large.
+    """Remove the limits of a box, because FreeCAD ignores a key that makes the length too large.
 
-    While "0.15 mm" is typed, the box would ignore the first m (0.15 m is too large) and read 0.15 in.
+    Of "0.15 mm", the box would ignore the first m (0.15 m is too large) and read 0.15 in.
     """
     if box.property("minimum") < 0:
         box.setProperty("minimum", -LARGEST)
@@ -227,7 +225,7 @@ class _InputFilter(QtCore.QObject):
         if kind == QtCore.QEvent.KeyPress and event.text() == "." and _is_number_box(widget):
             point = str(widget.locale().decimalPoint())
             if point != ".":
-                # the box would ignore the point as a separator of thousands, and read 0.5 mm as 5 mm
+                # the box takes the point for a separator of thousands, and would read 0.5 mm as 5 mm
                 typed = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Comma, event.modifiers(), point)
                 QtWidgets.QApplication.sendEvent(widget, typed)
                 return True
@@ -248,7 +246,7 @@ class _InputFilter(QtCore.QObject):
 
 
 def _settle(box: Any) -> None:
-    """The box sends no signal if its rounded value has not changed."""
+    """Send the signal of a changed box; the box itself sends none if its rounded value is the same."""
     with suppress(RuntimeError):  # the panel may be closed
         displayed = float(box.property("rawValue"))
         box.setProperty(EXACT, displayed)

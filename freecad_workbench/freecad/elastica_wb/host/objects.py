@@ -12,11 +12,11 @@ import FreeCAD as App
 FEATURES = "freecad.elastica_wb.features."
 
 view_providers: dict[str, Callable[[Any], Any]] = {}
-"""Class of the view provider of each kind of feature, filled in by the graphical interface."""
+"""View provider of each kind of feature. The graphical interface fills it in."""
 
 
 def lives(obj: Any) -> bool:
-    """Return True if an object is in its document, and not only in the undo history."""
+    """Return True if an object is in its document, not only in the undo history."""
     try:
         return obj.Document is not None and obj in obj.Document.Objects
     except (ReferenceError, RuntimeError):
@@ -78,10 +78,10 @@ def document_lives(document: Any) -> bool:
 
 
 def sensor(kind: Any, callback: Callable[..., None]) -> Any:
-    """Return a Coin sensor that calls a method as long as the object of the method is referenced elsewhere.
+    """Return a Coin sensor that calls a method while the object of the method is referenced elsewhere.
 
-    The reference is weak, because pivy never releases the function that a sensor calls. With a strong reference,
-    a card and its widgets would stay in memory, and PySide would reuse their wrappers for new widgets.
+    The reference is weak, because pivy never releases the function that a sensor calls. Otherwise a card and
+    its widgets would stay in memory, and PySide would reuse their wrappers for new widgets.
     """
     method = WeakMethod(callback)
 
@@ -107,7 +107,7 @@ class Unsaved:
 
 
 def dress(obj: Any) -> None:
-    """Set the view provider of a feature that has none, because freecadcmd wrote its file."""
+    """Set the view provider of a feature from a file that freecadcmd wrote."""
     make = view_providers.get(feature_kind(obj))
     if make is not None and isinstance(getattr(obj.ViewObject, "Proxy", None), (int, type(None))):
         make(obj.ViewObject)

@@ -25,13 +25,13 @@ DEFAULTS: dict[str, Any] = {
     "CardFolded": False,
     "ExportFolder": "",
 }
-"""Default of every preference, which also determines the type."""
+"""Default of every preference. Its type is the type of the preference."""
 
 CHOICES = {
     "DxfVersion": ("R2010", "R12", "R2000", "R2004", "R2007", "R2013", "R2018"),
     "Curves": ("spline", "arc", "polyline"),
 }
-"""Choices in the order of the preferences page; FreeCAD stores the index of the choice."""
+"""Choices in the order of the preferences page. FreeCAD stores the index of the choice."""
 
 
 def get(name: str) -> Any:

@@ -15,12 +15,12 @@ from elastica_cad.errors import NotConvergedError
 from elastica_cad.refusals import note
 
 Step = Callable[[int], bool]
-"""Function that is called with the number of finished parts, and returns False if the user stops the work."""
+"""Function of the number of finished parts. It returns False if the user stops the work."""
 
 Answer, Item = TypeVar("Answer"), TypeVar("Item")
 
 QUIET_S = 0.5  # time, s, before the progress bar appears
-PULSE_S = 0.02  # s
+PULSE_S = 0.02  # time, s, between checks whether the work has ended
 
 _workers = ThreadPoolExecutor(max_workers=2, thread_name_prefix="elastica")
 
@@ -32,10 +32,9 @@ def begun(work: Callable[..., Answer], *arguments: Any) -> "Future[Answer]":
 
 @contextmanager
 def progress(title: str, count: int = 0) -> Iterator[Step]:
-    """Show FreeCAD's progress bar for work of `count` parts, and yield a `Step`, which returns False after
-    Escape.
+    """Show a progress bar for work of `count` parts, and yield a `Step`. Escape makes it return False.
 
-    FreeCAD blocks mouse and keyboard meanwhile. In a recompute, this bar replaces the bar of the recompute.
+    FreeCAD blocks mouse and keyboard meanwhile. The bar replaces that of a recompute.
     """
     if not App.GuiUp:
         yield lambda _done: True
@@ -98,7 +97,7 @@ def in_background(title: str, work: Callable[..., Answer], *arguments: Any) -> A
 
 
 def go_on(step: Step | None, done: int, stopped: str) -> None:
-    """Report the number of finished parts.
+    """Report the number of finished parts to `step`.
 
     Raises
     ------

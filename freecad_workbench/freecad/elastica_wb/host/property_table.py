@@ -16,15 +16,13 @@ from elastica_cad.declared import Field
 from elastica_cad.design.records import written
 from elastica_cad.errors import InputError
 
-# flags of FreeCAD for properties: a change causes no recompute; the value is not saved
+# FreeCAD's flags of properties: a change causes no recompute; the value is not saved
 OUTPUT, TRANSIENT = 8, 2
 
 
 @dataclass(frozen=True)
 class Property:
-    """A property of a feature. `default` is a value, or the list of choices; `example` is displayed after the
-    help.
-    """
+    """A property of a feature. `default` is a value, or the list of choices; `example` follows the help."""
 
     kind: str
     name: str
@@ -49,7 +47,7 @@ class Property:
 
 
 def result(kind: str, name: str, help: str, **fields: bool) -> Property:
-    """Return the property for a result. `fields` are further fields of `Property`."""
+    """Return the property of a result. `fields` are further fields of `Property`."""
     return Property(kind, name, "Result", help, result=True, **fields)
 
 
@@ -62,7 +60,7 @@ NOTHING = "none"
 def declared_property(
     field: Field, group: str, name: str = "", *, given: Any = None, example: str = ""
 ) -> Property:
-    """Return the property of a declared field. `name` and `given` replace the name and default of the field."""
+    """Return the property of a declared field. `name` and `given` replace the field's name and default."""
     kind, name, default = written(field.kind), name or field.name.title().replace("_", ""), field.default
     called = KINDS.get(kind.name) or ("StringList" if kind.name == "list" else "String")
     if kind.name == "number":
@@ -85,7 +83,7 @@ def values_of(obj: Any, fields: Mapping[str, Field]) -> dict[str, Any]:
 
 
 def ensure(obj: Any, table: Iterable[Property]) -> None:
-    """Add missing properties, replace properties of another type, and set their display in the property editor."""
+    """Add missing properties, replace those of another type, and set how the property editor shows them."""
     for entry in table:
         value = None
         if entry.name in obj.PropertiesList and obj.getTypeIdOfProperty(entry.name) != entry.type_id:
@@ -103,9 +101,7 @@ def ensure(obj: Any, table: Iterable[Property]) -> None:
 
 
 def require_choices(obj: Any, table: Iterable[Property]) -> None:
-    """Refuse a formula whose value is not a choice, because FreeCAD would set the first choice for an unknown
-    name.
-    """
+    """Raise InputError for a formula whose value is not a choice; FreeCAD would set the first choice."""
     formulas = _formulas(obj)
     for name in [entry.name for entry in table if entry.kind == "Enumeration"]:
         if name in formulas:
@@ -149,7 +145,7 @@ def _is_choice(value: Any, choices: list[str]) -> bool:
 def is_misread(obj: Any, name: str) -> bool:
     """Return True if a formula gives an invalid choice.
 
-    The property is then empty, or has the first choice if the formula gives an unknown name.
+    FreeCAD then leaves the property empty, or sets the first choice for an unknown name.
     """
     present, formula = getattr(obj, name), _formulas(obj).get(name)
     if present is None or formula is None:
@@ -163,7 +159,7 @@ def is_misread(obj: Any, name: str) -> bool:
 
 
 def choose_again(obj: Any, name: str, chosen: str | None) -> None:
-    """Restore an earlier choice, or else set the first choice.
+    """Restore the choice `chosen`, or set the first choice if `chosen` is not available.
 
     After a number out of range, FreeCAD 1.0 and 1.1 accept only the list of choices together with a number.
     """
@@ -173,15 +169,16 @@ def choose_again(obj: Any, name: str, chosen: str | None) -> None:
 
 
 MESSAGES = ("Verdict", "Reasons", "Reports", "Overlaps", "LeftOut", "Held", "Sideways")
-"""Properties with messages, which are the messages of the property `RECORDS` in the language of the user."""
+"""Properties with messages in the language of the user. `RECORDS` stores these messages for other
+languages."""
 
 RECORDS = result("String", "Messages", "Messages in all languages", hidden=True)
 
 
 def put(obj: Any, **values: Any) -> None:
-    """Set the properties whose values differ, so that unchanged results are not added to the undo history.
+    """Set the properties whose values differ. Unchanged results are not added to the undo history.
 
-    Records of messages are stored, because a user with another language may open the file.
+    Messages are also stored as records, because a user with another language may open the file.
     """
     messages = {name: value for name, value in values.items() if name in MESSAGES}
     if messages:
@@ -199,7 +196,7 @@ def reword(obj: Any) -> None:
 
 
 def _records(obj: Any) -> dict[str, Any]:
-    """Return the stored messages of an object, or none if the file was edited by hand."""
+    """Return the stored messages of an object, or none if a hand-edited file cannot be read."""
     with suppress(ValueError):
         records = json.loads(obj.Messages or "{}")
         return {name: data for name, data in records.items() if name in MESSAGES}

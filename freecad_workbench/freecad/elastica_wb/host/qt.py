@@ -27,8 +27,8 @@ __all__ = [
     "when_free",
 ]
 
-ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction  # in Qt 6, QAction is in QtGui
-# time, ms, until a recomputing document is checked again; timers run during its progress bar
+ACTION = getattr(QtGui, "QAction", None) or QtWidgets.QAction  # Qt 6 has it in QtGui
+# time, ms, before a recomputing document is checked again; timers run during its progress bar
 AGAIN_MS = 20
 
 
@@ -61,8 +61,8 @@ def is_busy() -> bool:
 def surface_of(view: Any) -> Any | None:
     """Return the widget on which a 3D view is drawn, or None if PySide returns the wrapper of a closed view.
 
-    PySide returns this wrapper, as long as it is referenced, for a new view at the address of the closed
-    view. Therefore reference cycles are collected first.
+    PySide returns the wrapper, while it is referenced, for a new view at the same address. Therefore
+    reference cycles are collected first.
     """
     for attempt in (1, 2):
         try:
@@ -77,15 +77,12 @@ def surface_of(view: Any) -> Any | None:
 
 
 def kind_of(event: Any) -> Any | None:
-    """Return the type of an event, or None if PySide passes the wrapper of a deleted widget at the same
-    address.
-    """
+    """Return the type of an event, or None if PySide passes the wrapper of a deleted widget instead."""
     return event.type() if isinstance(event, QtCore.QEvent) else None
 
 
 class InputLater(QtCore.QObject):
-    """Event filter that delays shortcuts and timers until computations have ended, and ignores the mouse
-    wheel.
+    """Event filter that delays shortcuts and timers until computations end, and ignores the mouse wheel.
 
     FreeCAD's progress bar blocks keys and mouse buttons only. An undo during a recompute cannot delete
     objects, and the undo step would be lost. Timers that repaint windows and display the bar are not delayed.

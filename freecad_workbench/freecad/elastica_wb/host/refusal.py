@@ -3,11 +3,10 @@
 
 """Errors of features: a message as the state of the feature, and one line in the report view.
 
-FreeCAD stores an exception of `execute` as the state of the feature, and prints a traceback, the name of the class
-and the message. The traceback lists the Python functions through which the exception passed. Therefore Python
-functions return the error, and compiled code raises it. FreeCAD then prints the caller of the recompute instead.
-FreeCAD 1.x also prints the state of each failed object at the end of the recompute. The first line is then
-suppressed.
+FreeCAD stores an exception of `execute` as the state of the feature, and prints a traceback, the name of the
+class and the message. The traceback lists the Python functions through which the exception passed. Therefore
+Python functions return the error, and compiled code raises it, so that FreeCAD prints only the caller of the
+recompute. FreeCAD 1.x repeats the message at the end of the recompute, so its first output is suppressed.
 """
 
 import os
@@ -27,18 +26,18 @@ from elastica_cad.errors import ElasticaError, InputError, MissingDependencyErro
 from elastica_cad.refusals import note
 
 FAILURES = (ElasticaError, ImportError, Part.OCCError, Base.FreeCADError)
-"""Exceptions that `execute` converts to messages; any other exception is a bug."""
+"""Exceptions that `execute` turns into messages. Any other exception is a bug."""
 
 LOST_LINK = re.compile(r"[Oo]bject: (.+)\n.*[Ff]ile: (.+)")
-"""Pattern for FreeCAD's message on a link whose file is missing or whose document was closed."""
+"""FreeCAD's message on a link whose file is missing or whose document was closed."""
 
 
 FORMULA = re.compile(r"(.*)\nin property binding '.*\.(\w+)'\s*", re.DOTALL)
-"""Pattern for FreeCAD's message on a formula that cannot be computed."""
+"""FreeCAD's message on a formula that cannot be computed."""
 
 
 class _ErrorName(type):
-    """Metaclass by which FreeCAD prints the label of the failed object as the name of the class."""
+    """Metaclass that makes FreeCAD print the label of the failed object as the name of the class."""
 
     who = ""
 
@@ -51,7 +50,7 @@ class RefusalError(ValueError, metaclass=_ErrorName):
 
 
 def refused(obj: Any, error: ElasticaError) -> RefusalError:
-    """Return the exception that `raising` raises for an error of an object."""
+    """Return the exception for an error of an object."""
     RefusalError.who = obj.Label
     if REPEATS and "Recompute" in obj.State:
         _silence.begin()
@@ -59,14 +58,14 @@ def refused(obj: Any, error: ElasticaError) -> RefusalError:
 
 
 REPEATS = int(App.Version()[0]) >= 1
-"""True if this version of FreeCAD prints the state of failed objects at the end of a recompute."""
+"""True if this FreeCAD prints the state of failed objects at the end of a recompute."""
 
 
 class _Silence:
-    """Turns off the printing of errors from `begin` until the next object or the whole document is recomputed."""
+    """Stops the printing of errors from `begin` until the next recompute of an object or a document."""
 
     def __init__(self) -> None:
-        # observers that print errors; None before the first suppression
+        # observers that print errors; None before they are needed
         self._observers: list[str] | None = None
 
     def begin(self) -> None:
@@ -91,10 +90,10 @@ _silence = _Silence()
 
 
 def raising(work: Callable[[Any], RefusalError | None]) -> Callable[[Any], None]:
-    """Return a function that calls `work` and raises the error that `work` returns, without a Python function
-    in between.
+    """Return a function that calls `work` and raises the error that `work` returns, with no Python frame
+    between.
     """
-    # with an argument obj, the function evaluates obj | worker | thrower
+    # called with obj, this evaluates obj | worker | thrower
     return partial(reduce, or_, (_Worker(work), _Thrower()))
 
 
@@ -141,7 +140,7 @@ def explained(error: Exception) -> ElasticaError:
 def why_not_made(obj: Any) -> str:
     """Return the error of an object or of its sources, or "" if there is none.
 
-    FreeCAD skips objects that depend on a failed object, and these have no error state.
+    An object whose source failed is skipped by FreeCAD and has no error state.
     """
     failed = [source for source in (obj, *obj.OutListRecursive) if "Invalid" in source.State]
     first = next((source for source in failed if not set(source.OutListRecursive) & set(failed)), None)
@@ -187,7 +186,7 @@ def broken_link_message(obj: Any) -> str:
 
 
 def _message_of_other_object(obj: Any) -> str:
-    """FreeCAD's text is written for programmers."""
+    """Return a message on an object of another workbench, because FreeCAD's text is for programmers."""
     status = str(obj.getStatusString())
     if is_broken_link(obj) or LOST_LINK.search(status):
         return broken_link_message(obj)

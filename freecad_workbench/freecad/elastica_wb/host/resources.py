@@ -15,8 +15,7 @@ TRIES = 10
 HERE = Path(__file__).resolve()
 
 RESOURCES = next(at / "resources" for at in (HERE.parents[1], HERE.parents[3]) if (at / "resources").is_dir())
-"""Folder of resources: beside the modules after `make addon`, or beside the folder `freecad` in a checkout.
-"""
+"""Folder of resources: beside the modules in an addon, beside the folder `freecad` in a checkout."""
 
 _aside: list[Any] = []
 
@@ -27,7 +26,7 @@ def translate(context: str, words: str) -> str:
 
 
 def QT_TRANSLATE_NOOP(_context: str, words: str) -> str:
-    """Mark a text for lupdate. The text is translated when it is displayed."""
+    """Mark a text for lupdate; `translate` translates it later."""
     return words
 
 
@@ -39,9 +38,9 @@ def icon(name: str) -> str:
 def load_panel(name: str) -> Any:
     """Make a widget from its .ui file.
 
-    In FreeCAD 1.0 with Python 3.13, PySide may reuse the Python wrapper of a deleted widget for a new widget
-    at the same address. A form with such a wrapper stays in memory, so that its addresses are occupied, and
-    the file is loaded again.
+    PySide in FreeCAD 1.0 with Python 3.13 may give a new widget the Python wrapper of a deleted widget at the
+    same address. A form with such a wrapper is kept, so that its addresses stay occupied, and the file is
+    loaded again.
     """
     import FreeCADGui as Gui
 
@@ -55,8 +54,9 @@ def load_panel(name: str) -> Any:
 
 @cache
 def quantities_of(name: str) -> dict[str, float]:
-    """Return the values of the quantity boxes in a .ui file, because the boxes store only the displayed
-    digits.
+    """Return the values of the quantity boxes in a .ui file.
+
+    The boxes themselves keep only the displayed digits.
     """
     tree = ElementTree.parse(RESOURCES / "ui" / f"{name}.ui")
     values = {}

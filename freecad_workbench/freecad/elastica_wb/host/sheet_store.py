@@ -31,7 +31,7 @@ def own_sheets_file() -> Path:
 
 
 def own_sheets() -> dict[str, Sheet]:
-    """Return the user's sheets by name; an unreadable file counts as empty and is reported."""
+    """Return the user's sheets by name. An unreadable file is reported and counts as empty."""
     path = own_sheets_file()
     try:
         state = path.stat()
@@ -42,7 +42,7 @@ def own_sheets() -> dict[str, Sheet]:
 
 @lru_cache(maxsize=1)
 def _read(path: Path, *_state: int) -> dict[str, Sheet]:
-    """The result is cached until the file changes, because every recompute needs the sheets."""
+    """Return the sheets of a file, cached until the file changes, because every recompute needs them."""
     try:
         return dict(load_sheets(path))
     except InputError as error:
@@ -51,7 +51,7 @@ def _read(path: Path, *_state: int) -> dict[str, Sheet]:
 
 
 def save_own_sheets(sheets: Iterable[Sheet]) -> None:
-    """Write the user's sheets, which replace all sheets in the file; an unreadable file is refused."""
+    """Replace the user's sheets in their file. Raise InputError if the file is unreadable."""
     text = "\n".join(sheet.toml() for sheet in sheets)
     path = own_sheets_file()
     if path.exists():
@@ -75,10 +75,10 @@ def sheet_list() -> list[str]:
 
 
 def titled_sheets(names: Iterable[str]) -> Iterator[tuple[str, str | None]]:
-    """Yield the entries of a list of sheets: the title of each kind with None, then full name and name of the
+    """Yield the entries of a list of sheets: for each kind (title, None), then (full name, name) of its
     sheets.
 
-    The user's sheets come first, together with sheets that are stored only in the document.
+    The user's sheets, and sheets stored only in the document, come first.
     """
     groups: dict[str, list[tuple[str, str]]] = {}
     built_in = built_in_figures().keys() - own_sheets().keys()
@@ -99,7 +99,7 @@ def title_of(name: str) -> str:
 
 
 def default_sheet() -> str:
-    """Return the default sheet of new strips, and report an unknown sheet of the preferences once."""
+    """Return the default sheet of new strips. An unknown sheet of the preferences is reported once."""
     name, usual = preferences.get("DefaultSheet"), preferences.DEFAULTS["DefaultSheet"]
     if name in sheet_list():
         return str(name)
@@ -120,11 +120,11 @@ def _report_unknown(name: str, usual: str) -> None:
 
 
 def sheet_called(name: str, saved: str = "") -> Sheet:
-    """Return the sheet of that name. If the library has no such sheet, return the copy in the document (TOML)."""
+    """Return the sheet of that name or, if the library has none, the copy `saved` in the document (TOML)."""
     user_sheets = own_sheets()
     if name in user_sheets:
         return user_sheets[name]
-    if name in built_in_figures():  # skip the search for files, because every recompute calls this function
+    if name in built_in_figures():  # every recompute comes here, so no files are searched
         return _built_in(name)
     if name in sheet_names():
         return Sheet.named(name)
@@ -141,12 +141,12 @@ _built_in = lru_cache(maxsize=64)(Sheet.named)
 
 @lru_cache(maxsize=64)
 def text_of(sheet: Sheet) -> str:
-    """Return a sheet as TOML text. Documents store this text, and `sheet_from_text` reads it."""
+    """Return a sheet as the TOML text that documents store."""
     return sheet.toml()
 
 
 def sheet_from_text(name: str, text: str) -> Sheet:
-    """Return the sheet that a TOML text describes, under the given name."""
+    """Return the sheet that a TOML text of `text_of` describes, under the given name."""
     import tomllib
 
     try:

@@ -4,7 +4,7 @@
 """Wording of messages in the language of the user, with the property names, unit of length and decimal point
 of FreeCAD.
 
-A message is a record with an English template and values. A catalogue contains translations of templates.
+A message is a record with an English template and values. A catalogue has translations of templates.
 """
 
 from collections.abc import Iterable
@@ -24,11 +24,11 @@ NAMES = {
     "seam_position": "Joint", "ignore_limits": "Anyway", "label": "EngravedText", "nest.sheet_size": "SheetWidth",
     "limits": "Follow", "limits.keep_out": "KeepOut", "limits.stiffness_bounds": "StiffnessBounds",
 }  # fmt: skip
-"""Names of properties that are not derived from their keys, because files of users contain these names."""
+"""Names of properties that are not derived from keys, because users' files contain them."""
 
 
 def name_of(path: str) -> str:
-    """Return the name of the property of a key, such as MaxWidth, RatioLimit or KeepLength."""
+    """Return the name of the property for a key, such as MaxWidth, RatioLimit or KeepLength."""
     if path in NAMES:
         return NAMES[path]
     table, _, key = path.rpartition(".")
@@ -38,7 +38,7 @@ def name_of(path: str) -> str:
     return f"Keep{name}" if table == "keep" else name
 
 
-# typical width of a strip, mm; lengths in messages have the unit in which FreeCAD displays this length
+# typical width of a strip, mm; messages use the unit in which FreeCAD displays this length
 USUAL_MM = 10.0
 
 
@@ -68,17 +68,20 @@ class Words(Translated):
         return name_of(name)
 
     def format_field(self, value: Any, spec: str) -> str:
-        """Format a value of a message; `max_width` has two properties."""
+        """Format a value of a message.
+
+        The key `max_width` has two properties, one of which is MaterialWidth.
+        """
         return "MaterialWidth" if isinstance(value, MaterialWidth) else super().format_field(value, spec)
 
 
 def user_language() -> str:
-    """Return the name of the user's catalogue. The user can change the language while FreeCAD runs."""
+    """Return the name of the user's catalogue; the user can change the language while FreeCAD runs."""
     return translate("Elastica", "en")
 
 
 def worded(text: str, unit: Unit | None = None) -> str:
-    """Return a message in the language of the user; other texts, such as names, are unchanged."""
+    """Return a message in the language of the user. Other texts, such as names, are unchanged."""
     words = Words(user_language(), unit or shown_unit(), decimal_point())
     return printable(words.sentence(text)) if text else ""
 
@@ -90,7 +93,7 @@ def capital(sentence: str) -> str:
 
 
 def together(sentences: Iterable[tuple[str, str]]) -> list[str]:
-    """Combine equal sentences on several objects to a sentence that begins with the names of the objects."""
+    """Combine equal sentences on several objects to one sentence that begins with their names."""
     names: dict[str, list[str]] = {}
     for name, sentence in sentences:
         names.setdefault(sentence, []).append(name)
@@ -104,11 +107,11 @@ def together(sentences: Iterable[tuple[str, str]]) -> list[str]:
 
 
 TYPES = {kind.__name__: kind for kind in (Length, FieldName, MaterialWidth, Listed, Either, Span, Point)}
-"""Types of values in messages with a special format."""
+"""Types of values that messages format in a special way, by name."""
 
 
 def packed(value: Any) -> Any:
-    """Convert a message or one of its values to data for JSON, which `unpacked` reads."""
+    """Convert a message or one of its values to data for JSON."""
     if isinstance(value, Refusal):
         inside, where = ({k: packed(v) for k, v in part.items()} for part in (value.values, value.where))
         return {"text": value.text, "values": inside, "where": where}
@@ -125,7 +128,7 @@ def _plain(value: Any) -> float | str:
 
 
 def unpacked(data: Any) -> Any:
-    """Convert the data of `packed` to the message or value."""
+    """Convert data of `packed` back to the message or value."""
     if isinstance(data, list):
         return [unpacked(item) for item in data]
     if not isinstance(data, dict):
@@ -147,17 +150,17 @@ def decimal_point() -> str:
 
 
 def report(sentence: str, who: str = "") -> None:
-    """Report an action in the report view and in the terminal; `who` is the label of its object."""
+    """Report an action in the report view and the terminal. `who` is the label of its object."""
     App.Console.PrintMessage(_line(sentence, who))
 
 
 def report_warning(sentence: str, who: str = "") -> None:
-    """Show a warning in the report view; `who` is the label of its object."""
+    """Show a warning in the report view. `who` is the label of its object."""
     App.Console.PrintWarning(_line(sentence, who))
 
 
 def report_error(sentence: str, who: str = "") -> None:
-    """Show an error in the report view; `who` is the label of its object."""
+    """Show an error in the report view. `who` is the label of its object."""
     App.Console.PrintError(_line(sentence, who))
 
 

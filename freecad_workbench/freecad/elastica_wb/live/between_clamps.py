@@ -31,16 +31,14 @@ from elastica_cad._types import FloatArray
 from elastica_cad.errors import ElasticaError
 from elastica_cad.mechanics.between_clamps import ElasticaBetween, elastica_between
 
-REACH = 0.25  # distance of the handles of tangents from the ends, as a fraction of the distance of the ends
+REACH = 0.25  # distance of the tangents' handles from the ends, as a fraction of the chord
 SLACK = 1.3  # length of a new strip, as a multiple of its chord
 VIEW_FRACTION = 0.3  # half the chord of a new curve, as a fraction of the height of the view
 DIFFERENT_MM = 1e-6
 
 
 class BetweenClamps:
-    """Tool that draws the curve of a strip between two clamped ends, with two ends, two tangents and a
-    length.
-    """
+    """Tool that draws a strip between clamped ends, set by two ends, two tangents and a length."""
 
     def __init__(self, sketch: Any, view: Any) -> None:
         self.sketch = sketch
@@ -50,7 +48,7 @@ class BetweenClamps:
         self.card = LengthCard(view, self.length, self._lengthen, self._turn_over, stop)
         self.preview = Preview(view, placement)
         self._solve()
-        # the first tangents are those of a strip whose ends rotate freely
+        # the first tangents are those of a strip that may turn at its ends
         if self.angles is None and self.found is not None:
             angles = self.found.rod.angle
             self.angles = [float(angles[0]), float(angles[-1])]
@@ -74,7 +72,7 @@ class BetweenClamps:
             stop()
 
     def slotUndoDocument(self, document: Any) -> None:
-        """End the tool after an undo, because the curve has changed."""
+        """End the tool after an undo, which has changed the curve."""
         if document is self.sketch.Document:
             stop()
 
@@ -117,7 +115,7 @@ class BetweenClamps:
             self.found = None
             self.card.show_message(str(error), good=False)
         points = np.zeros((0, 2)) if self.found is None else self.found.rod.position
-        order = [2, 0, 1, 3]  # order of the drawn line: a tangent, the ends, the other tangent
+        order = [2, 0, 1, 3]  # the line through the handles: a tangent, both ends, the other tangent
         self.preview.show(np.zeros((0, 2)), points, None if self.angles is None else self._places()[order])
 
     def _draw(self) -> None:
@@ -127,7 +125,7 @@ class BetweenClamps:
         document = self.sketch.Document
         open_step(document, translate("Elastica_Between", "Curve of given length"))
         self.number = recorded(replace_curve, self.sketch, self.number, self.found.curve)
-        record_call(self.sketch, "solve")  # within the step, because solving moves points
+        record_call(self.sketch, "solve")  # in this undo step, because solving moves points
         close_step(document)
 
     def _places(self) -> FloatArray:
@@ -172,7 +170,7 @@ def _chosen_number(sketch: Any) -> int | None:
 
 def _is_closed(curve: Any) -> bool:
     if not hasattr(curve, "FirstParameter"):
-        return True  # a point
+        return True  # a point, not a curve
     ends = (curve.value(curve.FirstParameter), curve.value(curve.LastParameter))
     return bool((ends[0] - ends[1]).Length < DIFFERENT_MM)
 
@@ -202,11 +200,11 @@ def stop() -> None:
 
 
 WIDE_PX = 300
-PAUSE_MS = 150  # time, ms, after the last key, until the length is used
+PAUSE_MS = 150  # time, ms, after the last key, before the length is used
 
 
 class LengthCard(QtCore.QObject):
-    """Card in the upper left corner of a view: the length, and buttons that mirror the curve and end the
+    """Card in the upper left corner of a view, with the length and buttons that mirror the curve and end the
     tool.
     """
 
@@ -251,7 +249,7 @@ class LengthCard(QtCore.QObject):
         self._pause = later(lambda: lengthened(value_of(self.length)), PAUSE_MS, self.frame)
         on_change(self.length, lambda *_: self._pause.start())
         self.side.clicked.connect(lambda *_: turned_over())
-        # a button must not be deleted while it is pressed
+        # a pressed button must not be deleted
         self.done.clicked.connect(lambda *_: QtCore.QTimer.singleShot(0, done))
         self.frame.setFixedWidth(WIDE_PX)
         self.frame.move(free_part(over).topLeft() + QtCore.QPoint(GAP_PX, GAP_PX))
@@ -267,7 +265,7 @@ class LengthCard(QtCore.QObject):
             self.frame.setFixedHeight(max(self.frame.layout().totalHeightForWidth(WIDE_PX), 0))
 
     def remove(self) -> None:
-        """Remove the card. The view may be closed already."""
+        """Remove the card. The view may already be closed."""
         with suppress(RuntimeError):
             self._pause.stop()
             self.frame.hide()

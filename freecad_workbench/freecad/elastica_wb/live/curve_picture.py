@@ -24,11 +24,11 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
-TEETH = 161  # number of teeth of the curvature comb, whose rim then looks smooth on a screen
-COMB_HEIGHT = 0.2  # height of the curvature comb, as a fraction of the extent of the curve
-# length by which inflection and thrust line extend beyond the curve, as a fraction of the extent of the curve
+TEETH = 161  # teeth of the curvature comb; its rim then looks smooth on a screen
+COMB_HEIGHT = 0.2  # height of the curvature comb, as a fraction of the size of the curve
+# lines of inflections and thrust are longer than the curve by this fraction of its size
 LINE_MARGIN = 0.15
-# deviation of inflections from a line that `check_equilibrium` corrects, as a fraction of the length
+# inflections closer to a line than this fraction of the length are moved onto it by `check_equilibrium`
 ON_LINE = 1e-4
 
 
@@ -58,7 +58,7 @@ class Picture:
     crossings : (k, 2) array
         Inadmissible crossings of the line and the curve.
     labels : tuple of ((x, y), mm)
-        Positions of these marks and their arc lengths, which the result of the check mentions.
+        Positions and arc lengths of the inflections and crossings that the result of the check mentions.
     thrust : tuple of (n, 2) arrays
         Sides of the thrust line, for a curve with elements or point forces.
     stations : tuple of ((x, y), str)
@@ -153,7 +153,7 @@ def comb_scale(curve: PlaneCurve) -> float:
 
 
 def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
-    """Return lines (n, 2), mm, on both sides of the curve whose distance is the width of the strip."""
+    """Return lines (n, 2), mm, on both sides of the curve, as far apart as the strip is wide."""
     samples = strip.rod.curve.sample(count)
     aside = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     half = strip.width(samples.s * (strip.width.length / samples.s[-1]))[:, None] / 2
@@ -163,7 +163,7 @@ def width_lines(strip: Strip, count: int = 161) -> tuple[FloatArray, ...]:
 def _combs(
     samples: CurveSamples, spec: StripSpec, scale: float
 ) -> tuple[tuple[FloatArray, ...], tuple[FloatArray, ...]]:
-    """As in FreeCAD, teeth are on the outer side of the bend."""
+    """Return rim and teeth within and beyond the strain limit. As in FreeCAD, teeth point out of the bend."""
     normals = np.column_stack([-np.sin(samples.angle), np.cos(samples.angle)])
     tips = samples.position - scale * samples.curvature[:, None] * normals
     bend = np.abs(samples.curvature - nodal_curvature(spec.natural_curvature, samples.s))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Observers of documents, installed when FreeCAD starts, so large modules are imported on first use."""
+"""Observers of documents. FreeCAD installs them at its start, so large modules are imported on first use."""
 
 import sys
 from concurrent.futures import Future
@@ -19,8 +19,8 @@ from freecad.elastica_wb.live.sketches import (
     wants_overlay,
 )
 
-PAUSE_MS = 300  # time, ms, after the last recompute, undo or redo, until slow results are computed
-SOUGHT_MS = 50  # interval, ms, between checks whether work in another thread has ended
+PAUSE_MS = 300  # time, ms, after the last recompute, undo or redo, before slow results are computed
+SOUGHT_MS = 50  # interval, ms, between checks whether another thread has ended
 
 
 class LaterResults:
@@ -35,24 +35,27 @@ class LaterResults:
         self._timer = later(self._next)
 
     def slotRecomputedObject(self, obj: Any) -> None:
-        """Queue a strip or a model until all objects are recomputed."""
+        """Queue a recomputed strip or model until the whole document is recomputed."""
         if is_strip(obj) or is_model(obj):
             self._wait_for(obj)
 
     def slotUndoDocument(self, document: Any) -> None:
-        """Queue every model, because an undo does not restore results that were computed after the recompute."""
+        """Queue every model, because an undo does not restore results computed after the recompute."""
         for obj in filter(is_model, document.Objects):
             self._wait_for(obj)
         self.slotRecomputedDocument(document)
 
     def slotRecomputedDocument(self, document: Any) -> None:
-        """Queue every nest, because a nest may depend on strips that FreeCAD does not link to it."""
+        """Queue every nest, because a nest may depend on strips without a link in FreeCAD."""
         self._nests[document.Name] = nests = [obj for obj in document.Objects if feature_kind(obj) == "Nest"]
         for obj in nests:
             self._wait_for(obj)
 
     def slotDeletedObject(self, obj: Any) -> None:
-        """Queue the nests of the document: a feature that changed a strip may be deleted without a recompute."""
+        """Queue the nests of the document.
+
+        A feature that changed a strip may have been deleted without a recompute.
+        """
         for nest in filter(lives, self._nests.get(obj.Document.Name, ())):
             self._wait_for(nest)
 
@@ -72,7 +75,7 @@ class LaterResults:
         if not self._waiting:
             return
         first, obj = next(iter(self._waiting.items()))
-        # timers also run while the user drags, and during the progress bar of a recompute
+        # timers also run while the user drags, and during a recompute
         if QtWidgets.QApplication.mouseButtons() or (lives(obj) and obj.Document.Recomputing):
             self._timer.start(PAUSE_MS)
             return
@@ -83,7 +86,7 @@ class LaterResults:
         self._timer.start(0 if is_finished else SOUGHT_MS)
 
     def _finish(self, name: tuple[str, str], obj: Any) -> bool:
-        """Return False if the results of an object are not computed yet."""
+        """Return False if the results of an object are still being computed."""
         if is_strip(obj):
             from freecad.elastica_wb.features.strip import show_held
 
@@ -129,7 +132,7 @@ def is_on(sketch: Any) -> bool:
 
 
 def switch(sketch: Any, *, on: bool) -> None:
-    """Switch the overlay of an open sketch on or off, and store the state in the sketch."""
+    """Switch the overlay of an open sketch on or off, and store this in the sketch."""
     from freecad.elastica_wb.live import session
 
     remember(sketch, on)
@@ -137,7 +140,7 @@ def switch(sketch: Any, *, on: bool) -> None:
 
 
 def start_if_wanted(sketch: Any) -> None:
-    """Start the overlay of an open sketch if its stored state is on."""
+    """Start the overlay of an open sketch if it is stored as on."""
     if lives(sketch) and edited_sketch() is sketch and wants_overlay(sketch):
         from freecad.elastica_wb.live import session
 
@@ -148,7 +151,7 @@ class Edits:
     """Observer that starts the overlay when a sketch is opened, and ends it when the sketch is closed."""
 
     def slotInEdit(self, provider: Any) -> None:
-        """Start the overlay after FreeCAD has handled this signal, because the sketcher then draws the points."""
+        """Start the overlay after FreeCAD has handled this signal and drawn the points of the sketch."""
         sketch = getattr(provider, "Object", None)
         if is_sketch(sketch) and wants_overlay(sketch):
             QtCore.QTimer.singleShot(0, lambda: start_if_wanted(sketch))
@@ -220,7 +223,7 @@ class Changes:
             self._soon()
 
     def slotBeforeRecomputeDocument(self, document: Any) -> None:
-        """Delay shortcuts, because FreeCAD does not block them in a recompute."""
+        """Delay shortcuts during a recompute, because FreeCAD does not block them."""
         if any(map(is_ours, document.Objects)):
             self._input.watch()
 
@@ -235,8 +238,7 @@ class Changes:
             _module_if_imported("live.session").stop()
 
     def slotUndoDocument(self, document: Any) -> None:
-        """Note the changes of an undone step, and recompute later, because the next undo may delete the
-        objects.
+        """Note what an undo changed, and recompute later, because the next undo may delete the objects.
 
         An undo does not restore shapes that were computed after the step was closed.
         """
@@ -263,9 +265,12 @@ class Changes:
                 recompute(_stale(ours, changed, half))
 
     def _after_paste(self) -> None:
-        """Pasted features may lack their sources, and FreeCAD 0.20 does not recompute them."""
+        """Recompute pasted features.
+
+        They may lack their sources, and FreeCAD 0.20 does not recompute them.
+        """
         pasted = [obj for obj in self._pasted if lives(obj)]
-        # timers run during the progress bar of the import
+        # timers run during an import
         if any(_is_importing(obj.Document) for obj in pasted):
             QtCore.QTimer.singleShot(AGAIN_MS, self._after_paste)
             return
@@ -323,7 +328,7 @@ def _call_in_proxy(work: str, *subject: Any) -> None:
 
 
 def _rename_users(obj: Any, old: str) -> None:
-    """Features that are named after an object, and messages with its name, change with the name."""
+    """Rename features that are named after an object, and the object in messages."""
     module = _module_if_imported("features.proxy")
     if old and not obj.Document.Transacting and not _is_importing(obj.Document):
         for user in filter(is_ours, obj.InList):
@@ -335,23 +340,22 @@ def _rename_users(obj: Any, old: str) -> None:
 
 
 def _hide_failed(sketch: Any) -> None:
-    """Hide failed features again, because the sketcher makes them visible when a sketch is closed."""
+    """Hide failed features again. The sketcher shows them when it closes a sketch."""
     if lives(sketch):
         _call_in_proxy("hide_failed", sketch)
 
 
 def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> list[Any]:
-    """Return the features whose shape does not match their properties, and all features that depend on them.
+    """Return the features whose shape does not match their properties, and their dependent features.
 
-    `half` contains the names of objects of which an undo restored either the shape or the properties, but not
-    both.
+    `half` has the names of objects of which an undo restored only the shape or only the properties.
     """
     from freecad.elastica_wb.features.strip import is_stale
 
     regrouped = any("Group" in names for names in changed.values())
     touched = set(changed) | ({obj.Name for obj in ours} if regrouped else set())
     stale = [obj for obj in ours if is_strip(obj) and is_stale(obj, touched)]
-    # objects that an undo restored and FreeCAD marked for recompute
+    # restored by an undo, and marked for recompute by FreeCAD
     restored = [obj for obj in ours if obj.Name in changed and "Touched" in obj.State and obj not in stale]
     for strip in filter(is_strip, restored):
         strip.purgeTouched()
@@ -373,7 +377,7 @@ def _stale(ours: list[Any], changed: dict[str, set[str]], half: set[str]) -> lis
 
 
 def _names(objects: list[Any]) -> set[str]:
-    """FreeCAD lists an object that is being deleted as None."""
+    """Return the names of objects. FreeCAD lists an object that is being deleted as None."""
     return {obj.Name for obj in objects if obj is not None}
 
 
@@ -383,7 +387,7 @@ def _containers_of(obj: Any) -> list[Any]:
 
 
 def _is_half_undone(obj: Any, changed: dict[str, set[str]]) -> bool:
-    """Return True if an undo restored only the shape of a feature, or only the sources.
+    """Return True if an undo restored only the shape of a feature, or only its sources.
 
     FreeCAD records the recompute after closing a sketch as a separate step.
     """

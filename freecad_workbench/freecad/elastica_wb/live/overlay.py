@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The overlay in the 3D view: a few permanent Coin nodes, whose points are replaced."""
+"""The overlay in the 3D view: a few permanent Coin nodes whose points change."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -30,14 +30,14 @@ COLORS: dict[Verdict, Color] = {
     Verdict.CANNOT: (0.85, 0.18, 0.18),
     Verdict.NOTHING: (0.42, 0.42, 0.45),
 }
-"""Color (red, green, blue) of each kind of result, of medium lightness for light and dark backgrounds."""
+"""Colour (red, green, blue) of each verdict, of medium lightness for light and dark backgrounds."""
 HELD: Color = (0.10, 0.33, 0.66)
 LABEL, LABEL_GROUND, LABEL_SIZE = (1.0, 1.0, 1.0), (0.13, 0.13, 0.15), 10
 
 
 @dataclass(frozen=True)
 class Part:
-    """A part of the overlay, lines with a width and a pattern or marks, with symbol and text in the legend."""
+    """A part of the overlay: lines or marks, with a symbol and text in the legend."""
 
     color: Color
     sign: str
@@ -83,7 +83,10 @@ class Overlay:
         self._scene.addChild(self.root)
 
     def show(self, *pictures: Picture, titles: Sequence[tuple[tuple[float, float], str]] = ()) -> None:
-        """Show curvature, inflections and inflection lines of curves. `titles` are texts at points."""
+        """Show curvature, inflections and inflection lines of curves.
+
+        `titles` are texts with their positions.
+        """
         stations = [station for picture in pictures for station in picture.stations]
         self._set(
             comb=[line for picture in pictures for line in picture.comb],
@@ -109,11 +112,11 @@ class Overlay:
         self._write(())
 
     def show_width(self, edges: Sequence[FloatArray]) -> None:
-        """Show both edges of the strip; an empty sequence hides the edges."""
+        """Show both edges of the strip, or none for an empty sequence."""
         self._set(width=edges)
 
     def show_nearest(self, *curves: FloatArray) -> None:
-        """Replace the shown curves by the nearest possible curve, the curves of a suggested change, or nothing."""
+        """Show the nearest possible curve, or the curves of a suggested change, instead of earlier ones."""
         self._set(nearest=curves)
 
     def shown(self) -> dict[str, int]:
@@ -144,7 +147,7 @@ def _label() -> Any:
 
 
 class _Points:
-    """Lines or marks of one colour. Fields of Coin nodes are cached, because looking up a field is slow."""
+    """Lines or marks of one colour. Fields of Coin nodes are cached, because finding them is slow."""
 
     def __init__(self, root: Any, part: Part) -> None:
         points, paint = coin.SoCoordinate3(), coin.SoBaseColor()

@@ -22,7 +22,7 @@ GLASS = 0.35  # transparency of the strip in a preview, 0 to 1
 
 
 class Preview:
-    """Preview of a change of a curve: the curve before and after, the strip along the new curve, and handles."""
+    """Preview of a changed curve: before and after the change, the strip along the new curve, and handles."""
 
     def __init__(self, view: Any, placement: Any) -> None:
         self._view, self._placement = view, placement
@@ -41,7 +41,9 @@ class Preview:
         self._scene.addChild(self.root)
 
     def show(self, before: FloatArray, after: FloatArray, frame: FloatArray | None = None) -> None:
-        """Replace both curves (n, 2), mm, and the line `frame` (n, 2) that connects the handles."""
+        """Show the curves (n, 2) before and after a change, and the line `frame` (n, 2) between the handles,
+        mm.
+        """
         for points, line in (
             (before, self._before),
             (after, self._after),
@@ -61,9 +63,7 @@ class Preview:
         moved: Callable[[int, Place], None],
         released: Callable[[], None] | None = None,
     ) -> None:
-        """Add handles at points (n, 2); `moved` is called with the number and the new position of a dragged
-        handle.
-        """
+        """Add handles at points (n, 2). Dragging calls `moved` with the number and position of a handle."""
         self.handles = Handles(self._view, self._placement, places, moved, released)
 
     def remove(self) -> None:
@@ -81,7 +81,7 @@ class Preview:
 
 
 class _Ribbon:
-    """Surface of a strip without thickness, with half of the width on each side of the plane."""
+    """Surface of a strip without thickness, centred on the plane of the curve."""
 
     def __init__(self, root: Any) -> None:
         material, hints = coin.SoMaterial(), coin.SoShapeHints()
@@ -99,18 +99,18 @@ class _Ribbon:
         self._mesh.verticesPerRow, self._mesh.verticesPerColumn = len(middle), 2
 
 
-REACH_PX = 12  # distance, pixels, from a handle within which the mouse grabs it
+REACH_PX = 12  # distance, pixels, within which the mouse grabs a handle
 SIZE_PX = 13  # px
 REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)
-# largest sine of the angle between plane and line of sight at which the plane is seen edge-on
+# the plane is seen edge-on if the sine of the angle between it and the line of sight is smaller
 EDGE_ON_SINE = 1e-6
 
 
 class Handles:
-    """Handles at points (n, 2) of a plane.
+    """Handles at points (n, 2) of a plane, mm.
 
-    `moved` is called with the number and the new position of a dragged handle, and `released` when the user
-    releases a handle. Mouse moves during a call of `moved` are ignored.
+    Dragging calls `moved` with the number and new position of a handle; releasing it calls `released`. Mouse
+    moves during a call of `moved` are ignored.
     """
 
     def __init__(
@@ -220,7 +220,7 @@ def plane_node(placement: Any) -> Any:
 
 
 def marks_in_plane(name: str, placement: Any) -> Any:
-    """Return a Coin group for unlit marks in a plane, drawn over all objects, that ignore the mouse."""
+    """Return a Coin group for unlit marks in a plane. They cover all objects and ignore the mouse."""
     light, pick, depth = coin.SoLightModel(), coin.SoPickStyle(), coin.SoDepthBuffer()
     light.model, pick.style = coin.SoLightModel.BASE_COLOR, coin.SoPickStyle.UNPICKABLE
     depth.test = False
@@ -240,9 +240,9 @@ def add_group(root: Any, *nodes: Any) -> None:
 
 
 class _Mouse(QtCore.QObject):
-    """Event filter for the left mouse button, before FreeCAD rotates the view or selects objects.
+    """Event filter that takes the left mouse button before FreeCAD rotates the view or selects objects.
 
-    All navigation styles use this button, and some handle the event before Coin's scene.
+    All navigation styles use this button, and some handle it before Coin's scene.
     """
 
     def __init__(self, view: Any, *answers: Callable[[FloatArray], bool]) -> None:
@@ -253,12 +253,12 @@ class _Mouse(QtCore.QObject):
         self._answers = dict(
             zip((kinds.MouseButtonPress, kinds.MouseMove, kinds.MouseButtonRelease), answers, strict=True)
         )
-        # without a widget, the handles can be moved only by the numbers in the panel
+        # without a widget, only the numbers in the panel move the handles
         if self._widget is not None:
             self._widget.installEventFilter(self)
 
     def leave(self) -> None:
-        """Remove the event filter. The view may be closed already."""
+        """Remove the event filter. The view may already be closed."""
         with suppress(RuntimeError):
             if self._widget is not None:
                 self._widget.removeEventFilter(self)

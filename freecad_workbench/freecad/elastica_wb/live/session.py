@@ -60,26 +60,27 @@ from elastica_cad.mechanics.stability import SAFE_MARGIN
 from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.strip_spec import StripSpec
 
-REST_MS = 40  # time, ms, without a mouse move, until slower results are computed
+REST_MS = 40  # time, ms, without a mouse move, before slower results are computed
 NO_POLES = np.zeros((0, 2))
-SEEN = 24  # number of points of a curve that the card tries not to hide
+SEEN = 24  # the card tries not to hide this number of points of a curve
 PEEK_MS = 60  # interval, ms, between checks whether the nearest curve was found
-LEAST_STEP = 1e-3  # smallest move of a pole towards the border, as a fraction of the length of the curve
+# smallest move of a pole towards the last possible curve, as a fraction of the length of the curve
+LEAST_STEP = 1e-3
 MOVES, HALVINGS = (
     3,
     12,
-)  # largest numbers of moves of a dragged pole to the last possible position, and of trials of each move
+)  # largest number of moves of a dragged pole towards the last possible curve, and of trials of each move
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
 SEVERITY = (Verdict.NOTHING, Verdict.CAN, Verdict.BREAKS, Verdict.CANNOT)
-"""Verdicts in the order of their severity."""
+"""Verdicts by increasing severity."""
 
 _session: "Session | None" = None
 
 
 class Session:
-    """Controller of the overlay of a sketch, from the start to the end of its editing."""
+    """Controller of the overlay of a sketch while the sketch is edited."""
 
     def __init__(self, sketch: Any, view: Any) -> None:
         self.sketch = sketch
@@ -133,19 +134,19 @@ class Session:
         self._comb.restore()
 
     def use_nearest(self) -> None:
-        """Replace the refused curve by its nearest curve, in one undo step."""
+        """Replace the refused curve by the nearest possible curve, in one undo step."""
         if self.near is None:
             return
         document = self.sketch.Document
         try:
             curve, self._cost = find_nearest_to_drag(replace(self._allows, curve=self._curve))
-        except FAILURES as error:  # also if the user stopped the search
+        except FAILURES as error:  # or the user stopped the search
             self._show_answer(replace(self.card.answer, sentence=str(explained(error))))
             return
         self._placed = curve.control_points
         open_step(document, translate("Elastica", "Use the nearest curve"))
         recorded(curve_into, self.sketch, curve)
-        record_call(self.sketch, "solve")  # within the step, because solving moves points
+        record_call(self.sketch, "solve")  # in this undo step, because solving moves points
         close_step(document)
         self.refresh()
 
@@ -155,9 +156,10 @@ class Session:
         self.refresh()
 
     def _stop_at_border(self) -> bool:
-        """Move a dragged curve back to the last possible curve, and return True if the sketch changed.
+        """Move a dragged curve back to where it was still possible. Return True if the sketch changed.
 
-        The sketcher moves the poles until the mouse is released. The undo step of the drag is replaced.
+        The sketcher itself moves the poles until the mouse is released. The undo step of the drag is
+        replaced.
         """
         try:
             self._curve = curve = sketch_curve(self.sketch, None, gap_of(*sketches.followers(self.sketch)))
@@ -197,7 +199,7 @@ class Session:
         return True
 
     def _attach(self) -> None:
-        """Some releases of FreeCAD use a new Coin node after new geometry is added."""
+        """Find the Coin node of the drawn points. Some FreeCAD releases replace it when geometry is added."""
         if self._sensor is not None:
             self._sensor.detach()
         self._sensor = self._node = None
@@ -228,12 +230,12 @@ class Session:
             points = self._points()
             try:
                 self._show(self._dragged.geometry(points))
-            # the sketch has lost points: wait for the update when the mouse is released
+            # the sketch has lost points, so wait until the mouse is released
             except IndexError:
                 self._dragged = None
 
     def _show(self, geometry: list[Any] | None) -> None:
-        began = time.thread_time()  # CPU time of this thread, which does not depend on other processes
+        began = time.thread_time()  # CPU time of this thread, which other processes do not affect
         self._rest.stop()
         self._answer.stop()
         self.near = None
@@ -291,7 +293,7 @@ class Session:
         return Answer(worst, words, sentences(lines, "\n"))
 
     def _spec_along(self, names: tuple[str, ...], curve: PlaneCurve) -> StripSpec:
-        """Return the options of the strip along these edges, which are read once per drag."""
+        """Return the options of the strip along these edges. They are read once per drag."""
         if names not in self._asks_along:
             spec = default_spec(curve)
             for strip in sketches.followers(self.sketch):
@@ -321,9 +323,9 @@ class Session:
             self._request()
 
     def _request(self) -> None:
-        """Start the search for the nearest curve in another thread; results for earlier curves are ignored.
+        """Start the search for the nearest curve in another thread. Results for earlier curves are ignored.
 
-        The search ignores rails, pins, ties and point forces, so strips with these are not searched.
+        Strips with rails, pins, ties or point forces are not searched, because the search ignores these.
         """
         if self._asks.between or self._asks.rod_spec.point_forces:
             return
@@ -355,7 +357,7 @@ class Session:
         )
 
     def _spec(self) -> StripSpec:
-        """The request for the strip is constant during a drag."""
+        """Return the request for the strip, which does not change during a drag."""
         if self._asks is None:
             asks = default_spec(self._curve)
             allows = RodSpec(self._curve, limits=Limits(CUTTABLE_RATIO, SAFE_MARGIN, sheet=asks.material))
@@ -384,7 +386,7 @@ class _Possible:
     constraints: list[tuple[str, float]]
 
     def is_dragged_to(self, other: "_Possible") -> bool:
-        """Return True if another curve of the same sketch differs only in the positions of the poles."""
+        """Return True if another curve of the sketch differs only in its poles."""
         same = self.curve.control_points.shape == other.curve.control_points.shape
         return same and self.constraints == other.constraints
 
@@ -394,7 +396,7 @@ def _driving_constraints(sketch: Any) -> list[tuple[str, float]]:
 
 
 class _OwnComb:
-    """FreeCAD's curvature comb, which is off while the overlay is displayed."""
+    """FreeCAD's own curvature comb, switched off while the overlay is displayed."""
 
     def __init__(self) -> None:
         self._group = App.ParamGet(SKETCHER)
@@ -413,7 +415,7 @@ def session() -> Session | None:
 
 
 def start(sketch: Any) -> Session | None:
-    """Show the overlay of a sketch, whether the sketch is open or not."""
+    """Show the overlay of a sketch, which need not be open."""
     global _session  # noqa: PLW0603 - a view shows only one overlay
     stop()
     view = Gui.getDocument(sketch.Document.Name).activeView()

@@ -12,8 +12,8 @@ from typing import Any
 import FreeCAD as App
 import Part
 
-NEAR = 1e-4  # relative tolerance of equal points, because points are drawn in single precision
-# largest distance, mm, between circles and their poles after the solver of the sketcher has run
+NEAR = 1e-4  # relative tolerance of equal points, which are drawn in single precision
+# largest distance, mm, of circles from their poles after the sketcher's solver has run
 SOLVED_MM = 1e-2
 
 POINTS = {
@@ -27,14 +27,14 @@ POINTS = {
     "Part::GeomArcOfParabola": 3,
     "Part::GeomBSplineCurve": 2,
 }
-"""Number of points that the sketcher draws for each type of geometry, in the order of geometry in the sketch."""
+"""Number of points that the sketcher draws for each type of geometry."""
 
 
 class Dragged:
     """Reconstruction of the geometry of a sketch from the drawn points.
 
-    `usable` is False if the points are in an unknown order, or if a pole is not drawn as a point. The
-    geometry is then known only after the mouse is released.
+    `usable` is False if the points are in an unknown order, or if a pole is not drawn as a point. Then only
+    releasing the mouse gives the geometry.
     """
 
     def __init__(self, sketch: Any, points: Sequence[Sequence[float]]) -> None:
@@ -58,7 +58,7 @@ class Dragged:
                 return
 
     def geometry(self, points: Sequence[Sequence[float]]) -> list[Any]:
-        """Return the geometry of the sketch with its points at the drawn positions."""
+        """Return the geometry of the sketch with its points moved to the drawn positions."""
         moved = list(self._geometry)
         for i, geometry in enumerate(self._geometry):
             if self._construction[i]:

@@ -16,10 +16,10 @@ MEMORY = "ElasticaLive"
 """Property of a sketch that stores whether its overlay is on."""
 
 KEEP = "ElasticaKeep"
-"""Property of a sketch that stores whether dragged poles stop where the strip can be made."""
+"""Property of a sketch that stores whether dragging stops where the strip can no longer be made."""
 
 listeners: list[Callable[[bool], None]] = []
-"""Functions that are called with True after an overlay starts, and with False after it ends."""
+"""Functions called with True when an overlay starts, and with False when it ends."""
 
 
 def edited_sketch() -> Any:
@@ -40,7 +40,7 @@ def followers(sketch: Any) -> list[Any]:
 
 
 def remember(sketch: Any, on: bool, name: str = MEMORY) -> None:
-    """Store a state in a property of the sketch, by default whether the overlay is on."""
+    """Store a state in a property of the sketch; by default, whether the overlay is on."""
     if name not in sketch.PropertiesList:
         words = {
             MEMORY: App.Qt.translate("App::Property", "Show live feedback while this sketch is open"),
@@ -53,7 +53,7 @@ def remember(sketch: Any, on: bool, name: str = MEMORY) -> None:
 
 
 def wants_overlay(sketch: Any) -> bool:
-    """Return True if the overlay of a sketch is on; without a stored state, if a strip follows the sketch."""
+    """Return True if the overlay of a sketch is on. By default it is on if a strip follows the sketch."""
     if not preferences.get("LiveMode"):
         return False
     if MEMORY in sketch.PropertiesList:

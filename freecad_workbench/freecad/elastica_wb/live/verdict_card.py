@@ -22,23 +22,22 @@ from elastica_cad.mechanics.sheets import hex_color
 GAP_PX = 12  # distance, pixels, from the edges of the view, and from points that must stay visible
 CUBE_PX = 140  # space, pixels, for the navigation cube and the axes at the right edge
 WIDEST_PX, NARROW_PX, FOLDED_PX = 480, 320, 240
-# largest width of the card, as a fraction of the width of the view, so that the curve is visible beside the
-# card
+# largest width of the card as a fraction of the view, so that the curve is visible beside it
 WIDTH_FRACTION = 0.45
-SMALL = 0.15  # a card that hides points is folded if it covers a larger fraction of the view than this
-LOOKED_MS = 100  # time, ms, after the last move of the camera, until the card is placed again
+SMALL = 0.15  # a card that hides points and covers more than this fraction of the view is folded
+LOOKED_MS = 100  # time, ms, after the last move of the camera, before the card is placed again
 FOLDED = "CardFolded"
 
 
 class VerdictCard(QtCore.QObject):
     """Card over a view: a frame that ignores the mouse, and three buttons.
 
-    The lowest button calls `use_nearest`, and `keep` is a switch. The card is in the corner of the view in
-    which it hides the fewest of the points that must stay visible.
+    The lowest button calls `use_nearest`, and `keep` is a switch. The card is in the corner where it hides
+    the fewest points that should stay visible.
     """
 
     def __init__(self, view: Any, use_nearest: Callable[[], None]) -> None:
-        # without a drawing widget, the card is over the area of all views
+        # without a drawing widget, use the area of all views
         self._view, self._over = view, surface_of(view) or Gui.getMainWindow().centralWidget()
         super().__init__(self._over)
         self.frame = QtWidgets.QFrame(self._over)
@@ -50,7 +49,7 @@ class VerdictCard(QtCore.QObject):
         for label in (self.heading, self.words, self.legend):
             label.setWordWrap(label is not self.heading)
             layout.addWidget(label)
-        # the frame ignores the mouse, so the buttons are outside the frame
+        # the frame ignores the mouse, so the buttons are beside it
         self.button, self.fold = QtWidgets.QPushButton(self._over), QtWidgets.QPushButton(self._over)
         self.keep = QtWidgets.QPushButton(translate("Elastica", "Keep it possible"), self._over)
         self.keep.setCheckable(True)
@@ -65,7 +64,7 @@ class VerdictCard(QtCore.QObject):
         self.fold.clicked.connect(self._turn)
         for part in (self.frame, self.button, self.fold, self.keep):
             part.setStyleSheet(STYLE)
-            # without keyboard focus, so that the sketcher receives keys
+            # without keyboard focus: the sketcher receives keys
             part.setFocusPolicy(QtCore.Qt.NoFocus)
         self.answer: Answer | None = None
         self._tall = self._corner = 0
@@ -77,7 +76,7 @@ class VerdictCard(QtCore.QObject):
         self._camera = sensor(coin.SoNodeSensor, self._looks_elsewhere)
 
     def show(self, answer: Answer, sentence: str, counts: Mapping[str, int]) -> None:
-        """Show a result; `counts` has the number of points of each part of the overlay."""
+        """Show a verdict. `counts` has the number of points of each part of the overlay."""
         with suppress(RuntimeError):  # the view may be closed
             self._show(answer, sentence, _legend(counts))
         self.answer = answer
@@ -90,7 +89,7 @@ class VerdictCard(QtCore.QObject):
             self.words.setText(sentence)
             self.legend.setText(legend)
             tall = sum(label.heightForWidth(label.width()) for label in (self.words, self.legend))
-            # most mouse moves change numbers only, so the card is placed again only for another height
+            # most mouse moves change only numbers, not the height of the card
             if tall != self._tall:
                 self._tall = tall
                 self._place()
@@ -108,11 +107,11 @@ class VerdictCard(QtCore.QObject):
         """Set the points in space that the card should not hide."""
         with suppress(RuntimeError):
             self._places = places
-            self._place()  # before the camera is used: this raises an error if the view was closed
+            self._place()  # first, because it raises an error if the view was closed
             self._camera.attach(self._view.getCameraNode())
 
     def remove(self) -> None:
-        """Remove the card. The view may be closed already."""
+        """Remove the card. The view may already be closed."""
         self._camera.detach()
         with suppress(RuntimeError):
             self._over.removeEventFilter(self)
@@ -124,13 +123,13 @@ class VerdictCard(QtCore.QObject):
         self._over = self._view = None
 
     def eventFilter(self, _watched: Any, event: Any) -> bool:
-        """Place the card again after the size of the view has changed."""
+        """Place the card again when the size of the view changes."""
         if kind_of(event) == QtCore.QEvent.Resize:
             self._place()
         return False
 
     def _looks_elsewhere(self) -> None:
-        """The view may be closed before its camera and timer."""
+        """Place the card again after a camera move. The view may close before its camera and this timer."""
         with suppress(RuntimeError):
             self._soon.start()
 
@@ -142,8 +141,8 @@ class VerdictCard(QtCore.QObject):
         self._place()
 
     def _place(self) -> None:
-        """In a small view, the card is folded if it would hide points."""
-        if self._over is None:  # FreeCAD may report a camera move while it is closing the view
+        """Place the card. In a small view, it is folded if it would hide points."""
+        if self._over is None:  # FreeCAD may report a camera move while it closes the view
             return
         folded = preferences.get(FOLDED)
         hidden = self._lay_out(folded=folded)
@@ -154,7 +153,7 @@ class VerdictCard(QtCore.QObject):
             self._lay_out(folded=True)
 
     def _lay_out(self, *, folded: bool) -> int:
-        """Set width and position of the card, and return the number of hidden points."""
+        """Set width and position of the card. Return the number of hidden points."""
         over = self._over
         self.fold.setText("▴" if folded else "▾")
         self.fold.setFixedSize(self.fold.sizeHint())
@@ -191,10 +190,9 @@ class VerdictCard(QtCore.QObject):
         return hidden
 
     def _free_corner(self) -> tuple[tuple[int, int], int]:
-        """Return the upper left corner at which the frame hides the fewest points, and the number of these
-        points.
+        """Return the corner (x, y) where the frame hides the fewest points, and their number.
 
-        The current corner is preferred, and a corner with another card is the worst.
+        The current corner is preferred; one with another card is the worst.
         """
         over, size = self._over, self.frame.size()
         part = free_part(over)
@@ -225,7 +223,7 @@ class VerdictCard(QtCore.QObject):
 
 
 def free_part(over: Any) -> Any:
-    """Return the rectangle of a view that no panel covers; FreeCAD 1.x shows panels over the edges of views."""
+    """Return the rectangle of a view that no panel covers. FreeCAD 1.x shows panels over views."""
     free = over.rect()
     for panel in Gui.getMainWindow().findChildren(QtWidgets.QTabWidget):
         if panel.metaObject().className() == PANELS and panel.isVisible() and panel.count():
@@ -267,4 +265,4 @@ STYLE = """
 #keepPossible:checked { color: white; background: #14873d; }
 #foldVerdict { border: none; padding: 3px 8px; color: white; background: transparent; }
 """
-"""Style of the card, white on dark in every theme, because the view behind it may have any colour."""
+"""Style of the card: white on dark in every theme, because the view behind it may have any colour."""

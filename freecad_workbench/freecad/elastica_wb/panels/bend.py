@@ -29,7 +29,7 @@ class BendPanel(Panel):
     step = "Bend forward"
 
     def __init__(self, obj: Any, feature: Any = None) -> None:
-        """Open the panel for a strip. `feature` is an existing bent curve to edit."""
+        """Open the panel for a strip, or for an existing bent curve `feature`."""
         self.strip = strip_of(obj)
         self.rest = self.strip.rod_to_bend
         super().__init__(obj.Document, [obj] if feature is None else [obj, feature])
@@ -53,12 +53,12 @@ class BendPanel(Panel):
             self._safely_changed()
 
     def changed(self) -> None:
-        """Bend the strip from its current shape to the ends that the widgets define."""
+        """Bend the strip from its current shape to the ends set in the widgets."""
         self.rod = self._bent(1.0, self.rod)
         self._show(self.rod)
 
     def dragged(self, end: int, place: tuple[float, float]) -> None:
-        """Move the start (0) or the end (1) to the position of the dragged handle in the plane of the curve."""
+        """Move the start (0) or the end (1) to the dragged handle, in the plane of the curve."""
         shift, name = np.asarray(place) - self.rest.position[-end], ("Start", "End")[end]
         widgets = (getattr(self.form, f"{name}{axis}") for axis in "XY")
         for widget, value in zip(widgets, shift, strict=True):

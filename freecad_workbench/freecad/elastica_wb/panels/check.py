@@ -48,7 +48,7 @@ def _verdict(link: tuple[Any, tuple[str, ...]]) -> str:
     if check.realizable:
         try:
             answer = strip_answer(solve_strip(spec))
-            # possible in equilibrium, but the sheet would break
+            # an equilibrium exists, but the sheet would break
             words = [answer.sentence] if answer.verdict is Verdict.BREAKS else [*words, answer.sentence]
         except ElasticaError as error:
             words.append(str(error))

@@ -55,7 +55,7 @@ class CouponPanel(Panel):
         self.changed()
 
     def changed(self) -> None:
-        """Show the overhang to be used, and the result of the readings."""
+        """Show the overhang to use, and the result of the readings."""
         sheet = sheet_called(self.value("sheet"))
         longest = Length(coupon_overhang(sheet))
         words: list[str] = [note("Longest overhang of the coupon: {longest:g}", longest=longest)]
@@ -129,7 +129,7 @@ def add_coupon(document: Any, sheet_name: str) -> Any:
 def readings_of(text: str) -> tuple[list[float], list[float]]:
     """Return overhangs and droops from a text such as "120 = 14.5; 150 = 31"."""
     pairs = []
-    commas = ";" in text or decimal_point() == ","  # True if commas in the text are decimal separators
+    commas = ";" in text or decimal_point() == ","  # commas in the text are decimal separators
     for part in text.split(";" if commas else ","):
         try:
             overhang, droop = (float(number.replace(",", ".")) for number in part.split("="))

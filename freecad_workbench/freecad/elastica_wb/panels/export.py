@@ -34,7 +34,7 @@ from elastica_cad.strip.pieces import Piece
 
 
 class ExportPanel(Panel):
-    """Panel whose OK writes the files without changing the document."""
+    """Panel that writes files on OK. The document does not change."""
 
     file = "export"
     icon_name = "Elastica_Export"
@@ -132,9 +132,9 @@ class ExportPanel(Panel):
 
 
 def _usual_folder(document: Any) -> str:
-    """Return the last used folder, or the folder of the document, or "", so that the user has to choose."""
+    """Return the last used folder, or the document's folder, or "", so that the user must choose."""
     last = preferences.get("ExportFolder")
-    if last and os.path.isdir(last):  # `isdir` returns False also for a folder without permission
+    if last and os.path.isdir(last):  # False also for a folder without permission
         return str(last)
     return str(Path(document.FileName).parent) if document.FileName else ""
 

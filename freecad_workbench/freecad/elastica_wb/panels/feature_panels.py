@@ -52,7 +52,7 @@ from elastica_cad.strip.summary import (
 
 
 def strip_rows(obj: Any) -> Sequence[Row]:
-    """Return the rows of the report on the strip of the current shape, or no rows if the curve is lost."""
+    """Return the rows of the report on the strip of the current shape; none if the curve is lost."""
     try:
         strip = shown_strip(obj)
     except FAILURES:
@@ -76,7 +76,7 @@ def _judged_rows(obj: Any, rows: Iterable[Row], *results: str) -> list[Row]:
 
 
 def _accuracy(obj: Any, strip: Strip) -> Row:
-    """The text of the row is "…" until it is computed, or "-" if the footnote explains why it is missing."""
+    """Return the row on accuracy: "…" until it is computed, "-" if the footnote says why it is missing."""
     if strip.rod.acting:
         return not_computed_row()
     shape = held_shape(strip) if obj.Held else None
@@ -84,12 +84,12 @@ def _accuracy(obj: Any, strip: Strip) -> Row:
 
 
 def _flat_footnote(obj: Any) -> str:
-    """The flat part does not show the pre-bend of the strip."""
+    """Return a note on the pre-bend of the strip, which the flat part does not show."""
     return "\n".join(map(worded, pre_bend_messages([(obj.Strip.Label, shown_strip(obj.Strip))])))
 
 
 def _has_value(name: str, *values: object) -> Callable[[Any], bool]:
-    """Return a function that checks whether the property `name` of an object has one of these values."""
+    """Return a function that checks whether an object's property `name` has one of these values."""
     return lambda obj: getattr(obj, name) in values
 
 
@@ -300,7 +300,7 @@ FLEXURE = Layout(
 
 
 def _force_chart(part: Flexure) -> Any:
-    """The travel is that of the pushed point for a bistable part; otherwise, the end is displaced or rotated."""
+    """Return the force chart: over the travel of the pushed point, or of the moved end if not bistable."""
     travel, size, name = part.travel, 1.0, note("rotation of the end (degrees)")
     if travel.unit == "mm":
         unit = shown_unit()
@@ -327,7 +327,7 @@ LAYOUTS = {
 
 
 def panel_of(obj: Any, others: Iterable[Any] = ()) -> Panel:
-    """Return the panel of a feature, which also edits the features `others` of the same kind."""
+    """Return the panel of a feature. It also edits `others` of the same kind."""
     if feature_kind(obj) == "Bent":
         return BendPanel(obj.Strip, obj)
     return PropertyPanel(obj, LAYOUTS[feature_kind(obj)], others)

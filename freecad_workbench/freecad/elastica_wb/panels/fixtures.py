@@ -26,7 +26,7 @@ class FixturesPanel(Panel):
     step = "End fixtures and base plate"
 
     def __init__(self, sources: list[Any]) -> None:
-        """Open the panel for sources, or for the strips of sources that are all base plates."""
+        """Open the panel for `sources` or, if all are base plates, for the strips on them."""
         super().__init__(sources[0].Document, sources)
         strips = [source for obj in sources if is_plate(obj) for source in obj.Sources]
         self.sources = [obj for obj in sources if not is_plate(obj)] or list(dict.fromkeys(strips))
@@ -36,12 +36,12 @@ class FixturesPanel(Panel):
         set_value(self.form.slot, preferences.get("Clearance"))
 
     def finished(self) -> None:
-        """Make the holders. After an error, the panel stays open."""
+        """Make the holders. If this fails, the panel stays open."""
         form = self.form
         if not any(box.isChecked() for box in (form.plate, form.rings, form.blocks)):
             raise InputError(translate("Elastica", "Select blocks, a plate or rings."))
         holders = []
-        # errors of the plate are reported before the slower blocks are made
+        # the plate is faster, so its errors come before the blocks
         if form.plate.isChecked():
             holders.append(recorded(baseplate.create, self.document, self.sources))
             record_value(holders[-1], "Sheet", self.value("sheet"))

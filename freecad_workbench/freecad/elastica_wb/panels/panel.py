@@ -23,11 +23,11 @@ from freecad.elastica_wb.undo_steps import active_step, close_step, forget_step,
 from elastica_cad._text import printable
 from elastica_cad.errors import InputError
 
-PAUSE_MS = 60  # time, ms, after the last key, until the panel computes its results
+PAUSE_MS = 60  # time, ms, after the last key, before the panel computes its results
 
 
 class Panel:
-    """A task panel, whose method `changed` is called shortly after the user changes a widget."""
+    """A task panel. Shortly after the user changes a widget, it calls `changed`."""
 
     file = ""
     icon_name = "Elastica"
@@ -39,8 +39,9 @@ class Panel:
     opened: "Panel | None" = None
 
     def __init__(self, document: Any = None, subjects: Iterable[Any] = ()) -> None:
-        """Open the panel, which may change `document`. If one of the objects `subjects` was deleted, OK shows
-        an error.
+        """Open the panel, which may change `document`.
+
+        If one of the objects `subjects` was deleted, OK shows an error.
         """
         Panel.opened = self
         self.subjects = list(subjects)
@@ -52,12 +53,12 @@ class Panel:
         self.form.setWindowIcon(QtGui.QIcon(icon(self.icon_name)))
         self.document = document
         self._timer = later(self._safely_changed, PAUSE_MS, self.form)
-        # earlier changes without a step, such as in the console, must not become part of this step
+        # earlier changes without a step, for example by the console, must not become part of this step
         if self.step and not (document.HasPendingTransaction and active_step(document)):
             open_step(document, self.step)
 
     def make_form(self) -> Any:
-        """Make the form with the message at the top, where it is visible without scrolling."""
+        """Make the form. The message is at the top, visible without scrolling."""
         form = load_panel(self.file)
         for name, value in quantities_of(self.file).items():
             set_value(getattr(form, name), value)
@@ -66,11 +67,11 @@ class Panel:
         return form
 
     def value(self, name: str) -> Any:
-        """Return the value that a widget shows, lengths in mm."""
+        """Return the value that a widget shows; lengths are in mm."""
         return value_of(getattr(self.form, name))
 
     def accept(self) -> bool:
-        """Apply the panel (OK), with all changes since its opening in a single undo step."""
+        """Apply the panel (OK). All changes since its opening form one undo step."""
         try:
             self._all_there()
             self.finished()
@@ -94,7 +95,7 @@ class Panel:
         return True
 
     def abandon(self) -> None:
-        """Close the panel after its document was closed, without using the document or its view."""
+        """Close the panel of a closed document, without using the document or its view."""
         if self.form is None:
             return
         if self.step:
@@ -104,24 +105,24 @@ class Panel:
         gc.collect()
 
     def getStandardButtons(self) -> int:
-        """Return the buttons: OK (or Save) and Cancel, or Close for a panel that only displays results."""
+        """Return the buttons: OK (or Save) and Cancel, or Close for a panel that only shows results."""
         kinds = QtWidgets.QDialogButtonBox
         buttons = [kinds.Close] if self.only_tells else [getattr(kinds, self.done), kinds.Cancel]
         return sum(int(getattr(button, "value", button)) for button in buttons)
 
     def isAllowedAlterSelection(self) -> bool:
-        """Return True, because the user may select objects while the panel is open."""
+        """Return True: the user may select objects while the panel is open."""
         return True
 
     def isAllowedAlterView(self) -> bool:
-        """Return True, because the user may change the view while the panel is open."""
+        """Return True: the user may change the view while the panel is open."""
         return True
 
     def changed(self) -> None:
-        """Compute and show the results for the values of the widgets."""
+        """Compute and show the results for the current values of the widgets."""
 
     def finished(self) -> None:
-        """Apply the panel after OK; after an exception, the panel stays open."""
+        """Apply the panel after OK. After an error, the panel stays open."""
 
     def closed(self) -> None:
         """Remove the preview from the view."""
@@ -130,7 +131,7 @@ class Panel:
             self.preview = None
 
     def let_go(self) -> None:
-        """Release all references to the document, which is about to be closed."""
+        """Release all references to the document before it is closed."""
 
     def show_message(self, sentence: str) -> None:
         """Show a message in the panel, with lengths in mm."""
@@ -154,7 +155,7 @@ class Panel:
         self._timer.start()
 
     def now(self) -> None:
-        """Call `changed` immediately if a delayed call is waiting."""
+        """Call `changed` now if a call is waiting."""
         if self._timer.isActive():
             self._timer.stop()
             self._safely_changed()
@@ -175,14 +176,13 @@ class Panel:
         if Gui.ActiveDocument is not None:
             Gui.ActiveDocument.resetEdit()
         Gui.Control.closeDialog()
-        # PySide would reuse the wrappers for the next widgets at the same addresses, and signals form
-        # reference cycles
+        # PySide would reuse the wrappers for new widgets, and signals form reference cycles
         self.form = None
         gc.collect()
 
 
 class _Documents:
-    """Observer that closes a panel when a document of the panel is closed."""
+    """Observer that closes a panel together with its document."""
 
     def slotDeletedDocument(self, document: Any) -> None:
         panel = Panel.opened
@@ -191,7 +191,7 @@ class _Documents:
             panel.let_go()
             panel.document, panel.preview = None, None
             panel._homes = []
-            # an undo would crash while FreeCAD destroys the document
+            # not now: an undo would crash while FreeCAD destroys the document
             QtCore.QTimer.singleShot(0, panel.abandon)
 
 

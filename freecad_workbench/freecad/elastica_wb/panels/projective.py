@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of the projective edit: four handles around a curve, the transformed curve, and the check of the
-curve.
-"""
+"""The panel of the projective edit: four handles around a curve, the transformed curve, and its check."""
 
 from typing import Any
 
@@ -37,7 +35,7 @@ FIELDS = [f"{axis}{number}" for number in (1, 2, 3, 4) for axis in "xy"]
 
 
 class ProjectivePanel(Panel):
-    """Panel that transforms a curve by four handles. OK writes poles and weights into the sketch."""
+    """Panel that transforms a curve by four handles. OK writes the poles and weights into the sketch."""
 
     file = "projective"
     icon_name = "Elastica_Projective"
@@ -104,7 +102,7 @@ class ProjectivePanel(Panel):
             recorded(curve_into, self.sketch, evened(self.curve))
 
     def _spec(self) -> StripSpec:
-        """Without a strip, the request has the preferences."""
+        """Return the request of the strip. Without a strip, it is made from the preferences."""
         if self._asks is None:
             specs = (spec_of(strip, drawn_curve(strip.Curve, strip)) for strip in followers(self.sketch))
             self._asks = next(specs, default_spec(self.drawn))
@@ -116,7 +114,7 @@ class ProjectivePanel(Panel):
             self.preview.show(self.drawn.sample(201).position, self.curve.sample(201).position, around)
 
     def _fill(self, places: FloatArray) -> None:
-        """Show the positions of the handles in the widgets, which round the numbers."""
+        """Show the positions of the handles in the widgets, rounded."""
         self.handles, self._shown = places, []
         for name, value in zip(FIELDS, places.ravel(), strict=True):
             widget = getattr(self.form, name)
@@ -126,7 +124,7 @@ class ProjectivePanel(Panel):
             self.preview.handles.put(places)
 
     def _typed(self) -> None:
-        """Numbers that the user did not change keep their full precision."""
+        """Read the typed numbers. Unchanged numbers keep their full precision."""
         values = [self.value(name) for name in FIELDS]
         places = np.where(np.array(values) == self._shown, self.handles.ravel(), values)
         self._fill(places.reshape(4, 2))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""The panel of a feature, with a labelled widget for each property, synchronized with the property."""
+"""The panel of a feature. Each property has a labelled widget that follows it."""
 
 import gc
 from collections import defaultdict
@@ -44,18 +44,18 @@ from elastica_cad.report_rows import Row
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.suggestions import Suggestion
 
-IDLE_MS = 400  # time, ms, after the last change, until the search for suggestions begins
+IDLE_MS = 400  # time, ms, after the last change, before the search for suggestions begins
 PEEK_MS = 60  # interval, ms, between checks whether the search has ended
 STYLES = {
     severity: f' style="color: {hex_color(COLORS[verdict])};"'
     for severity, verdict in (("error", Verdict.CANNOT), ("warning", Verdict.BREAKS))
 }
-"""Style of rows by severity: red for a result beyond its limit, orange for other warnings."""
+"""Style of rows by severity: red for an exceeded limit, orange for other warnings."""
 
 
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching for changes that help")
-BUTTON_LETTERS = 32  # largest number of letters in a line of a button, so that the panel stays narrow
-MOST_SUGGESTED = 5  # largest number of buttons for suggested changes
+BUTTON_LETTERS = 32  # letters in a line of a button, so that the panel stays narrow
+MOST_SUGGESTED = 5  # largest number of buttons with suggestions
 
 
 @dataclass(frozen=True)
@@ -70,21 +70,20 @@ class Layout:
     table : tuple of Property
         Declarations of the properties.
     applies : mapping
-        For a property, the function that returns True if the property has an effect for an object and
-        is shown.
+        Function, by property, that returns True if the property has an effect and is shown.
     source : str
-        Property with the curve, which the user can pick again, or "".
+        Property with a curve that the user can pick again, or "".
     results : callable
-        Function that returns the rows below the message. A detail that is the name of a property is replaced
-        by its help.
+        Function that returns the rows below the message. In details, the name of a property stands for its
+        help.
     actions : tuple of (label, callable)
         Labels and functions of buttons that replace the feature and close the panel.
     picture : callable
         Function that returns a pixmap for the space below the rows, or None.
     suggestions : callable
-        Function that returns suggested changes: texts with new values of properties. Each has a button.
+        Function that returns suggested changes, each shown as a button: text, and new values of properties.
     footnote : callable
-        Function that returns the text of slow results below all widgets.
+        Function that returns the text below all widgets, with slow results.
     """
 
     title: str
@@ -104,13 +103,13 @@ class Layout:
 class PropertyPanel(Panel):
     """Panel that edits the properties of a feature, or of several features of a kind.
 
-    A widget writes only its property, and shows changes that are made elsewhere. For several features,
-    widgets show the values of the first feature and change all features.
+    A widget writes only its property, and also shows changes made elsewhere. For several features, it shows
+    the value of the first and changes all.
     """
 
     def __init__(self, obj: Any, layout: Layout, others: Iterable[Any] = ()) -> None:
         self.objects = list(dict.fromkeys([obj, *others]))
-        # curve and results of several features differ
+        # several features have different curves and results
         if len(self.objects) > 1:
             layout = replace(layout, source="", results=lambda _: (), footnote=lambda _: "")
         self.object, self.layout = obj, layout
@@ -182,7 +181,7 @@ class PropertyPanel(Panel):
                 setattr(form, name, widget)
                 set_value(widget, _plain(getattr(self.object, name)))
             outer.addWidget(box)
-        # at the bottom, slow results do not move the widgets
+        # at the bottom, where slow results do not move the widgets
         form.footnote = QtWidgets.QLabel()
         form.footnote.setWordWrap(True)
         outer.addWidget(form.footnote)
@@ -204,23 +203,23 @@ class PropertyPanel(Panel):
         self._recompute()
 
     def finished(self) -> None:
-        """Apply pending changes, and record them for macros."""
+        """Apply pending changes, and record all changes for macros."""
         self.now()
         self._record()
 
     def _record(self) -> None:
-        # without changes, nothing is read: the objects may be deleted
+        # without changes, read nothing: the objects may be deleted
         for obj, name in self._unbound(self._changed) if self._changed else ():
             record_value(obj, name, _plain(getattr(obj, name)))
         self._changed.clear()
 
     def _unbound(self, names: Iterable[str]) -> list[tuple[Any, str]]:
-        """Return pairs of a feature and the name of a property that is not set by a formula."""
+        """Return (feature, property) for properties that no formula sets."""
         bound = {(obj, path) for obj in self.objects for path, *_ in obj.ExpressionEngine}
         return [(obj, name) for obj in self.objects for name in names if (obj, name) not in bound]
 
     def closed(self) -> None:
-        """Stop observing the document, and delete the widgets before the object to which they are bound."""
+        """Stop observing the document, and delete the widgets before the object that they are bound to."""
         App.removeDocumentObserver(self)
         self._stop_picking()
         self._refresh.stop()
@@ -235,7 +234,7 @@ class PropertyPanel(Panel):
         gc.collect()
 
     def let_go(self) -> None:
-        """Release the document, which is about to be closed."""
+        """Release the document before it is closed."""
         self._overlay = None
         self.closed()
 
@@ -244,7 +243,7 @@ class PropertyPanel(Panel):
         if self.form is None or obj not in self.objects:
             return
         if obj is self.object and name in self.fields and not self._writing:
-            # the value of a formula is newer than the pending value of the widget
+            # the formula's value is newer than the widget's
             self._touched.pop(name, None)
             self._refill(name)
         self._refresh.start()
@@ -358,7 +357,7 @@ class PropertyPanel(Panel):
         self._look.start()
 
     def _end_search(self) -> None:
-        """Suggestions for an earlier request are ignored."""
+        """Show the found suggestions, unless the request has changed meanwhile."""
         if not self._search.done():
             self._look.start()
         elif self._searched is self._refused:
@@ -435,7 +434,7 @@ class PropertyPanel(Panel):
             Gui.Selection.clearSelection()
             Gui.Selection.addObserver(
                 self, 0
-            )  # 0: the full path, because a part that is displayed through a link is a part of the link
+            )  # 0: the full path, because a part shown by a link belongs to the link
             source, _ = getattr(self.object, self.layout.source) or (None, ())
             if source is not None:
                 source.Visibility = True
@@ -447,7 +446,10 @@ class PropertyPanel(Panel):
 
 
 class _ChangeButton(QtWidgets.QPushButton):
-    """Button of a suggested change. It calls `preview` with its number, or with None when the mouse leaves."""
+    """Button of a suggested change.
+
+    It calls `preview` with its number, or with None when the mouse leaves.
+    """
 
     def __init__(self, number: int, preview: Callable[[int | None], None]) -> None:
         super().__init__()
@@ -463,7 +465,7 @@ class _ChangeButton(QtWidgets.QPushButton):
 
 
 def table_of(rows: Sequence[Row]) -> str:
-    """Return rows as a table in HTML for a label, or "" if there are none."""
+    """Return rows as an HTML table for a label; "" if there are none."""
     table = "".join(
         f"<tr><td>{worded(row.label)}&nbsp;&nbsp;</td><td{STYLES.get(row.severity, '')}>"
         f"{html_text(worded(row.text))}</td></tr>"

@@ -48,8 +48,7 @@ PROPERTIES = ("Between", "Loads")
 class Kind:
     """A kind of element or load: the number of clicks that place it, and the function that makes it.
 
-    The arguments of the function are the points (x, y) of the clicks, and their distances along the curve,
-    mm.
+    Its arguments are the points (x, y) of the clicks, and their distances along the curve, mm.
     """
 
     clicks: int
@@ -68,7 +67,7 @@ KINDS = {
 }
 """Kinds of elements and loads.
 
-If the curve changes, rails and pins keep their point in space, ties and loads their fraction of the length.
+When the curve changes, rails and pins stay in place; ties and loads keep their fraction of the length.
 """
 
 
@@ -102,7 +101,7 @@ class RailsPanel(Panel):
             self._show()
 
     def changed(self) -> None:
-        """Write the numbers of the chosen element into the strip, and recompute the document."""
+        """Write the numbers of the chosen element into the strip, and recompute."""
         if self.items:
             self.items[self.chosen] = self._typed(self.items[self.chosen])
         self._write()
@@ -122,7 +121,7 @@ class RailsPanel(Panel):
         super().closed()
 
     def let_go(self) -> None:
-        """Remove the handles, because they refer to the view."""
+        """Remove the handles, which refer to the view."""
         if self.handles is not None:
             self.handles.remove()
             self.handles = None
@@ -131,14 +130,14 @@ class RailsPanel(Panel):
         self, document: str, _name: str, element: str, place: tuple[float, float, float]
     ) -> None:
         """Use a point of the curve that the user clicks in the view."""
-        # not in the tree or in another document
+        # in the tree, or in another document
         if not element or document != self.object.Document.Name:
             return
         x, y, _ = self.drawn.world.inverse().multVec(App.Vector(*place))
         self.clicked((x, y))
 
     def clicked(self, point: tuple[float, float]) -> None:
-        """Add an element at a point in the plane of the curve; a tie needs two points."""
+        """Add an element at a point in the plane of the curve. A tie needs two points."""
         kind = KINDS[self.value("kind")]
         with self.telling():
             self._distance(point)
@@ -178,7 +177,7 @@ class RailsPanel(Panel):
         self._show_numbers()
 
     def _dragged(self, mark: int, point: tuple[float, float]) -> None:
-        """The strip is computed when the mouse is released."""
+        """Move a mark. The strip is computed only when the mouse is released."""
         self.chosen, key = self._keys()[mark]
         try:
             place = self._distance(point)
@@ -205,7 +204,7 @@ class RailsPanel(Panel):
         return rod_spec.drawn or rod_spec.curve
 
     def _keys(self) -> list[tuple[int, str]]:
-        """Return the number of the item of each mark, and the name of the field with the position."""
+        """Return the item number of each mark, and the field with its position."""
         return [(i, key) for i, item in enumerate(self.items) for key in keys_of(item)]
 
     def _marks(self) -> FloatArray:

@@ -61,12 +61,12 @@ class SheetsPanel(Panel):
 
     def sheet(self) -> Sheet:
         """Return the sheet that the widgets define."""
-        # widgets round the displayed numbers, so only changed numbers are read
+        # widgets round numbers, so only changed numbers are read
         typed = {field: self.value(field) for field in NUMBERS if self.value(field) != self.filled[field]}
-        # the range of a property does not apply to a typed number
+        # a typed number has no range
         ranges = {f"{field}_range": None for field in typed if hasattr(self.seen, f"{field}_range")}
         name, source = self.form.name.text().strip(), " ".join(self.form.source.toPlainText().split())
-        # 0 is an empty field, which means that the modulus is estimated
+        # an empty field, 0, means that the modulus is estimated
         if typed.get("shear_modulus") == 0:
             typed["shear_modulus"] = None
         return replace(self.seen, name=name, source=source, **typed, **ranges)

@@ -19,7 +19,7 @@ from elastica_cad.refusals import Length, note
 
 
 class TolerancePanel(Panel):
-    """Panel that runs the study on request; the user can stop the study and see the results so far."""
+    """Panel that runs the study. The user can stop it and see the results so far."""
 
     file = "tolerance"
     icon_name = "Elastica_Tolerance"
@@ -71,17 +71,17 @@ class TolerancePanel(Panel):
 
 
 class Stopped(Exception):  # noqa: N818 - not an error, but a decision of the user
-    """Raised when the user presses Cancel."""
+    """The user pressed Cancel."""
 
 
 class Watched:
-    """Executor that runs tasks in this thread, and shows the progress after every task."""
+    """Executor that runs tasks in this thread and shows the progress."""
 
     def __init__(self, title: str) -> None:
         self._title = title
 
     def map(self, work: Callable[..., Any], *arguments: Iterable[Any], **_chunks: int) -> Iterator[Any]:
-        """Yield the result of each task, as `map` of the executors in `concurrent.futures` does.
+        """Yield the result of each task, like `map` of executors in `concurrent.futures`.
 
         Raises
         ------
@@ -100,9 +100,7 @@ ROW, WIDTH = 24, 300  # height of a row, and width of the chart, pixels
 
 
 def bar_chart(rows: Sequence[tuple[str, float, float]]) -> Any:
-    """Draw a chart of rows (name, usual value, worst value), mm, with dark bars for usual and light bars for
-    worst values.
-    """
+    """Draw a chart of rows (name, usual value, worst value), mm. Bars of usual values are dark."""
     largest = max((worst for _, _, worst in rows), default=0.0) or 1.0
     picture = QtGui.QPixmap(WIDTH, ROW * len(rows) + 10)
     picture.fill(QtGui.QColor("white"))

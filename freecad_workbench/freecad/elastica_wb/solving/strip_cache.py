@@ -41,9 +41,9 @@ Result = TypeVar("Result")
 
 
 def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
-    """Cache the results and errors of a function, for the current and previous state of a hundred strips.
+    """Cache the results and errors of a function, for two states of each of a hundred strips.
 
-    Errors are cached, because FreeCAD recomputes a failed object at each change of the document.
+    Errors too, because FreeCAD recomputes a failed object at each change of the document.
     """
 
     @lru_cache(maxsize=256)
@@ -69,14 +69,12 @@ STEPS, FINER = 641, 21
 def sharpest_bend(
     curve: PlaneCurve, rest: NaturalCurvature, samples: CurveSamples | None = None
 ) -> tuple[float, float]:
-    """Return the largest change of curvature, 1/mm, from a strip before bending to a curve, and its position,
-    mm.
-    """
+    """Return the largest change of curvature, 1/mm, from unbent strip to curve, and its position, mm."""
     samples = curve.sample(STEPS) if samples is None else samples
     s, t = samples.s, samples.t
     most = int(np.argmax(np.abs(samples.curvature - nodal_curvature(rest, s))))
     fine = np.linspace(t[max(most - 1, 0)], t[min(most + 1, t.size - 1)], FINER)
-    # positions on the pre-bent strip equal positions on the curve, because both have the same length
+    # strip and curve have the same length, so their positions are equal
     places = np.append(np.interp(fine, t, s), s[-1])
     bend = np.abs(curve.curvature_at(np.append(fine, t[-1])) - nodal_curvature(rest, places))
     best = int(np.argmax(bend))
@@ -84,8 +82,8 @@ def sharpest_bend(
 
 
 MANY_HOLES = 100
-HEADROOM = 1.003  # factor by which the curvature limit is reduced for a rod whose curve is drawn as a spline
-# largest number of searches; factor by which each search corrects the excess over the limit
+HEADROOM = 1.003  # the curvature limit of a rod is divided by this, because the spline through it curves more
+# largest number of searches, and factor by which each search corrects the excess over the limit
 STRICTER, BEYOND = 4, 1.3
 AS_DRAWN_MM = 0.05  # a curve meets all limits if the nearest curve within the limits is closer than this, mm
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching the nearest curve")
@@ -104,7 +102,7 @@ def solve_strip(spec: StripSpec) -> Strip:
 
 @remembered
 def changes_that_help(spec: StripSpec, fields: tuple[str, ...]) -> tuple[Suggestion, ...]:
-    """Return changes of the given fields that make a refused strip possible. The search takes some seconds."""
+    """Return changes of these fields that make a refused strip possible. This takes some seconds."""
     try:
         _strip(spec.in_plane)
     except ElasticaError as problem:
@@ -113,13 +111,13 @@ def changes_that_help(spec: StripSpec, fields: tuple[str, ...]) -> tuple[Suggest
 
 
 def moved_by_smoothing(spec: StripSpec) -> float:
-    """Return the distance, mm, by which smoothing moves the curve of a request."""
+    """Return how far, mm, smoothing moves the curve of a request."""
     return _shared_request(spec.in_plane).rod_spec.smoothing.moved
 
 
 @remembered
 def _shared_request(spec: StripSpec) -> StripSpec:
-    """The smoothing of the first of equal requests is computed already."""
+    """Return the first of equal requests, whose smoothing is already computed."""
     return spec
 
 
@@ -135,10 +133,10 @@ def find_nearest_to_draw(spec: RodSpec) -> NearestRod:
 
 @remembered
 def find_nearest_now(spec: RodSpec) -> NearestRod:
-    """Do the same as `find_nearest_to_draw`, in this thread and without a progress bar.
+    """Do the work of `find_nearest_to_draw` in this thread, without a progress bar.
 
-    The curvature of a spline differs from that of its rod by some thousandths, so the limits of the rod are
-    stricter.
+    The curvature of the spline differs from that of the rod by some thousandths, so the rod gets stricter
+    limits.
     """
     limits = spec.limits
     most = None if limits is None else limits.largest_curvature
@@ -156,7 +154,7 @@ def find_nearest_now(spec: RodSpec) -> NearestRod:
     return find_rod(spec)
 
 
-# factors by which limits are stricter, in turn, because a curve with few poles differs from its rod
+# a curve with few poles differs from its rod, so limits are divided by these factors, one after the other
 TIGHTER = (1.1, 1.25, 1.5)
 # largest distance of a curve with few poles: multiple of the least distance, or fraction of the length
 FARTHER, NEAR_FRACTION = 3, 0.01
@@ -164,7 +162,7 @@ SPANS = (8, 12, 16, 20)
 
 
 def find_nearest_to_drag(spec: RodSpec) -> tuple[PlaneCurve, str]:
-    """Return a nearest curve with few enough poles for dragging, and a message on the larger deviation.
+    """Return a nearest curve with few enough poles for dragging, and a message on its deviation.
 
     If no such curve is within the limits, return the nearest curve with all poles.
     """
@@ -206,14 +204,14 @@ def _is_within_limits(spec: RodSpec) -> bool:
     try:
         if ratio is not None and find_rod(replace(spec, limits=None, keep=None)).ratio > ratio:
             return False
-        again = find_rod(spec)  # the slow search is the last check
+        again = find_rod(spec)  # slow, so it comes last
     except ElasticaError:
         return False
     return bool(again.met and again.deviation <= AS_DRAWN_MM)
 
 
 def judged(rod: Rod) -> Stability | None:
-    """Return the stability of a rod, or None if it cannot be computed."""
+    """Return the stability of a rod, or None if the computation fails."""
     try:
         return _stability(rod)
     except ElasticaError:
@@ -222,7 +220,7 @@ def judged(rod: Rod) -> Stability | None:
 
 @remembered
 def held_shape(strip: Strip) -> HeldShape | None:
-    """Return the shape of a strip as cut and held, or None if the shape is far from the design."""
+    """Return the shape of a strip as cut and held, or None if it is too far from the design to compute."""
     try:
         return strip.held()
     except NotConvergedError:
@@ -231,7 +229,7 @@ def held_shape(strip: Strip) -> HeldShape | None:
 
 @remembered
 def bent_shape(strip: Strip) -> Part.Shape:
-    """Return the body of the bent strip, with its curve in the xy plane; a laminate has both layers."""
+    """Return the body of the bent strip, with its curve in the xy plane. A laminate has both layers."""
     # bodies with thousands of holes take seconds
     many = len(strip.holes) > MANY_HOLES
     layers = (
@@ -264,9 +262,9 @@ def flat_shape(strip: Strip, layer: int = 0) -> Part.Shape:
 
 @remembered
 def engraved_shape(strip: Strip, layer: int = 0) -> Part.Shape:
-    """Return the shape of `flat_shape`, with the engraved text as edges on the upper face.
+    """Return `flat_shape`, with the engraved text as edges on the upper face.
 
-    Tapered strips and stacks of plies are returned without text, because they have no plane face for it.
+    Tapered strips and stacks of plies have no plane face for a text, so they have none.
     """
     shape = flat_shape(strip, layer)
     if strip.layout.worked_size is not None or strip.layout.stack is not None:

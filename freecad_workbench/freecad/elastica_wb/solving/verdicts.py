@@ -39,7 +39,7 @@ class Fault:
     number : str
         Name of the property with the result that is beyond its limit.
     curve_helps : bool
-        True if the nearest curve within limits may be free of this fault.
+        True if the nearest curve within limits may avoid the fault.
     """
 
     words: str
@@ -97,9 +97,7 @@ def is_bent_beforehand(strip: Strip) -> bool:
 
 
 def pre_bend_messages(named_strips: Iterable[tuple[str, Strip]]) -> list[str]:
-    """Return instructions for strips that are pre-bent before assembly, one for all strips with the same
-    pre-bend.
-    """
+    """Return instructions for strips that must be pre-bent, one for all strips with the same pre-bend."""
     return together((name, pre_bend_message(strip)) for name, strip in named_strips)
 
 
@@ -109,12 +107,12 @@ class Verdict(Enum):
     CAN = "can"
     BREAKS = "breaks"
     CANNOT = "cannot"
-    NOTHING = "nothing"  # verdict if no curve is drawn yet
+    NOTHING = "nothing"  # no curve is drawn yet
 
 
 @dataclass(frozen=True)
 class Answer:
-    """Result of a check: the verdict, a short text, an explanation, and True if another curve may help."""
+    """Result of a check: verdict, short text, explanation, and True if another curve may help."""
 
     verdict: Verdict
     words: str
@@ -125,7 +123,7 @@ class Answer:
 def quick_answer(
     curve: PlaneCurve, samples: CurveSamples, spec: StripSpec, check: EquilibriumCheck
 ) -> Answer:
-    """Return the result of the checks without a search: equilibrium, strain at the surface, widths."""
+    """Return the result of the fast checks: equilibrium, surface strain, widths."""
     if check.undecided is not None:
         return _undecided(check)
     if not check.realizable:
@@ -156,7 +154,7 @@ def _failing(faults: list[Fault]) -> Answer:
 
 
 def refusal_answer(error: ElasticaError) -> Answer:
-    """Return the result for an error that the curve or an option of the strip causes."""
+    """Return the result for an error caused by the curve or an option of the strip."""
     if isinstance(error, NotRealizable):
         if isinstance(error.check, EquilibriumCheck) and error.check.undecided is not None:
             return _undecided(error.check)
