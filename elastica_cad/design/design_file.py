@@ -1,7 +1,7 @@
 """Design files: read and check the description of a model in TOML, and make the model.
 
-Every number may be a formula in quotes (see `tables.Formula`). Lengths are in mm, angles in rad (30 * degrees).
-`design_schema.tables` lists all keys with their descriptions.
+A number may be written as a formula in quotes (see `tables.Formula`). Lengths are in mm, angles in rad (30 *
+degrees). `design_schema.tables` lists all keys with their descriptions.
 """
 
 import tomllib
@@ -66,7 +66,7 @@ class Design:
     reports : tuple of str
         Messages about sections of meshes and about meridians.
     revolution : RevolutionTable or None
-        Surface of revolution. Its strips precede the other strips.
+        Surface of revolution. Its strips come before the other strips.
     """
 
     name: str
@@ -78,7 +78,9 @@ class Design:
     revolution: "RevolutionTable | None" = None
 
     def with_limits_ignored(self) -> "Design":
-        """Return the design with `ignore_limits`, so that parts beyond the limits are made with a warning."""
+        """Return the design with `ignore_limits`: parts beyond the limits of the workshop are made with a
+        warning.
+        """
         return replace(
             self,
             entries=tuple(
@@ -89,7 +91,7 @@ class Design:
         )
 
     def nearest(self) -> "Design":
-        """Return the design with strips that may deviate from their curves, as little as necessary."""
+        """Return the design with strips that may deviate from their curves as little as necessary."""
         freed = (
             entry
             if entry.spec.may_change
@@ -109,9 +111,9 @@ class Design:
         Raises
         ------
         NotRealizable, NotConvergedError, InputError
-            For the reasons of `StripSpec.make` and `Model.interlock`. A single error contains the messages of
-            all parts, with their names. Sections that no strip can follow are left out and reported. If no
-            strip remains, the first error is raised.
+            As `StripSpec.make` and `Model.interlock`. One error contains the messages of all parts, with
+            their names. Sections that no strip can follow are left out and reported; if no strip remains, the
+            first error is raised.
         """
         strips: dict[Any, Strip] = {}
         placed: list[Placed] = []
@@ -178,7 +180,7 @@ def read_design(
         Function that reads a surface for sections. The default reads only meshes;
         `elastica_cad.files.read_surface` also reads STEP bodies.
     below : sequence of path-like
-        Folders from which files may be read, besides the folder of the design and the working folder.
+        Folders from which files may be read, in addition to the folder of the design and the working folder.
     changes : mapping
         New values for keys of the file.
     """
@@ -239,7 +241,7 @@ def design_of(
 def parse_design(path: Path) -> dict[str, Any]:
     """Return the tables of a TOML file, parsed but not checked."""
     try:
-        text = path.read_bytes().decode("utf-8-sig")  # "utf-8-sig" also accepts files with a byte order mark
+        text = path.read_bytes().decode("utf-8-sig")  # also accepts files with a byte order mark
         return parse_toml(text)
     except UnicodeDecodeError as error:
         raise InputError(
@@ -257,7 +259,7 @@ def parse_design(path: Path) -> dict[str, Any]:
 
 
 def _read_revolution(top: Table, reader: Reader) -> "RevolutionTable | None":
-    """Return the surface of revolution of a design, or None. Missing keys are taken from the design.
+    """Return the surface of revolution of a design, or None. Keys at the top of the design are its defaults.
 
     Strips without holders have no tabs by default.
     """
@@ -301,7 +303,7 @@ def own_sheets(top: Table, path: Path) -> dict[str, Sheet]:
 def _read_strips(
     top: Table, reader: Reader, read_surface: "SurfaceReader | None", slips: Slips
 ) -> tuple[list[StripEntry], tuple[str, ...]]:
-    """Return all strips in order, and messages about sections of meshes; errors are added to `slips`."""
+    """Return all strips in order, and messages about sections of meshes. Errors are added to `slips`."""
     entries: list[StripEntry] = []
     failed: list[InputError] = []
     reports: list[str] = []
@@ -344,7 +346,7 @@ def _read_strips(
 
 
 COPIES_APART_MM = 20.0
-"""Distance, mm, between copies of a part for which the file defines the same position."""
+"""Distance, mm, between copies of a part that would otherwise be in the same position."""
 
 
 def _with_copies_apart(entries: Sequence[StripEntry]) -> list[StripEntry]:
@@ -361,7 +363,7 @@ def _with_copies_apart(entries: Sequence[StripEntry]) -> list[StripEntry]:
 
 
 def _require_labels(used_labels: Container[str], entries: Sequence[StripEntry], where: str) -> None:
-    """Refuse a label of two strips that are not copies of a part from the same table."""
+    """Raise InputError if two strips have the same label. Copies of a part from one table may."""
     known = dict[str, StripEntry]()
     for entry in entries:
         first = known.setdefault(entry.label, entry)
@@ -379,7 +381,7 @@ def _require_labels(used_labels: Container[str], entries: Sequence[StripEntry], 
 
 
 def _only_sections(table: Table) -> Table:
-    """Return the table of a strip that follows sections, and refuse keys for count and position."""
+    """Return the table of a strip that follows sections. Raise InputError for keys of count and position."""
     idle = [key for key in ("count", "curve", "origin", "x_axis", "y_axis") if key in table.data]
     if idle:
         raise InputError(
@@ -402,13 +404,12 @@ def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
 
 
 SAME_DIGITS = 11
-"""Decimals, relative to the length of the curve, at which curves and gravity are compared, because mirrored
-curves differ by rounding.
-"""
+"""Decimals to which curves and gravity are compared, relative to the length of the curve. Mirrored curves
+differ by rounding."""
 
 
 def _comparison_key(entry: StripEntry) -> Any:
-    """Return a value that is equal for strips with the same request and, apart from rounding, the same curve."""
+    """Return a value that is equal for strips with equal requests and, apart from rounding, equal curves."""
     spec, curve, gravity = entry.spec, entry.curve, entry.spec.gravity_in_plane
     numbers = [curve.knots - curve.knots[0], curve.control_points.ravel()]
     numbers += [] if curve.weights is None else [curve.weights]
@@ -420,13 +421,13 @@ def _comparison_key(entry: StripEntry) -> Any:
 
 
 def _merged_error(problems: Sequence[ElasticaError]) -> ElasticaError:
-    """Return a single error with all messages and the class of the leading error."""
+    """Return one error with all messages and the class of the first error."""
     first, slips = problems[0], Slips()
     if len(problems) == 1:
         return first
     for problem in problems:
         slips.add(str(problem))
-    # suggestions of one error do not apply to the others
+    # the suggestions of one error do not apply to the others
     first.refusal = Refusal(first.refusal.kind, slips.text)
     return first
 

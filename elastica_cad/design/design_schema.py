@@ -1,4 +1,4 @@
-"""Keys of all tables of a design file, and their JSON schema for editors."""
+"""Keys of all tables of a design file, and the JSON schema with which editors check them."""
 
 from functools import cache
 from typing import Any, TypeAlias
@@ -8,7 +8,7 @@ from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.design.records import fields_of, help_with_unit, tables_in, title, word_of, written
 
 SCHEMA_FILE = "elastica.schema.json"
-"""Name of the schema file beside a design file, which refers to it in its first line."""
+"""Name of the schema file beside a design file, whose first line names it."""
 
 Fragment: TypeAlias = dict[str, Any]
 Keys: TypeAlias = dict[str, tuple[Fragment, str]]

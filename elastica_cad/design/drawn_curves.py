@@ -1,4 +1,4 @@
-"""Curves that are defined in a design file, and handles that reshape them."""
+"""Curves defined in a design file, and handles that reshape them."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -23,11 +23,11 @@ Handles: TypeAlias = tuple[Point, Point, Point, Point]
 _TO = "New position of the {} corner of the curve's bounding box."
 
 CORNERS = ("bottom_left", "bottom_right", "top_right", "top_left")
-"""Names of the corners of the bounding box of the drawn curves, which are handles."""
+"""Names of the corners of the drawn curves' bounding box, which serve as handles."""
 
 
 def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -> FloatArray:
-    """Return the projective map (3, 3) that moves corners of the bounding box of curves to `places`, mm.
+    """Return the projective map (3, 3) that moves corners of the curves' bounding box to `places`, mm.
 
     Corners that are not in `places` keep their positions.
 
@@ -60,7 +60,7 @@ def map_corners(curves: Sequence[PlaneCurve], places: Mapping[str, ArrayLike]) -
 
 @dataclass(frozen=True)
 class Reshape:
-    """Deformation of a curve by corners of its bounding box, or by points `handles` with their targets `to`."""
+    """Deformation of a curve by corners of its bounding box, or by four points `handles` that move to `to`."""
 
     bottom_left: Annotated[Point | None, Option(_TO.format("lower left"), "mm")] = None
     bottom_right: Annotated[Point | None, Option(_TO.format("lower right"), "mm")] = None
@@ -99,7 +99,7 @@ class _Curve:
 class CurveOfFile(_Curve):
     """Table of a curve in a file; `number`, `id` or `layer` selects one of several curves.
 
-    In `file`, `id` and `layer`, {i} is the number of the strip, as in labels.
+    In `file`, `id` and `layer`, {i} stands for the number of the strip, as in labels.
     """
 
     file: Annotated[str, Option("File name, relative to the design file: DXF, SVG, CSV, JSON or STEP.")]
@@ -143,7 +143,7 @@ class CurveOfFile(_Curve):
 
 @dataclass(frozen=True, kw_only=True)
 class CurveOfFormulae(_Curve):
-    """The table of a curve that is given by two formulae, x and y in mm as functions of t."""
+    """The table of a curve given by two formulae: x and y, mm, as functions of t."""
 
     x: Annotated[Formula, Option("Formula in t.", "mm")]
     y: Annotated[Formula, Option("Formula in t.", "mm")]
@@ -154,7 +154,7 @@ class CurveOfFormulae(_Curve):
     ] = ()
 
     def drawn(self, _: Reader, where: str, table: Table) -> PlaneCurve:
-        """Return a spline fitted to points that are computed from the formulae."""
+        """Return a spline fitted to points of the formulae."""
         start, end = self.t
         if not start < end:
             raise InputError(
@@ -197,7 +197,7 @@ class EllipseArc:
                 "{place} and above exclude each other. Leave out one of them.", place=f"{where}: {idle[0]}"
             )
         rise = self.above - center[1]
-        # y over the centre: a sin(rotation) cos(v) + b cos(rotation) sin(v) = reach cos(v - top)
+        # height above the centre: a sin(rotation) cos(v) + b cos(rotation) sin(v) = reach cos(v - top)
         tall = axes[0] * np.sin(rotation), axes[1] * np.cos(rotation)
         reach, top = float(np.hypot(*tall)), float(np.arctan2(tall[1], tall[0]))
         if not -reach < rise < reach:
@@ -228,8 +228,7 @@ class CurveOfEllipse(_Curve):
 class CurveOfSpline(_Curve):
     """The table of a curve with the key `spline`: a B-spline given by its control points.
 
-    By default its knots are uniform, and clamped at both ends. With given knots it may have weights, which
-    make it rational (NURBS).
+    By default its knots are uniform and clamped. With given knots, it may have weights (NURBS).
     """
 
     spline: Annotated[tuple[Point, ...], Option("Control points.", "mm")]

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 def cutting_keys() -> dict[str, Field]:
     """Return the fields of `Cutting` by their keys.
 
-    Key and field have the same name, except for the key `for`, which is a reserved word of Python.
+    Key and field have the same name, except the key `for`, a reserved word of Python.
     """
     return {"for" if option.name == "recipient" else option.name: option for option in declared(Cutting)}
 
@@ -38,8 +38,8 @@ def cutting_keys() -> dict[str, Field]:
 class Cutting:
     """Options of cutting files.
 
-    `kerf` is in mm; None is the kerf of each sheet. If `curves` is None, curves are written as arcs for a
-    cutting service, else as splines. If `holding` is None, parts have no bridges to the sheet.
+    `kerf` is in mm; None means the kerf of each sheet. If `curves` is None, curves are arcs for a cutting
+    service and splines otherwise. If `holding` is None, no bridges hold the parts in the sheet.
     """
 
     FIELDS: ClassVar[Callable[[], Mapping[str, Field]]] = staticmethod(cutting_keys)
@@ -107,7 +107,7 @@ class Cutting:
     def file_name(self, stem: str, suffix: str) -> str:
         """Return the name of a file.
 
-        It includes the unit if the format does not store it, or if a service gets the file.
+        It includes the unit if the format does not store the unit, or if a cutting service gets the file.
 
         Examples
         --------
@@ -120,11 +120,11 @@ class Cutting:
         return f"{stem}{'-mm' if drawn or (self.version, suffix) == ('R12', 'dxf') else ''}.{suffix}"
 
     def drawings(self, drawing: Drawing) -> tuple[Drawing, ...]:
-        """Return a drawing for each file. Every part has a file of its own if the files are for a service."""
+        """Return a drawing for each file. A cutting service gets a file for each part."""
         return separate_parts(drawing) if self.service else (drawing,)
 
     def options(self, sheet: Sheet) -> dict[str, Any]:
-        """Return the options of `save` for pieces that are cut from this sheet."""
+        """Return the options of `save` for pieces of this sheet."""
         if self.kerf is None and sheet.kerf == 0:
             raise InputError(
                 "The width of the cut is not known for {name}. Write a number in mm instead of the word sheet.",
@@ -183,7 +183,7 @@ class HolderSpec:
     def made(
         self, model: "Model", shop: FabricationLimits = DEFAULT_LIMITS, *, ignore_limits: bool = False
     ) -> "tuple[tuple[BasePlate | Rib | EndFixture, ...], str]":
-        """Make the plates, ribs and blocks. Also return a sentence on the choice, which may be empty."""
+        """Make the plates, ribs and blocks. Also return a sentence on the choice of holder, or ""."""
         from elastica_cad.model.fixtures import end_fixtures
         from elastica_cad.model.frames import add_feet, slotted_frame
         from elastica_cad.model.model import stand
@@ -256,8 +256,7 @@ class KitSpec:
     def extras(self, model: "Model") -> "tuple[Piece, ...]":
         """Return the requested coupons of the sheets of the model, and the requested reference bar.
 
-        For a cutting service there is no bar, because the user does not calibrate the machine of the
-        service.
+        A cutting service gets no bar, because it calibrates its own machine.
         """
         from elastica_cad.strip.coupon import coupon_drawing, reference_bar
         from elastica_cad.strip.pieces import Piece

@@ -1,4 +1,4 @@
-"""Page of measurements to be taken of a bent strip, and reading of the measured values."""
+"""Page for measurements of a bent strip, and reading of the measured values."""
 
 import json
 import tomllib
@@ -29,7 +29,7 @@ from elastica_cad.strip.measuring import (
 )
 
 WIDE_MM, HIGH_MM = 180.0, 60.0
-"""Largest width and height of the drawn strip, mm. With the text below it, the page fits A4."""
+"""Largest width and height of the drawn strip, mm. The page with its text then fits A4."""
 
 LETTER_MM, LINE_MM, TEXT_MM = 3.0, 6.0, 40.0
 """Letter height, line spacing, and position of the second column of the page, mm."""
@@ -38,7 +38,7 @@ LARGEST_READING = 1e6
 """Largest length (mm) or angle (degrees) in a report or a reading."""
 
 ERRORS = ("reading_error", "angle_error")
-"""Names of the errors in a file of readings: standard errors of lengths, mm, and angles, degrees."""
+"""Names of standard errors in a file of readings: of lengths, mm, and of angles, degrees."""
 
 WORDS = {
     "chord": "from end to end of the free part",
@@ -51,7 +51,7 @@ WORDS = {
 
 
 def measuring_record(measuring: Measuring) -> dict[str, Any]:
-    """Return the quantities to measure as plain data for a report; `read_measuring` reads them."""
+    """Return the quantities to measure as plain data for a report."""
     return {
         "marks": list(measuring.marks),
         "expected": dict(measuring.expected),
@@ -100,7 +100,7 @@ def read_measuring(path: FilePath) -> dict[str, Measuring]:
 
 
 def measuring_of(record: Mapping[str, Any]) -> Measuring:
-    """Return the quantities to measure in a record of `measuring_record`."""
+    """Return the quantities to measure from a record that `measuring_record` made."""
     causes = {cause: tuple(map(_measures, changes)) for cause, changes in record["causes"].items()}
     measuring = Measuring(
         tuple(map(_number, record["marks"])),
@@ -132,7 +132,7 @@ def _number(value: Any) -> float:
 def read_readings(path: FilePath) -> tuple[dict[str, dict[str, float]], dict[str, float]]:
     """Return the measured values in a TOML file, by strip and quantity, and the errors of the readings.
 
-    Values above all tables have the strip's name "". Errors are above all tables.
+    Above all tables are the errors, and values of a strip without a name ("").
     """
     text = ""
     try:
@@ -183,13 +183,13 @@ def blank_readings(measured: Mapping[str, Measuring]) -> str:
 
 
 def measuring_page(name: str, measuring: Measuring) -> Drawing:
-    """Return a page with the bent strip, positions to measure, expected values, and causes of differences."""
+    """Return a page with the bent strip, places to measure, expected values, and causes of differences."""
     position = np.array(measuring.shape)
     x, y = position[-1] - position[0]
-    position = position @ (np.array([[x, -y], [y, x]]) / np.hypot(x, y))  # rotate the chord to level
+    position = position @ (np.array([[x, -y], [y, x]]) / np.hypot(x, y))  # turn the chord level
     heights = heights_of_marks(position)
     if heights[np.abs(heights).argmax()] < 0:
-        position = -position  # turn the picture, so that positive heights are above the chord
+        position = -position  # turn the picture: positive heights are above the chord
     low, high = position.min(axis=0), position.max(axis=0)
     scale = float(np.min([WIDE_MM, HIGH_MM] / np.maximum(high - low, [WIDE_MM, HIGH_MM])))
     points = (position - [low[0], low[1]]) * scale

@@ -48,7 +48,7 @@ def report_model(
     held : mapping
         Shapes of the strips as cut and held, by name. Without them, the report has no quantities to measure.
     entries : sequence of StripEntry
-        Entries of the strips in the design; the report contains the deviations from their curves.
+        Entries of the strips in the design. The report gives the deviations from their curves.
     """
     require_record(model, Model, "the model", "a Model")
     require_record(cut_list, CutList, "the cut list", "a CutList, as model.cut_list() makes one")
@@ -172,7 +172,7 @@ def compose_start_page(
     notes : sequence of str
         Messages to read before cutting.
     files : mapping
-        Description of each file, by its name with / between folders. Pictures are displayed.
+        Description of each file, by its path with /. Pictures are displayed.
 
     Examples
     --------

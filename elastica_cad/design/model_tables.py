@@ -39,7 +39,7 @@ class _Holder:
 
 @dataclass(frozen=True, kw_only=True)
 class Stand(_Holder):
-    """The simplest of the other holders that holds all tabs."""
+    """The simplest holder that holds all tabs: a plate, rings, a frame or blocks."""
 
     sheet: Annotated[Sheet, Option("Sheet of the plates.")]
     thickness: Annotated[
@@ -53,7 +53,7 @@ class Stand(_Holder):
 
 @dataclass(frozen=True, kw_only=True)
 class NamedStand(Stand):
-    """The simplest of the other holders that holds all tabs."""
+    """The simplest holder that holds all tabs, with a name."""
 
     name: Annotated[str | None, Option("Name of its plates.")] = None
 
@@ -108,7 +108,7 @@ class Fixtures(_Holder):
 HOLDERS: dict[HolderKind, Record] = {
     "base": Base, "rings": Rings, "frame": FrameOfPlates, "fixtures": Fixtures, "stand": NamedStand,
 }  # fmt: skip
-"""Record class of each kind of holder, in the order in which kits contain them."""
+"""Record class of each kind of holder, in the order of a kit."""
 
 
 @dataclass(frozen=True)
@@ -133,7 +133,7 @@ class RepeatPattern:
 
 
 PATTERNS: dict[str, Record] = {"mirror": mirror, "rotate": rotate, "repeat": repeat}
-"""Function of each pattern; the keys of a pattern's table are the options of its function."""
+"""Function of each pattern. Its options are the keys of the pattern's table."""
 
 
 @dataclass(frozen=True)
@@ -228,9 +228,9 @@ def _read_holders(top: Table, reader: Reader, nesting: Nesting) -> Iterator[Hold
 
 
 def _read_holder(kind: HolderKind, table: Table, number: int, reader: Reader, nesting: Nesting) -> HolderSpec:
-    """Return the request for a holder. In a list of holders, the default name has a number."""
+    """Return the request for a holder. In a list of holders, default names are numbered."""
     options = reader.given(HOLDERS[kind], table)
-    options.pop("thickness", None)  # the sheet already has this thickness
+    options.pop("thickness", None)  # the sheet has this thickness already
     strips, sheet = options.pop("strips", "*"), options.pop("sheet", None)
     laid = {key: options.pop(key) for key in ("sheet_size", "margin") if key in options}
     if number and kind in ("base", "rings"):

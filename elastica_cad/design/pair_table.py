@@ -19,7 +19,7 @@ from elastica_cad.pairs.flexure_spec import FlexureSpec
 def read_pair(
     path: Path, read_curves: CurveReader, changes: Mapping[str, Any] = MappingProxyType({})
 ) -> FlexureSpec:
-    """Read the request for a two-state part from the table [pair]; `changes` replace values of keys."""
+    """Read the request for a two-state part from the table [pair]. `changes` has new values for keys."""
     path = require_file(path)
     table = parse_design(path)
     changed = merged(table, {"pair": changes}) if changes else table
@@ -27,13 +27,13 @@ def read_pair(
 
 
 def read_cutting(path: Path, changes: Mapping[str, Any]) -> Cutting:
-    """Read the options of cutting files from a design file; `changes` replace values of keys."""
+    """Read the options of cutting files from a design file. `changes` has new values for keys."""
     table = parse_design(require_file(path))
     return cutting_of(merged(table, {"cut": changes}), str(path))
 
 
 def cutting_of(data: Mapping[str, Any], where: str = "") -> Cutting:
-    """Make the options of cutting files from the table [cut] of parsed tables."""
+    """Make the options of cutting files from the table [cut] of parsed tables. `where` is their file."""
     cutting: Cutting = Reader().record(Cutting, Table(data, where, {}).table("cut"))
     return cutting
 

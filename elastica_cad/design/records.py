@@ -35,7 +35,7 @@ from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.styles import Plain, Style
 
 CurveReader = Callable[..., list[PlaneCurve]]
-"""Type of functions `read_curves(path, unit=...)`."""
+"""Function `read_curves(path, unit=...)`."""
 
 Range = tuple[float, float]
 
@@ -100,7 +100,7 @@ def _drawn_blank(
 
 
 def _limits(strain: bool | float | None = None, *, sheet: Sheet | None, **limits: Any) -> Limits:
-    """Return the limits of a strip; `strain` True is the strain limit of the sheet."""
+    """Return the limits of a strip; if `strain` is True, the strain limit is that of the sheet."""
     limit = None if isinstance(strain, bool) else strain
     return Limits(sheet=sheet if strain else None, strain=limit, **limits)
 
@@ -115,7 +115,7 @@ BY_KIND: dict[Record, dict[str, Record]] = {
     Element: {"rail": Rail, "pin": Pin, "tie": Tie},
     BoundedLaw: {"thickness": _thickness, "rod": _rod, "tube": _tube, "leaves": _leaves},
 }
-"""For a family of records, the record for each value of the key `kind`; the first record is the default."""
+"""Records of each family by the value of the key `kind`. The first is the default."""
 
 MAKERS: dict[Record, Callable[..., Any]] = {Limits: _limits, Cutting: _cutting}
 """Functions that make certain records from their tables."""
@@ -126,11 +126,11 @@ WRITTEN: dict[Record, Kind] = {
     Supports: kind_of(tuple[EndName, EndName]),
     RestCurvature: Kind("either", (kind_of(_blank), kind_of(_drawn_blank))),
 }
-"""Form in a file of records that are not written as a table of their fields; see `reads`."""
+"""How records are written in a file, if not as a table of their fields: see `reads`."""
 
 
 def written(kind: Kind) -> Kind:
-    """Return the kind of a value in a file: for a record, all forms in which it may be written."""
+    """Return the kind of a value as it is written in a file; for a record, all its written forms."""
     if kind.name == "either":
         alternatives = [alternative for inner in kind.of for alternative in written(inner).alternatives]
         return Kind("either", tuple(dict.fromkeys(alternatives)))
@@ -144,8 +144,8 @@ def written(kind: Kind) -> Kind:
 def fields_of(record: Record) -> tuple[Field, ...]:
     """Return the fields of a table: its declared fields, and the fields of a record that it also accepts.
 
-    A class of keys sets this other record as `BESIDE`, and the excluded fields as `WITHOUT`. If keys and
-    fields have different names, its function `FIELDS` returns the fields by key.
+    A class of keys names the other record as `BESIDE`, and fields to exclude as `WITHOUT`. If keys and fields
+    have different names, its function `FIELDS` returns the fields by key.
     """
     if (renamed := getattr(record, "FIELDS", None)) is not None:
         return tuple(replace(entry, name=key) for key, entry in renamed().items())
@@ -191,7 +191,10 @@ class Reader:
     sheet: Sheet | None = None
 
     def record(self, record: Record, table: Table) -> Any:
-        """Make the record that a table describes. For families in `BY_KIND`, the key `kind` selects the record."""
+        """Make the record that a table describes.
+
+        In a family of `BY_KIND`, the key `kind` selects the record.
+        """
         if record in BY_KIND:
             kinds = BY_KIND[record]
             record = kinds[table.text("kind", next(iter(kinds)), tuple(kinds))]
@@ -204,7 +207,7 @@ class Reader:
             return make(**values)
 
     def given(self, record: Record, table: Table) -> dict[str, Any]:
-        """Return the values in a table by the names of their fields. Unknown and missing keys are refused."""
+        """Return the values in a table by field. Raise InputError for unknown and missing keys."""
         table.only(*names_of(record))
         values = {}
         for entry in fields_of(record):
@@ -265,7 +268,10 @@ class Reader:
 
 
 def _best_kind(kinds: tuple[Kind, ...], value: object) -> Kind:
-    """Return the kind that fits a value best, or a kind that refuses the value."""
+    """Return the kind that fits a value best.
+
+    If none fits, reading the value as this kind raises the error.
+    """
     fitting = [kind for kind in kinds if _fits(kind, value)]
     if isinstance(value, Mapping):
         return max(fitting, key=lambda kind: _key_score(kind, value), default=kinds[-1])
@@ -303,9 +309,9 @@ def _key_score(kind: Kind, table: Mapping[str, Any]) -> int:
 
 
 def _read_sheet(reader: Reader, table: Table, key: str) -> Sheet:
-    """Return the sheet of the file or the known sheet that a key names.
+    """Return the sheet that a key names: a sheet of the file, or a known sheet.
 
-    If the key is `sheet`, the key `thickness` of the same table sets the thickness.
+    With the key `sheet`, the key `thickness` of the same table sets the thickness.
     """
     name = table.text(key)
     with table.naming(key):
@@ -334,11 +340,11 @@ _SPECIAL: dict[Record, Callable[[Reader, Table, str], Any]] = {
     RestCurvature: _read_blank,
     Formula: _read_formula,
 }
-"""Functions that read records in a form other than a table of their fields."""
+"""Functions that read records which are not written as a table of their fields."""
 
 
 def reads(record: Record, kind: Kind, read: Callable[[Reader, Table, str], Any]) -> None:
-    """Register that records of a class are written as `kind` in a file, and are read by the function `read`."""
+    """Register that records of a class are written as `kind`, and read by the function `read`."""
     WRITTEN[record], _SPECIAL[record] = kind, read
 
 
@@ -361,12 +367,7 @@ def parsed_line(line: str, where: str, example: str = "") -> dict[str, Any]:
 def title(record: Record) -> str:
     """Return the name of a record's table in the manual and schema.
 
-    If a key `kind` selects the record from a family, the name consists of the family and the value of `kind`.
-
-    Examples
-    --------
-    >>> title(Limits), title(Perforated)
-    ('limits', 'style perforated')
+    If a key `kind` selects the record from a family, the name is the family and the value of `kind`.
     """
     word = word_of(record)
     kinds = next((name_of(base) for base, kinds in BY_KIND.items() if record in kinds.values()), "")
@@ -376,9 +377,9 @@ def title(record: Record) -> str:
 def described(record: Record) -> list[dict[str, Any]]:
     """Return the fields of a table as plain JSON, for forms and editors.
 
-    Each field has name, help, unit, least, most, group, common, required, and its default if it is plain. Its
-    type is `kind`, with `choices`, `size`, `of` (elements or alternatives) or the `fields` of a table. `word`
-    is the value of the key `kind` that selects a table.
+    Each field has name, help, unit, least, most, group, common, required, and a plain default. Its type is
+    `kind`, with `choices`, `size`, `of` (elements or alternatives) or the `fields` of a table. `word` is the
+    value of the key `kind` that selects the table.
 
     Examples
     --------
@@ -418,7 +419,7 @@ def _plain_kind(kind: Kind) -> dict[str, Any]:
 
 
 def _plain_default(value: Any) -> Any:
-    """Return a default value as plain JSON, or None for a record, whose fields have their own defaults."""
+    """Return a default value as plain JSON, or None for a record, whose fields have defaults themselves."""
     if isinstance(value, tuple):
         plain = [_plain_default(item) for item in value]
         return None if None in plain else plain
@@ -427,7 +428,7 @@ def _plain_default(value: Any) -> Any:
 
 @cache
 def paths_of(record: Record) -> Mapping[str, Field]:
-    """Return all keys of a record by their dotted paths. In a path, a list of tables is written as a table.
+    """Return all keys of a record by their dotted paths. Tables in a list have the path of a single table.
 
     Examples
     --------
@@ -498,7 +499,7 @@ def require_path_of(path: str, record: Record) -> Field:
 
 
 def near_path(path: str, known: Iterable[str]) -> str:
-    """Return the known path that was probably meant: with the same last name, else by spelling, else ""."""
+    """Return the known path that was probably meant: one with the same last name or similar spelling, or ""."""
     ends = {known_path.rpartition(".")[2]: known_path for known_path in reversed(list(known))}
     last = path.rpartition(".")[2]
     near = near_names(path, known) or near_names(last, ends)

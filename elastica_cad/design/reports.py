@@ -30,7 +30,7 @@ from elastica_cad.strip.measuring import Measuring
 from elastica_cad.strip.strip import Strip
 
 STATIONS = 201
-"""Number of stations, uniform in arc length, at which a varying natural curvature is reported."""
+"""Number of evenly spaced stations at which a varying natural curvature is reported."""
 
 
 def report_blank(strip: Strip) -> dict[str, Any] | None:
@@ -52,10 +52,10 @@ def report_blank(strip: Strip) -> dict[str, Any] | None:
 
 
 def pre_bend_message(strip: Strip) -> str:
-    """Return an instruction for pre-bending the strip, without a full stop. It is empty for a flat strip.
+    """Return an instruction for pre-bending the strip, without a full stop; empty for a flat strip.
 
-    The instruction states the direction relative to the final bend. Left and right are not defined by the
-    faces, because equal pieces may be turned over to save a part.
+    The direction is given relative to the final bend. The faces do not define it, because equal pieces may be
+    turned over.
     """
     rod = strip.rod
     rest = np.broadcast_to(np.asarray(rod.natural_curvature, dtype=float), rod.s.shape)
@@ -124,7 +124,7 @@ def report_strip(
     files : dict
         File name for each kind of file (dxf, svg, ...).
     near : NearestRod, optional
-        Nearest rod, for its deviation from the drawn curve and the binding limits.
+        Nearest rod, to report its deviation from the drawn curve and the limits that prevent a nearer one.
     stability : Stability, optional
         Stability of the rest shape.
     smoothing : Smoothing, optional
@@ -206,7 +206,7 @@ def report_sideways(verdict: SidewaysStability) -> dict[str, Any]:
 
 
 def _between(strip: Strip) -> list[dict[str, Any]]:
-    """Return rails, pins, ties and point forces with stations (mm) and forces on the strip (N).
+    """Return rails, pins, ties and point forces with positions (mm) and forces on the strip (N).
 
     A tie has its length (mm) and its pull (N). `moved_per_mm` is the largest displacement of the strip,
     mm, per mm of error in the position of a rail or pin, or in the length of a tie.
@@ -263,7 +263,7 @@ def report_reactions(reactions: Reactions) -> dict[str, Any]:
 
 
 def _layers(strip: Strip) -> list[dict[str, Any]]:
-    """Return the layers, the base before the backing, with the largest thickness of a planed or turned strip."""
+    """Return the layers, the base before the backing. A planed or turned strip has its largest thickness."""
     worked = strip.layout.worked_size
     return [
         {
@@ -370,7 +370,7 @@ def _ends(strip: Strip) -> dict[str, Any] | None:
 def _held(strip: Strip) -> dict[str, Any] | None:
     """Return the shape of the strip as cut, with its ends held as designed.
 
-    Return None for a strip with rails, pins, ties or point forces, or if no shape near the design is found.
+    Return None if no shape near the design is found, or with rails, pins, ties or point forces.
     """
     if strip.rod.acting:
         return None
@@ -383,7 +383,7 @@ def _held(strip: Strip) -> dict[str, Any] | None:
 def report_measuring(strip: Strip) -> dict[str, Any] | None:
     """Return measurable quantities for `elastica compare`.
 
-    Return None for a closed strip, a strip with rails, pins, ties or point forces, and if there is no rest shape.
+    Return None for a closed strip, without a rest shape, or with rails, pins, ties or point forces.
     """
     if strip.is_closed or strip.rod.acting:
         return None

@@ -24,7 +24,7 @@ from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimit
 Pair: TypeAlias = tuple[float, float]
 
 NEAR_MM = 1e-3
-"""A meridian nearer than this, mm, to its points passes through them, because no cut is as exact."""
+"""A meridian passes through its points if it is nearer than this, mm; no cut is as exact."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class RevolutionTable:
 
     @cached_property
     def meridian(self) -> Meridian:
-        """The meridian, which the table defines in exactly one of several forms."""
+        """The meridian, from points, a profile or an equation."""
         ways = [form for form in ("points", "curve", "a") if getattr(self, form) not in (None, ())]
         if len(ways) != 1:
             raise InputError(
@@ -128,7 +128,7 @@ class RevolutionTable:
 
     @property
     def reports(self) -> tuple[str, ...]:
-        """Messages on an assumed axis, and on the distance of the meridian from its points, if any."""
+        """Messages on an assumed axis, and on a meridian that deviates from its points."""
         reports = []
         if self.curve is not None and self.axis is None and self.axis_x is None:
             width = Length(2 * float(self.meridian.curve.bounds[1, 0]))
@@ -150,7 +150,7 @@ EQUATION_KEYS = ("a", "b", "start", "angle", "length")
 """Keys of a meridian that is defined by its equation."""
 
 INHERITED = ("sheet", "thickness", "ends", "shop", "ignore_limits")
-"""Keys whose default values are those at the top of the design file."""
+"""Keys whose defaults are those at the top of the design file."""
 
 
 def read_revolution(table: Table, reader: Reader) -> RevolutionTable:

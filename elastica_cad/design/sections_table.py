@@ -67,13 +67,13 @@ class SectionsTable:
 
 
 POSITION_KEYS = {"radial": "angles", "parallel": "offsets"}
-"""Keys that set the positions of the planes instead of their number."""
+"""Keys that set the positions of planes instead of their number."""
 
 
 def read_sections(
     table: Table, reader: Reader, read_surface: SurfaceReader | None
 ) -> tuple[tuple[SectionCurve, ...], tuple[str, ...]]:
-    """Return the curves of the sections that a table requests, each with its plane, and messages.
+    """Return the section curves that a table requests, with their planes, and messages.
 
     Raises
     ------
@@ -113,7 +113,7 @@ def compose_section_design(
     name : str
         Name of the model.
     mesh : mapping
-        Keys of the surface: the file as `mesh`, and unit and scale if they are given.
+        Keys of the surface: `mesh` is the file; `unit` and `scale` are optional.
     sections : SectionSpec
     strips : mapping
         Keys of all strips: sheet, max_width, limits, etc.
@@ -140,7 +140,7 @@ def compose_section_design(
 
 
 def _section_keys(spec: SectionSpec) -> dict[str, Any]:
-    """Return the keys of the table `sections` without default values, except for tolerance and planes."""
+    """Return the keys of the table `sections`. Default values are omitted, except tolerance and planes."""
     keys: dict[str, Any] = {"tolerance": spec.tolerance}
     keys |= {"wavelength": spec.wavelength} if spec.wavelength else {}
     keys |= {} if spec.half is None else {"half": spec.half}
@@ -180,6 +180,6 @@ def _split_keys(split: Split) -> dict[str, Any]:
 
 
 def _formula_in_degrees(angle: float) -> str:
-    """Return an angle in rad as a formula in degrees, so that the rounding of pi is not in the file."""
-    # rounding removes errors of the conversion
+    """Return an angle in rad as a formula in degrees, so that the file has no rounded multiples of pi."""
+    # removes rounding errors of the conversion
     return f"{float(np.round(np.degrees(angle), 10))!r} * degrees"

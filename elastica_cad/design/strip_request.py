@@ -1,4 +1,4 @@
-"""JSON record in the report of a finished strip, from which the same strip can be made again."""
+"""JSON record in the report of a finished strip, from which the strip can be made again."""
 
 import json
 from collections.abc import Mapping
@@ -48,15 +48,15 @@ RECORDS = {
 """Record classes in a request, by their names in a report."""
 
 SOLVED = ("curve", "frame", "limits", "keep", "smooth", "straight_ends", "seam_position", "ignore_limits")
-"""Fields of `StripSpec` that have no effect on a finished strip."""
+"""Fields of `StripSpec` without effect on a finished strip."""
 
 STIFFNESS_TOLERANCE = 1e-6
-"""Relative difference of stiffnesses below which they count as equal."""
+"""Relative difference below which two stiffnesses count as equal."""
 
 
 @dataclass(frozen=True, eq=False)
 class FinishedStrip:
-    """A finished strip: its stiffness, and the request from which it was made, with its rest shape as the curve.
+    """A finished strip: its stiffness, and its request, in which the curve is its rest shape.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class FinishedStrip:
     bending_stiffness : float
         Least bending stiffness, N mm2.
     designed : StripSpec, optional
-        Request in the report, if `spec` was changed.
+        Original request of the report, if `spec` was changed.
     """
 
     spec: StripSpec
@@ -91,8 +91,8 @@ class FinishedStrip:
     def changed(self, **fields: Any) -> "FinishedStrip":
         """Return the strip with other values of some fields of its request. Its stiffness is unchanged.
 
-        A new width replaces both widths. A new law replaces widths and style, which in turn replace a law. A
-        strip without gravity has no loads.
+        A new width replaces both widths. A new law replaces widths, style, slots and the shape of tabs; new
+        widths or a new style replace a law. Without gravity, loads are removed.
         """
         sheet, law = fields.get("sheet"), self.spec.law
         sized = {"max_width", "min_width", "style"} & set(fields)
@@ -120,12 +120,12 @@ class FinishedStrip:
         """Make the strip again, with the stiffness in the report."""
         spec, designed = self.spec, self.designed or self.spec
         rod_spec = spec.rod_spec
-        # plies have a piecewise constant stiffness, which the solver of other rods does not return
+        # the stiffness of plies is piecewise constant, unlike that of other rods
         laid = isinstance(rod_spec.section, LaidLeaves)
-        # a law and the layers of a heavy laminate determine weight and size
+        # a section law, or the layers of a laminate with weight, determine weight and size
         solved = spec if spec.law is not None or rod_spec.layers is not None else designed
         rod = solve_rod(replace(solved.rod_spec, section=None if laid else solved.rod_spec.section))
-        assert isinstance(rod, Rod)  # without limits, the result is not a NearestRod
+        assert isinstance(rod, Rod)  # without limits, it is not a NearestRod
         if not np.allclose(rod.stiffness, self.stiffness(rod.s), rtol=STIFFNESS_TOLERANCE):
             rod = rod.with_stiffness(self.stiffness)
         scale = self.bending_stiffness
@@ -143,7 +143,7 @@ class FinishedStrip:
             )  # fmt: skip
         if rod.bending_stiffness is not None or rod.weight is not None or laid:
             rod = replace(rod, section=rod_spec.section, bending_stiffness=scale)
-            # the stiffness determines the widths, and thus the largest width
+            # the stiffness determines all widths, and so the largest
             if isinstance(spec.style, Plain) and spec.law is None:
                 widest = scale * rod.profile.extremes[1] / PlainSection(spec.material).rigidity
                 spec = spec.changed(max_width=(1 + STIFFNESS_TOLERANCE) * widest, min_width=None)
@@ -151,7 +151,7 @@ class FinishedStrip:
 
 
 def _unloaded_stiffness(spec: StripSpec, rod: Rod) -> float:
-    """Return the least bending stiffness, N mm2, of the requested strip without loads."""
+    """Return the least bending stiffness, N mm2, that the requested strip has without loads."""
     unloaded = replace(rod, gravity=None, weight=None, section=None, bending_stiffness=None)
     return spec.changed(gravity=False, loads=(), compensate=False).make(unloaded).bending_stiffness
 
@@ -162,14 +162,14 @@ def read_request(path: Path) -> Any:
         return None
     try:
         data = json.loads(path.read_bytes())
-    # the reader of curves reports this error later
+    # the reader of curves reports the error later
     except (OSError, ValueError, RecursionError):
         return None
     return data.get("request") if isinstance(data, dict) else None
 
 
 def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
-    """Return the request for a finished strip as plain data for JSON, with its rest shape as the curve."""
+    """Return the request for a finished strip as plain data for JSON. The curve is its rest shape."""
     plane = spec.in_plane
     values = {field.name: getattr(plane, field.name) for field in fields(plane) if field.name not in SOLVED}
     rod = strip.rod
@@ -184,7 +184,7 @@ def request_record(spec: StripSpec, strip: Strip) -> dict[str, Any]:
 
 
 def _placed_loads(spec: StripSpec, rod: Rod) -> Loads:
-    """Return the loads in the plane of the curve, with point forces at their stations on the rest shape."""
+    """Return the loads in the plane of the curve. Point forces are at stations of the rest shape."""
     loads, forces = spec.in_plane.loads, iter(rod.point_forces)
     if isinstance(loads, Weight):
         return loads

@@ -97,7 +97,7 @@ class StripEntry:
     spec : StripSpec
         Request for the strip.
     section : str
-        Name of the section that the strip follows, with the start of its curve, or "".
+        Name of the section that the strip follows, with the position of its start, or "".
     off_section : float
         Largest distance, mm, between the points of the section and the curve.
     """
@@ -135,7 +135,7 @@ class StripEntry:
 def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve | None" = None) -> StripEntry:
     """Read the strip that a table in [[strips]] requests.
 
-    If `section` is given, it provides the curve and the plane.
+    Curve and plane are those of `section`, if given.
     """
     frame = _plane(reader, table) if section is None else section.frame
     values = read_fields(table, reader) | {"label": label}
@@ -151,7 +151,7 @@ def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve 
 
 
 def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
-    """Return the fields of `StripSpec` that a table gives, except its curve and plane."""
+    """Return the fields of `StripSpec` in a table, except curve and plane."""
     known = {entry.name: entry for entry in fields_of(StripSpec) if entry.name != "curve"}
     if not table.has("sheet"):
         raise InputError(
@@ -168,9 +168,8 @@ def read_fields(table: Table, reader: Reader) -> dict[str, Any]:
 def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame | None = None) -> StripSpec:
     """Make the request for a strip from a table and a curve.
 
-    The plane is read from the table unless `frame` is given.
-
-    If there is no plane in space, gravity acts along -y of the drawing.
+    The plane is `frame` or, by default, read from the table. Without a plane in space, gravity acts along -y
+    of the drawing.
     """
     values = read_fields(table, reader)
     direction = values.get("gravity")
@@ -181,7 +180,7 @@ def read_request(table: Table, reader: Reader, curve: PlaneCurve, frame: Frame |
 
 
 def _with_length(table: Table, curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with the length that the table sets, scaled about the start."""
+    """Return the curve, scaled about its start to the length that the table sets."""
     length = table.maybe("length")
     if length is None:
         return curve
@@ -201,16 +200,16 @@ def _spec(table: Table, curve: PlaneCurve, frame: Frame | None, values: Mapping[
 
 
 TIE_KEYS = {"between": ("start", "end"), "loads": ("at",)}
-"""For the lists `between` and `loads` of a strip: names of the keys with positions of ties and loads."""
+"""Keys with positions of ties and loads, by the list that contains the tie or load."""
 
 PLACE_DIGITS = 6
 
 
 def scaled_places(table: Mapping[str, Any], factor: float) -> dict[str, list[dict[str, Any]]]:
-    """Return the lists `between` and `loads` of a table, with scaled positions (mm) of ties and loads.
+    """Return the lists `between` and `loads` of a table for a curve that is longer by a factor.
 
-    If a curve changes its length by this factor, the positions of ties and loads, as fractions of the
-    length, do not change. Positions given as points, and positions of rails and pins, are unchanged.
+    Positions (mm) of ties and loads are scaled, so that they stay the same fractions of the length. Points,
+    and positions of rails and pins, are unchanged.
 
     Examples
     --------

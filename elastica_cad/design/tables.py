@@ -1,4 +1,4 @@
-"""Tables of a design file: access to values by key, evaluation of formulae, and refusal of unknown keys."""
+"""Tables of a design file: access to values, evaluation of formulae, and errors about unknown keys."""
 
 import ast
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -19,10 +19,10 @@ from elastica_cad.refusals import Refusal, note, sentences
 Value: TypeAlias = "float | FloatArray"
 
 MOST_LETTERS = 2000
-"""Largest number of characters in a formula; longer formulae can be split with `let`."""
+"""Largest number of characters in a formula. A longer one can be split with `let`."""
 
 LARGEST_RESULT = 1e300
-"""Largest result of a formula. It is below the largest float, so that the sum of a few results is finite."""
+"""Largest result of a formula. The sum of a few such results is still finite."""
 
 MOST_NESTED = 60
 """Largest depth of nested brackets, signs and operators, below the limit of Python's parser."""
@@ -38,7 +38,7 @@ FUNCTIONS: dict[str, tuple[Callable[..., Value], int]] = {
     "floor": (np.floor, 1), "sign": (np.sign, 1), "min": (np.minimum, 2), "max": (np.maximum, 2),
     "where": (np.where, 3),
 }  # fmt: skip
-"""Functions in formulae with the number of their arguments. where(condition, a, b) is a if the condition is
+"""Functions in formulae, and their numbers of arguments. where(condition, a, b) is a if the condition is
 true, else b.
 """
 
@@ -153,7 +153,7 @@ _Parsed: TypeAlias = tuple[ast.expr, tuple[ast.Name, ...]]
 
 @lru_cache(maxsize=256)
 def _parsed(text: str) -> _Parsed:
-    """Return the syntax tree of a formula and its names, cached because many strips have equal formulae."""
+    """Return the syntax tree of a formula and its names, cached because many strips have the same formulae."""
     tree = ast.parse(text.strip(), mode="eval").body
     return tree, tuple(node for node in ast.walk(tree) if isinstance(node, ast.Name))
 
@@ -230,11 +230,11 @@ MOST_COUNTED = 10_000
 MOST_LISTED = 5
 """Largest number of errors of a file that are listed.
 
-Further errors are counted, because a single mistake often causes many.
+Further errors are only counted, because one mistake often causes many.
 """
 
 LONGEST_LIST = 800
-"""Length of the list of errors, in characters, after which no further error is listed."""
+"""Length, in characters, after which a list of errors ends."""
 
 LONGEST_KEY = 60
 """Number of characters of an unknown key that a message shows."""
@@ -242,7 +242,7 @@ LONGEST_KEY = 60
 OTHER_WORDS = {
     "file": "curve", "path": "curve", "material": "sheet", "pages": "extras.pages", "paper": "extras.pages",
 }  # fmt: skip
-"""Words that users may write instead of a key, although their spelling differs, with the correct key."""
+"""Words that users may write instead of a key, though spelled differently, and the correct key."""
 
 _AXES = {2: "[x, y]", 3: "[x, y, z]"}
 _COUNTS = {None: "", 2: "two ", 4: "four "}
@@ -269,7 +269,7 @@ def _compute_number(value: object, where: str, scope: Mapping[str, Value]) -> fl
 
 
 def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a table updated with the values of another table, recursively."""
+    """Return a table with values replaced by those of another table, recursively."""
     result = dict(table)
     for key, value in others.items():
         inner = result.get(key)
@@ -278,13 +278,13 @@ def merged(table: Mapping[str, Any], others: Mapping[str, Any]) -> dict[str, Any
 
 
 class Slips:
-    """Errors in a file, collected from its parts so that they are reported together."""
+    """Errors of a file, collected to be reported together."""
 
     def __init__(self) -> None:
         self._texts: dict[str, str] = {}
 
     def add(self, sentence: str, where: str = "") -> None:
-        """Add an error, unless the same error occurred at another position."""
+        """Add an error. The same error at another position is not added."""
         self._texts.setdefault(sentence.removeprefix(where), sentence)
 
     @contextmanager
@@ -297,7 +297,7 @@ class Slips:
 
     @property
     def text(self) -> str:
-        """Sentences for the leading errors and the number of further errors; empty without errors."""
+        """Sentences for the first errors and the number of further errors; empty without errors."""
         listed: list[str] = []
         for sentence in list(self._texts.values())[:MOST_LISTED]:
             if listed and sum(map(len, [*listed, sentence])) > LONGEST_LIST:
@@ -328,7 +328,7 @@ class Table:
     scope : mapping
         Values of the names that formulae may use.
     defaults : Table, optional
-        Table that provides keys that are missing in `data`.
+        Table with the values of keys that are missing in `data`.
     """
 
     def __init__(
@@ -344,7 +344,7 @@ class Table:
         self.defaults = defaults
 
     def only(self, *keys: str) -> "Table":
-        """Return this table, and refuse it if it has a key that is not in `keys`."""
+        """Return this table. Raise InputError if it has a key other than `keys`."""
         slips = Slips()
         for key in self.data:
             if key not in keys:
@@ -368,7 +368,7 @@ class Table:
 
     @contextmanager
     def naming(self, key: str | None = None) -> Iterator[None]:
-        """Add the name of this table or of `key` to errors of the `with` block that do not have a position."""
+        """Add the name of this table or of `key` to errors of the `with` block that state no position."""
         try:
             yield
         except InputError as error:
@@ -381,7 +381,7 @@ class Table:
             raise InputError(why, kind=why.kind) from error
 
     def raw(self, key: str, default: Any = None) -> Any:
-        """Return the parsed value of a key, in this table or else in `defaults`."""
+        """Return the parsed value of a key in this table or, if missing, in `defaults`."""
         if key in self.data:
             return self.data[key]
         return default if self.defaults is None else self.defaults.raw(key, default)
@@ -458,7 +458,7 @@ class Table:
         return [numbered.vector(name, size) for name in numbered.data]
 
     def text(self, key: str, default: str | None = None, choices: Sequence[str] = ()) -> str:
-        """Return a string, and refuse it if `choices` are given and do not contain it."""
+        """Return a string. Raise InputError if it is not among `choices`, if any are given."""
         value = self.raw(key, default)
         if not isinstance(value, str):
             raise InputError(
@@ -496,7 +496,7 @@ class Table:
         return [Table(row, f"{self.place(key)}[{i}]", self.scope) for i, row in enumerate(value, start=1)]
 
     def within(self, let: object) -> dict[str, Value]:
-        """Return the scope extended by further names. The formula of a name may use earlier names."""
+        """Return the scope with the further names in `let`. The formula of a name may use earlier names."""
         scope = dict(self.scope)
         for name, value in Table(let, self.place("let"), scope).data.items():
             if not name.isidentifier():

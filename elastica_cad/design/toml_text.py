@@ -11,7 +11,7 @@ from typing import Any
 def toml_text(table: Mapping[str, Any]) -> str:
     """Return a table as TOML.
 
-    A list of tables is written as [[NAME]], a table in them as [NAME.KEY], other values inline.
+    A list of tables becomes [[NAME]], a table inside it [NAME.KEY]; other values are written inline.
 
     Examples
     --------
@@ -63,5 +63,5 @@ def seen_from(path: str | Path, folder: Path) -> str:
     """Return the path of a file relative to a folder, or its absolute path on another drive."""
     try:
         return Path(os.path.relpath(path, folder)).as_posix()
-    except ValueError:  # relative paths between drives do not exist
+    except ValueError:  # there is no relative path between drives
         return Path(path).resolve().as_posix()

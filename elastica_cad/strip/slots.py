@@ -90,7 +90,7 @@ class Slot:
         float | None, Option("Depth from the edge; by default to the centre line.", "mm", above=0)
     ] = None
     side: Annotated[Side, Option("Edge at which the slot opens.")] = "upper"
-    lean: Annotated[float, Option("Angle to the ruling of the strip.", "rad")] = 0.0
+    lean: Annotated[float, Option("Angle to the direction across the strip.", "rad")] = 0.0
     relief: Annotated[Relief, Option("Shape of the inner end.")] = "square"
     mate: Annotated[str, Option("Name of the inserted part, engraved beside the slot.")] = ""
     path: FloatArray | None = None
