@@ -21,7 +21,7 @@ from elastica_cad.strip.drawing import Drawing
 
 @dataclass(frozen=True, eq=False)
 class Kit:
-    """Files that can be written, and the content of the report file among them."""
+    """Files to be written, and the content of the report file among them."""
 
     files: tuple[File, ...]
     report: dict[str, Any]
@@ -51,7 +51,7 @@ def can_draw() -> bool:
 def left_out(
     *, step: bool = True, pictures: bool = True, paper: bool = False, blocks: Sequence[str] = ()
 ) -> tuple[str, ...]:
-    """Return a sentence for each missing package: the files that it would write, and how to install it.
+    """Return a sentence for each missing package: the files it is needed for, and how to install it.
 
     `blocks` are the names of printed blocks.
     """
@@ -65,7 +65,10 @@ def left_out(
 def cutting_files(
     drawing: Drawing, stem: str, cutting: Cutting, sheet: Sheet, description: str = ""
 ) -> tuple[File, ...]:
-    """Return the DXF and SVG files of each part of a drawing. File names of parts after the first are numbered."""
+    """Return the DXF and SVG files of each part of a drawing.
+
+    File names are numbered from the second part on.
+    """
     options = cutting.options(sheet)
     return tuple(
         File(

@@ -51,15 +51,17 @@ class KitContents:
     entries: tuple[StripEntry, ...] = ()
     """Entries of the design file from which the strips were made; empty without a design file."""
     held: dict[str, HeldShape] = field(default_factory=dict)
-    """Shape of each finished strip in its holders, by name; empty if it was not requested."""
+    """Shape of each finished strip in its holders, by name; empty if not requested."""
     notes: tuple[str, ...] = ()
-    """Notes on holders, on strips that rock or have no rest shape, and on parts that cannot be cut."""
+    """Notes on holders, on strips that rock in them or have no rest shape, and on parts that cannot be
+    cut."""
     deviations: dict[str, float] = field(default_factory=dict)
-    """Largest distance, mm, of each part from its drawn curve, by name, where the curve may change."""
+    """Largest distance, mm, of each part from its drawn curve, by name, if the curve was allowed to
+    change."""
 
     @cached_property
     def cut_list(self) -> CutList:
-        """List of all parts to be cut. The list is cached, because the search for parts of equal shape is slow."""
+        """List of all parts to be cut. It is cached, because the search for equal shapes is slow."""
         listed = cut_list((*self.pieces, *self.blocks))
         return replace(listed, stock=(*_sheets_to_buy(self.nests), *_rods_to_buy(self.pieces, self.spec)))
 
@@ -98,9 +100,9 @@ def kit_contents(
     spec : KitSpec, optional
         Request for additional parts of the kit. By default there are only the nested sheets.
     entries : sequence of StripEntry
-        Entries of the design file from which the strips were made. The report lists the deviations from them.
+        Entries of the design file from which the strips were made, for the deviations from their curves.
     effects : bool
-        If True, the shape of every finished strip in its holders is computed, with its deviation.
+        If True, compute the shape of every finished strip in its holders, and its deviation.
     """
     spec = spec or KitSpec()
     requests = {entry.label: entry.spec for entry in entries}
@@ -119,7 +121,7 @@ def kit_contents(
     for request in spec.holders:
         new_holders, sentence = request.made(model, spec.shop, ignore_limits=spec.ignore_limits)
         plates = [holder for holder in new_holders if not isinstance(holder, EndFixture)]
-        often = Counter(plate.name for plate in plates)  # equal strips have gussets of the same name
+        often = Counter(plate.name for plate in plates)  # gussets of equal strips have the same name
         once = {plate.name: plate.piece for plate in reversed(plates)}
         cut = tuple(
             replace(once[name], name=f"{model.name}-{name}", count=count) for name, count in often.items()
@@ -145,7 +147,7 @@ def kit_contents(
 
 
 def _with_plates_over_joints(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> Model:
-    """Return the model with plates over the joints of its strips, clear of slots."""
+    """Return the model with plates over the joints of long strips, clear of slots."""
     joined = {id(strip): joined_within(strip, _shop_of(strip, spec, requests)) for strip in model.strips}
     if all(joined[id(strip)] is strip for strip in model.strips):
         return model
@@ -153,7 +155,7 @@ def _with_plates_over_joints(model: Model, spec: KitSpec, requests: Mapping[str,
 
 
 def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> dict[str, Splice]:
-    """Return the strips that are longer than the stock and are therefore joined from pieces, by name."""
+    """Return, by name, the strips that are longer than the stock and are joined from pieces."""
     splices = {
         part.name: spliced(part.strip.labelled(part.name), _shop_of(part.strip, spec, requests))
         for part in model.parts
@@ -163,12 +165,12 @@ def _spliced(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
 
 
 def _numbers_ends(model: Model, spec: KitSpec) -> bool:
-    """Return True if the ends of strips are engraved with numbers, for their slots or printed templates."""
+    """Return True if the ends of strips get engraved numbers, for their slots or for printed templates."""
     return bool(spec.holders or model.plates or spec.pages)
 
 
 def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> FabricationLimits:
-    """Return the limits for the strip. Pieces of a long strip must fit inside the borders of a sheet."""
+    """Return the limits for a strip. The pieces of a long strip must fit inside the borders of a sheet."""
     shop = requests[strip.label].shop if strip.label in requests else spec.shop
     if shop.lap is None:
         return shop
@@ -179,7 +181,7 @@ def _shop_of(strip: Strip, spec: KitSpec, requests: Mapping[str, StripSpec]) -> 
 
 
 def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tuple[Piece, ...]:
-    """Replace strips that are joined from pieces by their pieces."""
+    """Return the parts, with strips that are joined replaced by their pieces."""
     parts = {called: layer for splice in joined.values() for called, layer in splice.layer_pieces.items()}
     pieces: list[Piece] = []
     for piece in strips:
@@ -190,7 +192,7 @@ def _parts_to_cut(strips: Sequence[Piece], joined: Mapping[str, Splice]) -> tupl
 def _strip_faults(model: Model, spec: KitSpec, requests: Mapping[str, StripSpec]) -> tuple[str, ...]:
     """Return warnings about strips that cannot be cut or handled, if `ignore_limits` is set."""
     messages: list[str] = []
-    # layers and limits that were found to have no faults; equal strips have the same layers
+    # layers without faults, with their limits; equal strips share their layers
     clear: set[tuple[int, FabricationLimits]] = set()
     for part in model.parts:
         request = requests.get(part.strip.label)
@@ -222,7 +224,7 @@ def _deviations(model: Model, entries: Sequence[StripEntry]) -> dict[str, float]
 
 
 def far_parts(model: Model, deviations: Mapping[str, float]) -> list[EqualStrips]:
-    """Return the parts whose deviation from the drawn curve is a large fraction of their length."""
+    """Return the parts that deviate from the drawn curve by a large fraction of their length."""
     return [
         part for part in model.parts if deviations.get(part.name, 0.0) > FAR_SHARE * part.strip.rod.length
     ]
@@ -231,7 +233,7 @@ def far_parts(model: Model, deviations: Mapping[str, float]) -> list[EqualStrips
 def _departure_notes(
     model: Model, entries: Sequence[StripEntry], deviations: Mapping[str, float]
 ) -> list[str]:
-    """Return a warning for each sheet of which strips are far from their drawn curves."""
+    """Return a warning for each sheet whose strips deviate far from their drawn curves."""
     specs = {entry.label: entry.spec for entry in entries}
     far = dict[Sheet, list[EqualStrips]]()
     for part in far_parts(model, deviations):
@@ -256,7 +258,7 @@ def _departure_notes(
 
 
 def _pre_bend_notes(model: Model) -> list[str]:
-    """Pre-bent strips need a note, because their drawings do not show the bend."""
+    """Return notes on pre-bent strips, because drawings do not show the bend."""
     alike = dict[str, list[str]]()
     for part in model.parts:
         alike.setdefault(pre_bend_message(part.strip), []).append(part.name)
@@ -292,7 +294,7 @@ def _rods_to_buy(pieces: Sequence[Piece], spec: KitSpec) -> Iterator[Stock]:
 
 
 def _rod_notes(pieces: Sequence[Piece], spec: KitSpec) -> list[str]:
-    """Return a note on the rods that are longer than the stock."""
+    """Return a note on rods longer than the stock."""
     rods = [piece for piece in pieces if piece.is_rod]
     long = [piece.name for piece in rods if piece.size[0] > spec.shop.stock_for(piece.sheet)[0]]
     if not long:
@@ -328,7 +330,7 @@ END_NAMES: Mapping[StripEnd, str] = {"start": note("start (1)"), "end": note("en
 
 
 def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:
-    """Return a note on the strips with ends that no plate, ring or block holds."""
+    """Return a note on strips with an end that no plate, ring or block holds."""
     if not unheld:
         return []
     names = distinct_names(model.placed)
@@ -345,7 +347,7 @@ def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -
 def _shapes_in_holders(
     model: Model, holders: Sequence[Holder], unheld: Mapping[int, object]
 ) -> tuple[dict[str, HeldShape], tuple[str, ...]]:
-    """Return the shape of each strip in its holders, and notes on play of tabs and missing rest shapes."""
+    """Return the shape of each strip in its holders, and notes on the play of tabs and on missing shapes."""
     held_shapes = dict[str, HeldShape]()
     names = distinct_names(model.placed)
     free = [k for k, member in enumerate(model.placed) if not member.strip.rod.acting]
@@ -370,7 +372,7 @@ def _shapes_in_holders(
 
 
 def _deviation_notes(model: Model, held: Mapping[str, HeldShape]) -> tuple[str, ...]:
-    """Return a note on interlocked strips that deviate by more than the clearance of slots."""
+    """Return a note on interlocked strips that deviate by more than the clearance of their slots."""
     names = distinct_names(model.placed)
     locked = {names[k] for joint in model.joints for k in joint.members}
     deviating = [

@@ -42,13 +42,13 @@ FRAME_MM = 4.0
 """Distance between a printed template and the cutting line around it, mm."""
 
 LONGEST_TITLE = 90
-"""Largest number of letters of a page title that lists all parts. Longer titles name only the first part."""
+"""Largest number of letters of a page title with all parts. A longer title names only the first."""
 
 NOT_WRITTEN = "not written"
-"""Text in the lists in place of the file of a block, if no solids are written."""
+"""Text of the lists for the file of a block, if no solids are written."""
 
 CUT_FROM = (".dxf", ".svg", ".stl")
-"""Suffixes of files from which parts are made."""
+"""Suffixes of the files from which parts are made."""
 
 
 @dataclass(frozen=True)
@@ -81,8 +81,7 @@ class SavedKit:
 def check_kit_folder(name: str, folder: str | Path, *, force: bool = False) -> None:
     """Raise InputError if the kit of a model with this name cannot be written to the folder.
 
-    This check is done before the model is computed. A folder that contains the lists of a kit is refused unless
-    `force` is set.
+    Call it before the model is computed. A folder with the lists of a kit is accepted only with `force`.
     """
     check_folder(folder, _list_names(file_word(name)), force=force)
 
@@ -103,11 +102,11 @@ def model_kit(
     step, pictures : bool
         If True, include the assembly, or the pictures.
     parts : bool
-        If True, include separate files of every part. For a cutting service, they are always included, without
-        nested sheets.
+        If True, include a file for every part. A cutting service always gets these files, without nested
+        sheets.
     archives : bool
-        If True, include two ZIP files. One file has the files to cut or print, with every part once.
-        The other file has all files except DXF and STL.
+        If True, include two ZIP files: one with the files to cut or print, every part once, and one with all
+        files except DXF and STL.
     """
     model, spec, cutting = contents.model, contents.spec, contents.spec.cutting
     parts, step, pictures = parts or cutting.service, step and not step_trouble(), pictures and can_draw()
@@ -130,9 +129,7 @@ def model_kit(
         )
     files.append(File(csv, lambda path: write_text(path, listed.csv), "cut list"))
     files.append(File(txt, lambda path: write_text(path, str(listed)), "cut list"))
-    shapes = cache(
-        partial(_shapes, contents)
-    )  # the assembly and the files of the blocks have the same bodies
+    shapes = cache(partial(_shapes, contents))  # the assembly and the files of the blocks share their bodies
     if step:
         files += _assemblies(contents, f"{MODEL}/{name}", shapes)
     if pictures:
@@ -194,7 +191,7 @@ def save_model(
 ) -> SavedKit:
     """Write the kit of a model to a folder.
 
-    The kit has nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures.
+    A kit has nested sheets and parts (DXF, SVG), cut list, report, assembly (STEP) and pictures.
 
     Parameters
     ----------
@@ -213,7 +210,7 @@ def save_model(
     force : bool
         If True, existing files are overwritten.
     done : callable, optional
-        Function that is called for each written file with its name and the total number of files.
+        Function that is called with the name of each written file and the total number of files.
     shop : FabricationLimits
         Limits of the workshop.
     ignore_limits : bool
@@ -257,9 +254,9 @@ def _list_names(word: str) -> tuple[str, ...]:
 
 
 def _draw_pages(contents: KitContents, path: Path) -> None:
-    """Write a PDF file with every part once at full size, and its quantity. Small parts share pages.
+    """Write a PDF file with every part at full size, once, with its quantity. Small parts share pages.
 
-    If the model has no part that holds its strips, holding templates and pages for measurements are added.
+    If nothing holds the strips, holding templates and pages for measurements are added.
     """
     from elastica_cad.plot.template_pages import printed_size, save_templates
 
@@ -272,7 +269,7 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
     small, drawings = [], []
     for piece in pieces:
         if np.all(np.sort(piece.size) + 2 * margin <= size):
-            # the grain of the sheet has no effect on paper
+            # paper has no grain
             small.append(replace(piece, count=1, sheet=replace(piece.sheet, grain="none")))
         else:
             drawings.append(replace(piece.drawing, name=called[piece.name]))
@@ -287,7 +284,7 @@ def _draw_pages(contents: KitContents, path: Path) -> None:
 
 
 def _templates(contents: KitContents) -> list[Piece]:
-    """Return the holding template of each strip with a cutting line around it, for a model without holders."""
+    """Return the holding template of each strip, with a cutting line around it, if nothing holds the strips."""
     if _has_holders(contents):
         return []
     templates = []
@@ -304,7 +301,7 @@ def _templates(contents: KitContents) -> list[Piece]:
 
 
 def _measuring_pages(contents: KitContents) -> list[Drawing]:
-    """Return a page of measurements for each strip in a model without holders, if the report has them."""
+    """Return a page of measurements for each strip, if nothing holds the strips and the report has them."""
     if _has_holders(contents):
         return []
     return [
@@ -319,7 +316,7 @@ def _has_holders(contents: KitContents) -> bool:
 
 
 def _file_of_each_piece(contents: KitContents, *, parts: bool) -> dict[str, str]:
-    """Return the file from which each piece is cut: a separate file, or the file of the nested sheet."""
+    """Return the file from which each piece is cut: its own file, or that of the nested sheet."""
     named = contents.spec.cutting.file_name
     no_file = not parts or contents.spec.cutting.service
     rods = {piece.name: "" for piece in contents.pieces if piece.is_rod and no_file}
@@ -373,9 +370,7 @@ def _block_lines(contents: KitContents, files: Iterable[str]) -> list[str]:
 
 
 def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]:
-    """Return an archive of the files to cut or print, with every part once, and an archive of all but DXF and
-    STL files.
-    """
+    """Return an archive of the files to cut or print, every part once, and one of all but DXF and STL files."""
     names = [file.name for file in files]
     cut = [file for file in names if file.endswith(".stl") or Path(file).match(f"{place}/*.dxf")]
     viewed = [file for file in names if not file.endswith((".dxf", ".stl"))]
@@ -386,11 +381,11 @@ def _archives(name: str, files: Sequence[File], place: str) -> tuple[File, File]
 
 
 def _pack(files: Sequence[str], path: Path) -> None:
-    """Write files in the folder of the archive into the archive, with a fixed date."""
+    """Write files into an archive in their folder, with a fixed date."""
     with ZipFile(path, "w") as archive:
         for name in files:
             entry = ZipInfo(name)
-            # without these permissions, only root can read the unpacked files on Unix
+            # without permissions, only root could read the unpacked files on Unix
             entry.external_attr = 0o644 << 16
             archive.writestr(entry, (path.parent / name).read_bytes(), ZIP_DEFLATED)
 
@@ -421,7 +416,7 @@ def _assemblies(
 def _block_files(contents: KitContents, shapes: "Callable[[], list[NamedShape]]") -> list[File]:
     blocks, holders = contents.blocks, [*single_holders(contents.holders)]
     stems = distinct(file_word(block.label) for block in blocks)
-    # the bodies of the holders are the last of the assembly
+    # the bodies of the holders come last in the assembly
     places = [k - len(holders) for k, holder in enumerate(holders) if isinstance(holder, EndFixture)]
     return [
         File(f"{PARTS}/{stem}.stl", partial(_save_block, block, place, shapes), "block to print")

@@ -1,4 +1,4 @@
-"""Kit of a flexure: cutting files, bodies, picture and report. A flexure is a part with two rest shapes."""
+"""Kit of a flexure, a part with two rest shapes: cutting files, bodies, picture and report."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

@@ -23,12 +23,12 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.strip_spec import StripSpec
 
 UPRIGHT = Frame(y_axis=(0.0, 0.0, 1.0))
-"""Default plane of a curve in space: upright, as on a screen."""
+"""Default plane of a curve in space: upright, as seen on a screen."""
 
 
 @dataclass(frozen=True)
 class StripFiles:
-    """Request for the files of a strip in addition to the cutting files and the report.
+    """Request for the files of a strip; cutting files and report are always included.
 
     Attributes
     ----------
@@ -88,7 +88,7 @@ class StripResult:
     def kit(self, request: StripFiles) -> Kit:
         """Return the report and all requested files for which the required packages are installed.
 
-        The description of a file is its kind, such as "dxf", or "backing dxf" for the backing of a laminate.
+        Files are described by their kind, such as "dxf", or "backing dxf" for the backing of a laminate.
         """
         strip, name, cutting, files = self.strip, self.name, request.cutting, list[File]()
         pictures, looked_at = request.pictures and can_draw(), cutting.service and can_draw()
@@ -132,7 +132,7 @@ class StripResult:
     def _drawn(
         self, name: str, draw: Callable[[Strip], Drawing], request: StripFiles, *, pdf: bool
     ) -> list[File]:
-        """Return the files of a further drawing in each requested format."""
+        """Return the files of another drawing, in each requested format."""
         cutting = request.cutting
         kinds = (*(() if cutting.service else ("dxf", "svg")), *(("pdf",) if pdf else ()))
         return [
@@ -176,7 +176,7 @@ class StripResult:
             save(drawing, path, **version)
 
     def _picture(self) -> Callable[[Path], object]:
-        """The result can be pickled without importing modules of kits and designs."""
+        """Return a function that draws the picture. It can be pickled without importing kits and designs."""
         from elastica_cad.plot.canvas import draw_file
         from elastica_cad.plot.strip_pictures import strip_sheet
 
@@ -184,7 +184,7 @@ class StripResult:
         return partial(draw_file, partial(strip_sheet, self.strip, wish=target))
 
     def _template(self, strip: Strip) -> Drawing:
-        """Return the drawing for printing on paper: the base, or the side view of a stack of plies."""
+        """Return the drawing to print on paper: the base, or the side view of a stack of plies."""
         if not strip.layout.stack:
             return self.patterns[0]
         from elastica_cad.model.batten import bench_drawing
