@@ -1,7 +1,7 @@
 """Access to compiled functions of scipy (LAPACK, Brent's method) without importing their packages.
 
-`scipy.linalg` and `scipy.optimize` import some hundred modules, which takes a fifth and a third of a second.
-Each of the functions used here is in a single compiled file, which loads in milliseconds.
+`scipy.linalg` and `scipy.optimize` import some hundred modules, in 0.2 and 0.3 seconds. Each function used
+here is in one compiled file that loads in milliseconds.
 """
 
 from collections.abc import Callable
@@ -16,7 +16,7 @@ from numpy.linalg import LinAlgError
 
 from elastica_cad._types import FloatArray
 
-_ROUNDS = 100  # largest number of steps of Brent's method; a dozen are usual
+_ROUNDS = 100  # largest number of steps of Brent's method; a dozen is usual
 
 
 @cache
@@ -43,7 +43,7 @@ def svd(matrix: FloatArray, *, full_matrices: bool = True) -> tuple[FloatArray, 
 def crossing(
     function: Callable[[float], float], low: float, high: float, *, absolute: float, relative: float
 ) -> float:
-    """Return the zero of a function between two arguments at which it has opposite signs, by Brent's method.
+    """Return the zero of a function between `low` and `high`, where its signs differ, by Brent's method.
 
     The error is at most the larger tolerance.
 
@@ -63,11 +63,11 @@ def _brent() -> Any:
 
 
 def _compiled_module(package: str, name: str, needed: str) -> Any | None:
-    """Import a compiled module of scipy without its package, or return None if scipy has another layout.
+    """Import a compiled module of scipy without its package. Return None if scipy has another layout.
 
     The module is not added to `sys.modules`, because scipy loads its own copy later.
     """
-    # scipy is only located, because importing it also imports network modules and others
+    # only locate scipy: importing it loads network modules and others
     scipy = find_spec("scipy")
     places = None if scipy is None else scipy.submodule_search_locations
     spec = PathFinder.find_spec(

@@ -24,11 +24,11 @@ def installed_modules() -> Iterator[None]:
 
 
 def exports(file: str, package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
-    """Return `__getattr__`, `__dir__` and `__all__` of a package, read from the stub file beside its
+    """Return `__getattr__`, `__dir__` and `__all__` of a package, read from the stub beside its
     `__init__.py`.
 
     Type checkers read the same stub. `import elastica_cad` does not load numpy; using a name loads only the
-    module of that name.
+    module that defines it.
     """
     homes: dict[str, str] = {}
     for node in ast.parse(Path(file).with_suffix(".pyi").read_text(encoding="utf-8")).body:

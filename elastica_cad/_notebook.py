@@ -1,4 +1,4 @@
-"""Display of records in notebooks, without other libraries: lines as a small SVG, and tables as HTML."""
+"""Display of records in notebooks without other libraries: lines as SVG, tables as HTML."""
 
 from collections.abc import Iterable, Mapping, Sequence
 
@@ -11,17 +11,17 @@ from elastica_cad.report_rows import Row
 # colours that are legible on light and dark backgrounds
 BLUE, RED, GREY, INK = "#2f6db3", "#c2452d", "#8a8f98", "#3c4658"
 
-# width of the column of a notebook, and largest height of a picture, less than the height of a screen
+# width of a notebook's column, and largest height of a picture that fits a screen
 WIDTH_PX, TALLEST_PX = 640.0, 420.0
 EDGE_PX = 8.0
 LINE_PX = 1.6
-FIGURES = 5  # number of decimals of coordinates in pixels
+FIGURES = 5  # decimals of coordinates in pixels
 
 
 def svg_of_lines(lines: Iterable[tuple[FloatArray, str, bool]], title: str) -> str:
-    """Return an SVG of polylines, scaled to the size of the picture.
+    """Return an SVG of polylines, scaled to fit.
 
-    Each polyline has points (n, 2) with y upward, a colour, and True if it is closed.
+    Each polyline is a triple: points (n, 2) with y upward, a colour, and True if it is closed.
 
     Examples
     --------

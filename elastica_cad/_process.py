@@ -9,13 +9,13 @@ from threading import current_thread, main_thread
 from types import FrameType
 
 PACKAGES = Path(__file__).parents[1]
-"""Folder that contains this package; in a checkout, a new Python process does not search it."""
+"""Folder that contains this package. A new Python process does not search it in a checkout."""
 
 
 def python_command(module: str, function: str) -> list[str]:
     """Return the command that calls a function of this package in a new Python process.
 
-    The option -P is needed, because `python` would otherwise search the working folder for modules first.
+    Without the option -P, Python would search the working folder for modules first.
     """
     run = f"import sys; sys.path.append({str(PACKAGES)!r}); from {module} import {function}; {function}()"
     return [sys.executable, "-P", "-c", run]
@@ -25,7 +25,7 @@ def python_command(module: str, function: str) -> list[str]:
 def interrupts_held() -> Iterator[None]:
     """Delay Ctrl-C until the end of a `with` block.
 
-    Some libraries catch all exceptions during their imports, so that Ctrl-C would be lost.
+    Some libraries catch all exceptions during their imports, which would lose Ctrl-C.
     """
     before = signal.getsignal(signal.SIGINT)
     if before is None or current_thread() is not main_thread():

@@ -13,7 +13,7 @@ class PlainText(str):
 
 
 class _RecordSignature:
-    """Signature of a record, computed on access, because a subclass has another signature."""
+    """Signature of a record, computed on access, because each subclass has its own."""
 
     def __get__(self, _: object, record: Any) -> inspect.Signature:
         initializer = inspect.signature(record.__init__)
@@ -27,7 +27,7 @@ def simplify_signature(value: Any) -> None:
         value.__signature__ = plain_signature(value)  # type: ignore[attr-defined]
     if not inspect.isclass(value) or "__signature__" in vars(value):
         return
-    # not an Enum; PySide2 gives all classes a __signature__ that cannot be set
+    # PySide2 gives all classes a __signature__ that cannot be set; an Enum has its own
     if inspect.isfunction(value.__init__) and type(value) is type and not hasattr(type, "__signature__"):
         value.__signature__ = _RecordSignature()  # type: ignore[attr-defined]
     for base in value.__mro__:
@@ -61,7 +61,7 @@ def _plain(signature: inspect.Signature) -> inspect.Signature:
 
 
 def _plain_type(hint: Any) -> Any:
-    """Return a type annotation as text: names without modules, and no declarations of options."""
+    """Return a type annotation as text, without modules and declarations of options."""
     if hint is inspect.Signature.empty:
         return hint
     kind, parts = get_origin(hint), get_args(hint)

@@ -11,15 +11,14 @@ from pathlib import PurePath, PurePosixPath, PureWindowsPath
 
 _SUSPECT = re.compile(
     r"[^ -~\n\xa0\u1680\u2000-\u200a\u202f\u205f\u3000]"
-)  # pattern for all characters except printable ASCII, line ends and spaces
+)  # all characters except printable ASCII, line ends and spaces
 
 
 def printable(text: str) -> str:
     r"""Escape invisible characters in a text: control codes, marks of writing direction, lone surrogates.
 
-    These characters could recolour a terminal, write to its clipboard, or reverse a line. Line ends and
-    spaces are not escaped. The escape sequences are valid in JSON, so that the contents of a JSON record do
-    not change.
+    They could recolour a terminal, write to its clipboard, or reverse a line. Line ends and spaces are kept.
+    The escapes are valid JSON, so the contents of a JSON record do not change.
 
     Examples
     --------
@@ -49,20 +48,19 @@ def _escaped(match: re.Match[str]) -> str:
 
 
 MADE_BY: ContextVar[str] = ContextVar("made_by", default="")
-"""The running command, which is noted in the files that it writes; empty in a script."""
+"""The running command, which files state in a comment; empty in a script."""
 
 _PLAIN = re.compile(r"[^&|<>^()%!]+")
-"""Pattern for characters that the Windows shell cmd does not interpret."""
+"""Words of such characters need no quotes in the Windows shell cmd."""
 
 _NOT_OF_DRAWINGS = {
     "-o": 1, "--output": 1, "--force": 0, "--json": 0, "-v": 0, "--verbose": 0, "-q": 0, "--quiet": 0, "--watch": 0,
 }  # fmt: skip
-"""Options that do not affect a drawing, and the number of values of each option."""
+"""Options without effect on drawings, and the number of values of each."""
 
 
 def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str:
-    """Return words as a line for the shell of this system, or for the Windows shell cmd; words are quoted if
-    necessary.
+    """Return words as a line for the shell of this system, or for the Windows shell cmd, quoted if necessary.
 
     Examples
     --------
@@ -71,7 +69,7 @@ def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str
     """
     if not windows:
         return shlex.join(words)
-    # cmd interprets characters such as & outside quotes, and `list2cmdline` quotes only words with blanks
+    # cmd interprets characters such as & outside quotes; `list2cmdline` quotes only words with blanks
     lines = (subprocess.list2cmdline([word]) for word in words)
     return " ".join(word if word[0] == '"' or _PLAIN.fullmatch(word) else f'"{word}"' for word in lines)
 
@@ -79,8 +77,7 @@ def quote_words(words: Iterable[str], *, windows: bool = os.name == "nt") -> str
 def command_of_drawings(words: Iterable[str], *, windows: bool = os.name == "nt") -> str:
     """Return the command that makes the same drawings again, from the arguments of the program.
 
-    The output folder is omitted. Absolute paths are reduced to the file name, because they may contain user
-    names.
+    The output folder is omitted. Absolute paths become file names, because they may contain user names.
 
     Examples
     --------
@@ -92,7 +89,7 @@ def command_of_drawings(words: Iterable[str], *, windows: bool = os.name == "nt"
     for word in rest:
         option, equals_sign, value = word.partition("=") if word.startswith("--") else ("", "", word)
         if (name := option or word) in _NOT_OF_DRAWINGS or word.startswith("-o"):
-            if not equals_sign and _NOT_OF_DRAWINGS.get(name):  # the value of the option is the next word
+            if not equals_sign and _NOT_OF_DRAWINGS.get(name):  # the next word is the option's value
                 next(rest, "")
             continue
         text = path(value).name if path(value).is_absolute() else value

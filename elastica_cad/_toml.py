@@ -1,13 +1,12 @@
-"""Parser for TOML from users, with a limit for the memory."""
+"""Parser for TOML from users, with limited memory."""
 
 import re
 import tomllib
 from typing import Any
 
 DEEPEST_KEY = 30
-"""Largest number of parts of a dotted key, ten times as many as a design file needs.
-
-The memory of the parser is proportional to the square of this number.
+"""Largest number of parts of a dotted key, ten times what a design file needs. The memory of the parser grows
+with its square.
 """
 
 _TOO_DEEP = re.compile(

@@ -1,4 +1,4 @@
-"""Types of arrays, and types of fields that accept values of more types than they store."""
+"""Types of arrays, and of fields that accept more types than they store."""
 
 from dataclasses import field
 from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 else:
 
     class Takes:
-        """The type that is stored."""
+        """The stored type, which is all that `Takes` means at run time."""
 
         def __class_getitem__(cls, kinds):
             return kinds[0]
@@ -38,5 +38,5 @@ EMPTY: Any = ()
 
 
 def required() -> Any:
-    """Return a dataclass field without a default, which mypy accepts as the value of a field of type `Takes`."""
+    """Return a dataclass field without a default, for mypy as the value of a field of type `Takes`."""
     return field()

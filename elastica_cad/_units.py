@@ -92,8 +92,8 @@ def read_number(text: str) -> float:
 def read_offset(text: str) -> float | None:
     """Return a length in inches, or None if the text is not in feet and inches.
 
-    The text has feet, inches and eighths ("3-4-5", as in tables of offsets), or feet and inches with their units
-    (3' 4 5/8", 2 ft 11 in). A plus sign after the eighths adds a sixteenth, and a minus sign subtracts a sixteenth.
+    The text has feet, inches and eighths ("3-4-5", as in tables of offsets), or feet and inches with their
+    units (3' 4 5/8", 2 ft 11 in). A plus or minus sign after the eighths adds or subtracts a sixteenth.
 
     Examples
     --------
@@ -114,5 +114,5 @@ def read_offset(text: str) -> float | None:
 
 
 def is_in_inches(text: str) -> bool:
-    """Return True for a fraction, feet and inches, or feet, inches and eighths, which imply inches."""
+    """Return True for a text that implies inches: a fraction, feet and inches, or feet, inches and eighths."""
     return _FRACTION.fullmatch(text) is not None or read_offset(text) is not None

@@ -15,7 +15,7 @@ from elastica_cad.errors import InputError, quoted
 from elastica_cad.refusals import note
 
 LARGEST = 1e100
-"""Largest permitted number; squares and cubes of such numbers are finite."""
+"""Largest permitted number. Its square and cube are finite."""
 
 
 def is_number(value: object) -> TypeGuard[float]:
@@ -45,7 +45,7 @@ def is_whole(value: object) -> TypeGuard[int]:
 
 
 def require_positive(value: object, what: str, unit: str = "mm") -> None:
-    """Refuse a value that is not a finite number above 0."""
+    """Raise InputError for a value that is not a finite number above 0."""
     if not (is_number(value) and value > 0):
         shown_value = repr(value) if isinstance(value, str) else value
         requirement = "positive" if is_number(value) else "a number above 0"
@@ -60,7 +60,7 @@ def require_positive(value: object, what: str, unit: str = "mm") -> None:
 
 
 def require_number(value: object, what: str, unit: str = "") -> float:
-    """Return a finite number, or refuse the value."""
+    """Return a finite number. Raise InputError for another value."""
     if not is_number(value):
         shown_value = quoted(value) if isinstance(value, str) else value
         raise InputError(
@@ -73,9 +73,7 @@ def require_number(value: object, what: str, unit: str = "") -> float:
 
 
 def as_floats(values: object) -> FloatArray | None:
-    """Convert values to an array of floats, or return None for strings, rows of unequal length, or integers
-    above the range of floats.
-    """
+    """Return an array of floats, or None for strings, rows of unequal length, and too large integers."""
     try:
         return np.asarray(cast("ArrayLike", values), dtype=float)
     except (TypeError, ValueError, OverflowError):
@@ -90,7 +88,7 @@ def numbers(values: object, what: str) -> FloatArray:
     >>> numbers([1, 2], "the heights").tolist()
     [1.0, 2.0]
     """
-    # None is excluded, because numpy converts it to NaN
+    # numpy would convert None to NaN
     array = None if values is None else as_floats(values)
     if array is None:
         raise InputError(f"{what} must be numbers, not {quoted(values)}")
@@ -98,7 +96,7 @@ def numbers(values: object, what: str) -> FloatArray:
 
 
 def pair(value: object, what: str) -> FloatArray:
-    """Return two finite numbers (2,), such as the coordinates of a point, or refuse the value."""
+    """Return two finite numbers (2,), such as a point. Raise InputError for other values."""
     point = None if value is None else as_floats(value)
     if point is None or point.shape != (2,) or not np.isfinite(point).all():
         raise InputError(f"{what} must be two finite numbers, not {quoted(value)}")
@@ -106,7 +104,7 @@ def pair(value: object, what: str) -> FloatArray:
 
 
 def three(values: object, what: str) -> FloatArray:
-    """Return three finite numbers (3,), or refuse the value."""
+    """Return three finite numbers (3,). Raise InputError for other values."""
     row = None if values is None else as_floats(values)
     if row is None or row.shape != (3,) or not np.isfinite(row).all():
         raise InputError("{what} is {given}: give three finite numbers", what=what, given=quoted(values))
@@ -116,7 +114,7 @@ def three(values: object, what: str) -> FloatArray:
 def direction(values: object, what: str) -> FloatArray:
     """Return the unit vector (3,) in the direction of a vector (3,).
 
-    Refuse a zero vector, and values that are not finite.
+    Raise InputError for a zero vector, and for values that are not finite.
     """
     row = three(values, what)
     if not row.any():
@@ -125,14 +123,7 @@ def direction(values: object, what: str) -> FloatArray:
 
 
 def alike(**values: object) -> tuple[FloatArray, ...]:
-    """Convert named values to arrays, without broadcasting them, and refuse shapes that cannot be broadcast
-    together.
-
-    Examples
-    --------
-    >>> alike(curvature=[1, 2], rest=0.0)
-    (array([1., 2.]), array(0.))
-    """
+    """Return named values as arrays, not broadcast. Raise InputError if their shapes do not match."""
     arrays = tuple(numbers(value, name) for name, value in values.items())
     try:
         np.broadcast_shapes(*(array.shape for array in arrays))
@@ -145,14 +136,14 @@ def alike(**values: object) -> tuple[FloatArray, ...]:
 
 
 def require_flag(value: object, what: str) -> bool:
-    """Return the value if it is a boolean, or refuse it."""
+    """Return a boolean. Raise InputError for another value."""
     if not isinstance(value, bool | np.bool_ | int):
         raise InputError("{what} is {given}: give True or False", what=what, given=quoted(value))
     return bool(value)
 
 
 def is_one_of(value: object, choices: Iterable[object]) -> bool:
-    """Return True if the value equals one of the choices, and False for an array."""
+    """Return True if the value equals one of the choices. An array equals none."""
     return not isinstance(value, np.ndarray) and value in choices
 
 
@@ -163,13 +154,16 @@ def is_series(value: object) -> TypeGuard[Iterable[Any]]:
 
 
 def require_executor(executor: object, method: str) -> None:
-    """Refuse an executor without the method that the caller uses; None is accepted."""
+    """Raise InputError for an executor without the required method. None is accepted."""
     if not (executor is None or callable(getattr(executor, method, None))):
         raise InputError(f"executor is {quoted(executor)}: give a concurrent.futures.Executor, or None")
 
 
 def require_record(value: object, record: type[Any] | UnionType, what: str, cure: str) -> None:
-    """Refuse a value that is not a record of a class; `cure` is the instruction in the message."""
+    """Raise InputError for a value of another class than `record`.
+
+    The message tells the user to pass `cure`.
+    """
     if not isinstance(value, record):
         raise InputError(f"{what} is a {type(value).__name__}. Pass {cure}.")
 
@@ -184,7 +178,7 @@ def require_path(path: object) -> Path:
 def several(
     name: str, values: object, record: type[Any] | UnionType, kind: str, cure: str = ""
 ) -> tuple[Any, ...]:
-    """Return one or several records of a class as a tuple; `cure` is the instruction in the message."""
+    """Return one or several records of a class as a tuple. `cure` explains, in the message, what to pass."""
     many = is_series(values) and not isinstance(values, record)
     items: tuple[Any, ...] = tuple(cast("Iterable[Any]", values)) if many else (values,)
     for item in items:
@@ -194,7 +188,7 @@ def several(
 
 
 _CACHED_KEY = "_value_key"  # attribute of a record in which its key is cached
-# values of these types are used as keys unchanged; most fields have one of these types
+# values of most fields have these types, and are their own keys
 _PLAIN = frozenset({type(None), bool, int, float, str})
 
 
@@ -209,7 +203,7 @@ class EqualByValue:
 
 
 def value_key(value: Any) -> Any:
-    """Return a hashable key, which is equal for equal values.
+    """Return a hashable key that is equal for equal values.
 
     Records are compared by their fields, arrays by their numbers, functions by identity.
 
@@ -231,7 +225,10 @@ def value_key(value: Any) -> Any:
 
 
 def _record_key(record: Any) -> tuple[Any, ...]:
-    """Frozen records cache the key, because a curve may be part of several requests."""
+    """Return the key of a record.
+
+    Frozen records cache it, because many requests may contain the same curve.
+    """
     attributes = getattr(record, "__dict__", {}) if record.__dataclass_params__.frozen else {}
     if _CACHED_KEY not in attributes:
         kind: Any = type(record)
@@ -249,15 +246,11 @@ def _compared_fields(kind: type) -> tuple[str, ...] | None:
 
 
 MORE_DIGITS = 9
-"""Largest number of digits that are added to distinguish two numbers.
-
-Numbers that still look equal count as equal.
+"""Largest number of digits added to distinguish two numbers. If they still look equal, they count as equal.
 """
 
 SEEN_APART = 1e-5
-"""Least relative difference that is always visible in six digits.
-
-A value closer to its limit counts as meeting it.
+"""Least relative difference that is always visible in six digits. A value closer to its limit meets it.
 """
 
 
@@ -273,13 +266,7 @@ def counted(count: int, noun: str) -> str:
 
 
 def and_more(items: Sized, noun: str = "") -> str:
-    """Return a text with the number of further items after the first, or "" for a single item.
-
-    Examples
-    --------
-    >>> and_more("a", "pair"), and_more("abc", "pair"), and_more("abc")
-    ('', ' (and 2 more pairs)', ' (and 2 more)')
-    """
+    """Return a text such as " (and 2 more pairs)" for the items after the first; "" for a single item."""
     count = len(items) - 1
     if count < 1:
         return ""
@@ -289,13 +276,7 @@ def and_more(items: Sized, noun: str = "") -> str:
 
 
 def distinct_digits(first: float, other: float, digits: str) -> tuple[float, float]:
-    """Round two numbers to the digits of a format, or to as many more digits as distinguish them.
-
-    Examples
-    --------
-    >>> distinct_digits(2.51, 3.0, ".3g"), distinct_digits(2.9982, 3.0, ".3g")
-    ((2.51, 3.0), (2.998, 3.0))
-    """
+    """Round two numbers to the digits of a format, or to more digits if they would look equal."""
     usual, kind = int(digits[1:-1]), digits[-1]
     digits_of = range(usual, usual + MORE_DIGITS)
     rounded = [(float(f"{first:.{n}{kind}}"), float(f"{other:.{n}{kind}}")) for n in digits_of]
@@ -305,7 +286,7 @@ def distinct_digits(first: float, other: float, digits: str) -> tuple[float, flo
 def round_numbers(value: Any) -> Any:
     """Round the numbers in a value to ten significant digits.
 
-    Further digits are noise; without them, equal designs result in equal files.
+    Further digits are noise, which would make files of equal designs differ.
     """
     array = np.asarray(value, dtype=float)
     if array.ndim == 0:

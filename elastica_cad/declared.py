@@ -27,10 +27,10 @@ REQUIRED = MISSING
 
 
 MOST_ELEMENTS = 10_000
-"""Default limit for the number of elements of a list, ten times the length of the longest list in the examples."""
+"""Default limit for the number of elements of a list, ten times the longest list of the examples."""
 
 LONGEST_TEXT = 1_000
-"""Largest number of characters of a text whose field declares no limit. Paths of files are shorter."""
+"""Largest number of characters of a text without a declared limit. Paths of files are shorter."""
 
 
 @dataclass(frozen=True)
@@ -52,11 +52,11 @@ class Option:
     group : str
         Heading of the option's group in front ends.
     common : bool
-        True if the field has its own command-line option and input field. Other fields are set by name
-        (`--set`, property editor).
+        True if the field has its own command-line option and input field. Other fields are set by `--set` or
+        in the property editor.
     written : type or str, optional
-        Type of the value in files and options, if the type of the field is wider. For a table it may be
-        "module:name" of its record, which is imported on use.
+        Type of the value in files and options, if the field accepts more. "module:name" names a record that
+        is imported on use.
     """
 
     help: str
@@ -168,9 +168,9 @@ def declared(record: Record) -> tuple[Field, ...]:
 
 
 def require_declared(record: Record, values: Mapping[str, Any], whose: str = "") -> None:
-    """Refuse values, given by the names of declared fields, that have another kind or are out of bounds.
+    """Raise InputError for values of declared fields that have a wrong kind or are out of bounds.
 
-    Values of other fields are accepted, and None if it is the default.
+    Names of other fields are ignored. None is accepted if it is the default.
 
     Examples
     --------
@@ -192,7 +192,7 @@ def require_declared(record: Record, values: Mapping[str, Any], whose: str = "")
 
 
 def require_bounds(entry: Field, value: Any, place: str) -> None:
-    """Refuse a value of a declared field that is out of bounds: a number, or the length of a text or list."""
+    """Raise InputError if a number, or the length of a text or list, is out of the bounds of its field."""
     for kind in entry.kind.alternatives:
         numbers = [value] if kind.name in ("number", "count") else []
         if kind.name == "list" and kind.of[0].name == "number" and isinstance(value, tuple):
@@ -213,7 +213,7 @@ def _refusal(entry: Field, value: Any, place: str, **where: Any) -> InputError:
 
 
 def _fits(value: Any, kind: Kind, option: Option) -> bool:
-    """Kinds of values that occur only in files are not checked."""
+    """Return True if a value has the kind. Kinds that occur only in files are not checked."""
     match kind.name:
         case "number" | "count":
             return (is_number if kind.name == "number" else is_whole)(value) and option.holds(value)
@@ -265,7 +265,7 @@ def _defaults(record: Record) -> list[tuple[str, Any]]:
 def kind_of(hint: Any) -> Kind:
     """Return the kind of value for a type annotation.
 
-    An alternative None is ignored, because it is the missing value.
+    None as an alternative is ignored, because it stands for a missing value.
 
     Examples
     --------

@@ -7,36 +7,35 @@ MAX_WIDTH = 30.0
 """Largest width of a new strip in FreeCAD and in the notebook."""
 
 UNKNOWN_WIDTH = 40.0
-"""Largest width that is assumed for the check of a drawn curve if the width of the strip is unknown."""
+"""Largest width that the check of a curve assumes if the width of the strip is unknown."""
 
 RATIO = 3.5
-"""Largest stiffness ratio (largest to smallest stiffness along the strip) if the curve may be changed."""
+"""Largest stiffness ratio (largest over least stiffness of the strip) if the curve may be changed."""
 
 CUTTABLE_RATIO = 9.5
-"""Stiffness ratio at which a strip 30 mm wide is barely wide enough for cutting at its narrowest point."""
+"""Stiffness ratio at which a strip 30 mm wide is barely wide enough to cut at its narrowest place."""
 
 UNLIMITED_RATIO = 1000.0
-"""Largest stiffness ratio if no limit is given. The widths of such a strip, for example 0.1 and 100 mm, are
-beyond any machine.
-"""
+"""Largest stiffness ratio if no limit is given. The widths of such a strip, for example 0.1 and 100 mm,
+cannot be made."""
 
 TAB_LENGTH = 10.0
 """Length of a tab."""
 
 RING_TAB_LENGTH = 8.0
-"""Length of a tab that is held by a ring: it passes through 3 mm of material, and the rest is glued."""
+"""Length of a tab in a ring: 3 mm for the ring, and the rest for glue."""
 
 KERF = 0.0
-"""Kerf for which cutting files are corrected: 0, because many cutting services correct their kerf."""
+"""Kerf for which cutting files are corrected. It is 0, because many cutting services correct their kerf."""
 
 LASER_KERF = 0.2
-"""Kerf for a two-state part if the kerf of its sheet is unknown."""
+"""Kerf for a two-state part of a sheet with unknown kerf."""
 
 CLEARANCE = 0.1
-"""Difference between the width of a slot and the thickness of the sheet in it."""
+"""Width of a slot minus the thickness of the sheet in it."""
 
 PLAY = 0.3
-"""Clearance on each side of a tab in its slot. The clearance is small, because tabs may be close to each other."""
+"""Clearance on each side of a tab in its slot; small, because tabs may be close to each other."""
 
 BORDER = 8.0
 """Width of material beside slots and seats of a plate."""
@@ -48,4 +47,4 @@ POCKET_CLEARANCE = 0.15
 """Clearance around a tab in its printed pocket."""
 
 NOT_REALIZABLE, BAD_INPUT, INTERRUPTED, OUTPUT_CLOSED = 1, 2, 130, 141
-"""Exit codes of commands. The last two follow the convention of shells: 128 plus the number of the signal."""
+"""Exit codes of commands. The last two are, as in shells, 128 plus the number of the signal."""

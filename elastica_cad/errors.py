@@ -60,7 +60,7 @@ class ElasticaError(Exception):
     kind : str, optional
         Identifier of the kind of error, for programs. The default is the identifier of the class.
     where : mapping, optional
-        Positions of the problem by kind, such as {"field": "end"}.
+        Positions of the problem by kind of position, such as {"field": "end"}.
     changes : sequence of Change, optional
         Changes of the request that may help.
     **values : object
@@ -92,11 +92,11 @@ class ElasticaError(Exception):
         changes: Sequence[Change] = (),
         **values: Any,
     ) -> None:
-        if isinstance(text, Refusal):  # a Refusal is used as it is
+        if isinstance(text, Refusal):  # merge the data of the Refusal into the new one
             where, changes = {**text.where, **(where or {})}, (*changes, *text.changes)
             values = {**text.values, **values}
             text = text.text
-        # replace errors among the values by their texts, because only texts can be passed to another process
+        # a value that is an error could not be passed to another process, its text can
         values = {
             name: str(value) if isinstance(value, BaseException) else value for name, value in values.items()
         }
@@ -104,7 +104,7 @@ class ElasticaError(Exception):
         super().__init__(str(self.refusal))
 
     def __str__(self) -> str:
-        return self.refusal  # return the record, which is a str, so that front ends can translate it
+        return self.refusal  # a str, but also a record that front ends can translate
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (type(self), str(self)), self.__dict__
@@ -116,18 +116,18 @@ class ElasticaError(Exception):
 
 
 def _restored(kind: type[ElasticaError], message: str) -> ElasticaError:
-    """Restore a pickled error without its constructor, whose signature depends on the class."""
+    """Restore a pickled error. Its constructor is not called, because its signature depends on the class."""
     return kind.__new__(kind, message)
 
 
 class InputError(ElasticaError, ValueError):
-    """The input is invalid: a file, number, option or curve."""
+    """The input is not valid: a file, number, option or curve."""
 
     KIND = "input"
 
 
 class UnknownOptionError(InputError, TypeError):
-    """The option does not exist. The error is also a `TypeError`, which Python raises for unknown arguments."""
+    """An option does not exist. This is also a `TypeError`, as Python raises for unknown arguments."""
 
     KIND = "unknown"
 
@@ -139,13 +139,13 @@ class StrainError(InputError):
 
 
 class NotConvergedError(ElasticaError, RuntimeError):
-    """A solver did not reach its tolerance. Inaccurate results are not returned."""
+    """A solver did not reach its tolerance, so there is no result."""
 
     KIND = "not converged"
 
 
 class NotMetError(NotConvergedError):
-    """The limits cannot be met near the drawn curve."""
+    """The limits cannot be met close enough to the drawn curve."""
 
     KIND = "not met"
 
@@ -168,13 +168,7 @@ def quoted(value: object) -> str:
 
 
 def toml_slip(text: str, error: Exception) -> str:
-    """Return a suggestion how to correct a line with a TOML error.
-
-    Examples
-    --------
-    >>> toml_slip("max_width = 2,5", ValueError("Expected newline (at line 1, column 14)"))
-    'write decimals with a point, 2.5'
-    """
+    """Return how to correct a line with a TOML error."""
     match = re.search(r"at line (\d+)", str(error))
     lines = text.splitlines()
     line = lines[int(match[1]) - 1] if match and int(match[1]) <= len(lines) else ""
@@ -203,13 +197,7 @@ def how_to_install(package: str) -> str:
 
 
 def missing_library(use: str, library: str) -> MissingDependencyError:
-    """Return the error for a library that is not installed. `use` names the operation that needs it.
-
-    Examples
-    --------
-    >>> str(missing_library("reading a.dxf needs ezdxf", "ezdxf")).endswith("pip install ezdxf")
-    True
-    """
+    """Return the error for a missing library. `use` is the operation that needs it."""
     return MissingDependencyError(f"{use}: {how_to_install(library)}")
 
 
@@ -236,8 +224,7 @@ def refuse_unknown(options: Iterable[str], known: Iterable[str], what: str) -> N
     Raises
     ------
     UnknownOptionError
-        A name is unknown. The message contains the known name with the most similar spelling, or else all
-        known names.
+        A name is unknown. The message suggests the known name with the most similar spelling, or lists all.
 
     Examples
     --------
@@ -263,7 +250,7 @@ def near_names(name: str, known: Iterable[str], *, cutoff: float = 0.6) -> list[
 
 
 def refuse_options_unlike(names: Iterable[str], function: Callable[..., object], what: str) -> None:
-    """Raise UnknownOptionError for the first option that is not a keyword of the function."""
+    """Raise UnknownOptionError for the first name that is not a keyword of the function."""
     refuse_unknown(names, _keywords(function), what)
 
 
@@ -305,6 +292,6 @@ def _rounded(value: float, figures: int, *, up: bool) -> float:
         return value
     step = 10.0 ** (floor(log10(value)) - figures + 1)
     steps = value / step
-    # the allowance keeps values that are displayed exactly
+    # the allowance keeps numbers that are displayed exactly
     whole = ceil(steps - 1e-9) if up else floor(steps + 1e-9)
     return float(f"{whole * step:.{figures}g}")

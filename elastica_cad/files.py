@@ -43,12 +43,12 @@ def read_curves(
 
     Splines, arcs and ellipses are read exactly; curves are fitted to polylines and measured points. Pieces
     whose ends meet are joined to a curve, except named shapes of an SVG. The ends of a closed curve are
-    equal. Corners that are caused by rounded decimals are removed; `PlaneCurve.provenance` states the
-    resulting movement of the curve.
+    equal. Corners that rounded decimals cause are removed; `PlaneCurve.provenance` states how far this moved
+    the curve.
 
     A file may have at most 20,000 shapes (blocks and clones are counted for each use), 120,000 pieces and
-    5,000 curves. A curve may have at most 3,000 pieces, and a size of 0.001 mm to 1 km. The size of a file is
-    limited, too (at most 256 MB).
+    5,000 curves. A curve may have at most 3,000 pieces, and a size of 0.001 mm to 1 km. A file may have at
+    most 256 MB.
 
     Parameters
     ----------
@@ -61,8 +61,8 @@ def read_curves(
     fit_tolerance : float
         Largest distance of measured points from their curve, mm.
     unit : str, optional
-        Unit of the numbers in the file: "mm", "cm", "m", "in", "ft" or "px". This unit overrides the unit
-        stated in the file.
+        Unit of the numbers in the file, instead of the unit that the file states: "mm", "cm", "m", "in", "ft"
+        or "px".
 
     Returns
     -------
@@ -96,10 +96,9 @@ def read_drawing(
     unit: str | None = None,
     corners: bool = True,
 ) -> DrawnFile:
-    """Read the curves of a file with their numbers, names and layers, and list omitted items.
+    """Read the curves of a file with their numbers, names and layers. Omitted items are listed.
 
-    Arguments and errors are as in `read_curves`. If a single curve is not valid, its attribute `problem`
-    states the reason.
+    Arguments and errors are as in `read_curves`. If a curve is not valid, its attribute `problem` states why.
 
     Parameters
     ----------
@@ -225,12 +224,12 @@ def _no_kernel(path: Path, doing: str = "reading") -> MissingDependencyError:
 
 
 def save(made: "Drawing | Strip | Flexure", path: str | Path, **options: Any) -> Path:
-    """Write a drawing for cutting, a strip, or a part with two states, in the format of the suffix of `path`.
+    """Write a drawing, a strip, or a part with two states. The suffix of `path` selects the format.
 
-    All can be written as .dxf or .svg. The .step file of a strip contains the flat and the bent strip as
-    bodies. The .step file of a two-state part contains the unloaded part, or the part in its `state` "first"
-    or "second". The options are as in `formats.write_drawing`: kerf, curves, tolerance, version, layers,
-    force. For STEP, the only option is force.
+    The formats are .dxf and .svg, and .step for strips and parts. The .step file of a strip contains the flat
+    and the bent strip. That of a two-state part contains the unloaded part or, with `state` "first" or
+    "second", the part in this state. The options are as in `formats.write_drawing`: kerf, curves, tolerance,
+    version, layers, force. For STEP, the only option is force.
 
     Raises
     ------

@@ -13,7 +13,7 @@ from elastica_cad._text import printable
 Severity = Literal["error", "warning", "note"]
 
 PLACES = ("file", "strip")
-"""Kinds of positions that are shown before the text, in this order. Positions of other kinds are for programs."""
+"""Kinds of positions that a message shows before its text, in this order. Other kinds are for programs."""
 
 
 class _Worded:
@@ -26,13 +26,7 @@ class _Worded:
 
 
 class Length(_Worded, float):
-    """Length in mm. The length is shown with unit and at least three digits, unless the template defines a format.
-
-    Examples
-    --------
-    >>> "the ends are {} apart".format(Length(1234.56)), f"{Length(0.1234)}", f"{Length(8):.1f}"
-    ('the ends are 1235 mm apart', '0.123 mm', '8.0 mm')
-    """
+    """Length in mm, shown with its unit and at least three digits or in the format of the template."""
 
     def __str__(self) -> str:
         return format(self)
@@ -41,7 +35,7 @@ class Length(_Worded, float):
 class FieldName(_Worded, str):
     """Name of a field of a request: its key in design files, preceded by the name of its table.
 
-    Each front end replaces it by the name that its users see; see `Wording.field` and `SPELLING`.
+    Each front end shows the name that its users know: see `Wording.field` and `SPELLING`.
 
     Examples
     --------
@@ -55,7 +49,7 @@ class FieldName(_Worded, str):
 class MaterialWidth(FieldName):
     """Name of the field `max_width` where it limits ligaments or a backing, not the outline of the strip.
 
-    FreeCAD has a separate property for this limit; files and options do not.
+    FreeCAD has a separate property for it; files and options do not.
     """
 
     __slots__ = ()
@@ -64,10 +58,9 @@ class MaterialWidth(FieldName):
 MATERIAL_WIDTH = MaterialWidth("max_width")
 
 SPELLING: ContextVar[Callable[[str], str]] = ContextVar("spelling", default=str)
-"""Function that returns how English messages spell the name of a field.
+"""Function that spells the name of a field in English messages.
 
-The command line sets a function that returns options.
-"""
+The command line sets a function that returns options."""
 
 
 class Listed(_Worded, tuple[Any, ...]):
@@ -83,7 +76,7 @@ class Listed(_Worded, tuple[Any, ...]):
 
 
 def both_names(first: str, second: str) -> Listed | str:
-    """Return two names for a message. Parts of equal strips have equal names.
+    """Return two names for a message. Equal names mean copies.
 
     Examples
     --------
@@ -106,7 +99,7 @@ class Either(Listed):
 
 
 class Span(Listed):
-    """Range of lengths. The range is shown as a single length if both ends have equal digits."""
+    """Range of lengths, shown as one length if both ends look equal."""
 
     LAST = "{some} to {last}"
 
@@ -114,7 +107,7 @@ class Span(Listed):
     def of(cls, low: float, high: float, digits: str = ".3g") -> "Span":
         """Return the range from `low` to `high`, mm.
 
-        If both have equal digits, the range contains a single length.
+        If both look equal, the range has a single length.
 
         Examples
         --------
@@ -138,7 +131,7 @@ class Point(_Worded, tuple[float, ...]):
 
 
 class Wording(Formatter):
-    """Formatter that converts records to English sentences with lengths in mm. Front ends override its methods.
+    """Formatter of messages as English sentences with lengths in mm. Front ends override its methods.
 
     Attributes
     ----------
@@ -159,7 +152,7 @@ class Wording(Formatter):
     def sentence(self, message: str) -> str:
         """Return the message as a sentence in the language of the reader.
 
-        A plain text is treated as a template.
+        A plain text is used as a template.
         """
         if not isinstance(message, Refusal):
             return self.template(message)
@@ -190,7 +183,7 @@ class Wording(Formatter):
 
     @property
     def _separator(self) -> str:
-        return ", " if self.point == "." else "; "  # numbers with decimal commas are separated by semicolons
+        return ", " if self.point == "." else "; "  # semicolons between numbers with decimal commas
 
     def _in_unit(self, mm: float, spec: str) -> str:
         if self.size != 1:
@@ -198,7 +191,7 @@ class Wording(Formatter):
         return self._digits(mm, spec or (".0f" if 999.5 <= abs(mm) < 1e9 else ".3g"))
 
     def _digits(self, value: float, spec: str) -> str:
-        """Format a number without an exponent if it has a usual size, and without a sign if it is rounded to 0."""
+        """Format a number, without an exponent if it has a usual size, and without a sign if it rounds to 0."""
         text = float.__format__(float(value), spec)
         text = text if text.strip("-0.") else text.lstrip("-")
         if "e" in text:
@@ -207,7 +200,7 @@ class Wording(Formatter):
         return text if self.point == "." else text.replace(".", self.point)
 
     def _joined(self, items: Listed, spec: str) -> str:
-        """Join the items with commas. If all are lengths, their units are omitted."""
+        """Join the items with commas. If all are lengths, the unit is not repeated."""
         lengths = _are_lengths(items)
         texts = [
             self._joined(item, spec) if lengths and isinstance(item, Listed) else
@@ -244,8 +237,8 @@ class Change:
     Attributes
     ----------
     field : str
-        Name of the field, as in a design file: "max_width", "smooth". "nearest" permits a change of the curve
-        within the limits of sheet and widths. "join" closes gaps between drawn edges up to a width.
+        Name of the field, as in a design file: "max_width", "smooth". "nearest" lets the curve change, within
+        the limits of sheet and widths. "join" closes gaps between drawn edges up to a width.
     value : object
         Suggested value. Lengths are in mm.
     """
@@ -257,8 +250,8 @@ class Change:
 class Refusal(str):
     """Message of an error, or message about a result: an English sentence with its data.
 
-    Its `str` contains the positions, followed by the sentence. Front ends format the sentence in another
-    language or unit, from the template and the values. No code parses the sentence.
+    Its `str` is the positions and the sentence. Front ends can format it in another language or unit, from
+    the template and the values. No code parses the sentence.
 
     Parameters
     ----------
@@ -272,7 +265,7 @@ class Refusal(str):
         Positions of the problem by kind: "file", "strip", "field" (one or several fields of the request),
         "at" (mm along the curve).
     changes : sequence of Change
-        Alternative changes that may help. Whether they help was not checked.
+        Alternative changes that may help; they are not tested.
     severity : "error", "warning" or "note"
 
     Examples
@@ -299,11 +292,11 @@ class Refusal(str):
         changes: Sequence[Change] = (),
         severity: Severity = "error",
     ) -> "Refusal":
-        """Return a new record with its formatted text."""
+        """Return a record with its formatted text."""
         values, where = dict(values or {}), dict(where or {})
         sentence = ENGLISH.template(text)
         sentence = ENGLISH.vformat(sentence, (), values) if values else sentence
-        # `printable` escapes control codes, because a traceback prints the text on a terminal
+        # a traceback prints the text on a terminal, so control codes must be escaped
         record = super().__new__(cls, printable(_with_places(sentence, where)))
         record.kind, record.text, record.severity = kind, text, severity
         record.values, record.where, record.changes = values, where, tuple(changes)
@@ -345,7 +338,7 @@ class Refusal(str):
 
 
 def is_reported(message: str) -> bool:
-    """Return True for an error or warning. Notes are only reported in verbose output."""
+    """Return True for an error or warning. Notes appear only in verbose output."""
     return not isinstance(message, Refusal) or message.severity != "note"
 
 
@@ -364,7 +357,7 @@ def note(
 
 
 def one_of_each(messages: Iterable[str]) -> Iterator[str]:
-    """Yield the first of the messages that differ only in numbers and names, with the number of the others."""
+    """Yield the first of messages that differ only in numbers and names, with the number of the others."""
     kinds: dict[str, list[str]] = {}
     for message in dict.fromkeys(messages):
         kinds.setdefault(getattr(message, "text", message), []).append(message)
@@ -375,13 +368,9 @@ def one_of_each(messages: Iterable[str]) -> Iterator[str]:
 
 
 def sentences(parts: Iterable[str], between: str = "; ", end: str = "") -> str:
-    """Join sentences to a message that front ends can still separate. A single sentence is returned unchanged.
+    """Join sentences to a message from which front ends can take them apart.
 
-    Examples
-    --------
-    >>> both = sentences([note("it is too long"), note("it breaks")])
-    >>> print(both, len(both.values))
-    it is too long; it breaks 2
+    A single sentence is unchanged.
     """
     parts = [part for part in parts if part]
     if len(parts) == 1 and not end:

@@ -32,7 +32,7 @@ class Row:
 
     @property
     def stops(self) -> bool:
-        """True if the user has to act before cutting."""
+        """True for an error or warning: the user must act before cutting."""
         return self.severity != "note"
 
 
@@ -42,21 +42,14 @@ def warning_row(text: str, label: str = "Warning") -> Row:
 
 
 def in_order(rows: Sequence[Row]) -> tuple[Row, ...]:
-    """Return the rows, with the rows on which the user has to act at the front."""
+    """Return the rows, those on which the user must act first."""
     return tuple(sorted(rows, key=lambda row: not row.stops))
 
 
 def printed_row(row: Row) -> str:
     """Return a row as a line of text, with the label in a column.
 
-    A row on which the user has to act is marked with "!".
-
-    Examples
-    --------
-    >>> rows = [Row("Size", "20 mm long"), Row("Stability", "unstable", (), "warning")]
-    >>> print(*map(printed_row, in_order(rows)), sep="\\n")
-    ! Stability unstable
-    Size        20 mm long
+    If the user must act, it is marked with "!".
     """
     label = f"! {row.label}" if row.stops else row.label
     return f"{label:<{LABEL_WIDTH}} {row.text}"

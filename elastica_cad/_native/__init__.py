@@ -1,8 +1,8 @@
 """Choice between compiled code and Python for the inner loops of rods.
 
 `compiled` is None if the package was built without a C compiler, or if the environment has ELASTICA_PURE.
-Each caller then computes the same result in Python; tests compare both. The compiled code checks arrays
-against the sizes that these functions pass.
+Each caller then computes the same result in Python; tests compare both. The compiled code checks the sizes of
+all arrays.
 """
 
 import os
@@ -75,7 +75,7 @@ def sensitivities(
     carried: tuple[FloatArray, FloatArray] | None, length: float, start_moment: float, start_angle: float,
     to_equilibrium: bool,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:  # fmt: skip
-    """Return the derivatives of angles, moments and positions, as `forming.rod_map.StripGrid.sensitivities`."""
+    """Return the derivatives of angles, moments and positions: see `forming.rod_map.StripGrid.sensitivities`."""
     nodes, coefficients = basis.shape
     columns = coefficients + 7 + to_equilibrium
     out = np.empty((nodes + 1, columns)), np.empty((nodes, columns)), np.empty((nodes, 2, columns))
@@ -91,7 +91,7 @@ def sensitivities(
 def lowest_mode(
     diagonal: FloatArray, off: FloatArray, lengths: FloatArray, rows: FloatArray, polynomials: FloatArray
 ) -> tuple[float, FloatArray, FloatArray] | None:
-    """Return value, mode and multipliers, as `mechanics.discrete_rod.lowest_weighted`, or None if the search
+    """Return value, mode and multipliers of `mechanics.discrete_rod.lowest_weighted`, or None if the search
     fails.
     """
     mode, multipliers = np.empty(diagonal.size), np.empty(len(rows))
@@ -105,9 +105,10 @@ def interior_points(
     hessian: FloatArray, gradient: FloatArray, lower: FloatArray, upper: FloatArray, rows: FloatArray,
     right: FloatArray, penalty: FloatArray, one_sided: BoolArray, accuracy: float,
 ) -> tuple[tuple[FloatArray, FloatArray, FloatArray, FloatArray], bool, int]:  # fmt: skip
-    """Return the solution of `forming.quadratic_program`: x, and multipliers of rows, lower and upper bounds.
+    """Return the solution of `forming.quadratic_program`, True if it converged, and the number of
+    factorisations.
 
-    The result also states whether the steps converged, and the number of factorisations.
+    The solution is x and the multipliers of the rows, lower bounds and upper bounds.
     """
     n, m = gradient.size, right.size
     out = np.empty(n), np.empty(m), np.empty(n), np.empty(n)

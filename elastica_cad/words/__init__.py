@@ -12,7 +12,7 @@ LANGUAGES = ("de", "zh-CN")
 
 @cache
 def catalogue(language: str) -> dict[str, str]:
-    """Return the translations by their English texts; none for a language without a catalogue."""
+    """Return the translations by their English texts; empty for a language without a catalogue."""
     if language not in LANGUAGES:
         return {}
     words: dict[str, str] = json.loads(
@@ -22,7 +22,7 @@ def catalogue(language: str) -> dict[str, str]:
 
 
 class Translated(Wording):
-    """Sentences in one of the languages; a sentence that is not in its catalogue is in English.
+    """Sentences in a language, or in English if they are not in its catalogue.
 
     Parameters
     ----------
@@ -43,5 +43,5 @@ class Translated(Wording):
         return self._catalogue.get(text, text)
 
     def format_field(self, value: Any, spec: str) -> str:
-        """Words that the program chooses, such as "start", are in the catalogue too."""
+        """Format a value; words that the program chooses, such as "start", are translated."""
         return super().format_field(self.template(value) if type(value) is str else value, spec)
