@@ -123,7 +123,13 @@ def direction(values: object, what: str) -> FloatArray:
 
 
 def alike(**values: object) -> tuple[FloatArray, ...]:
-    """Return named values as arrays, not broadcast. Raise InputError if their shapes do not match."""
+    """Return named values as arrays, not broadcast. Raise InputError if their shapes do not match.
+
+    Examples
+    --------
+    >>> alike(curvature=[1, 2], rest=0.0)
+    (array([1., 2.]), array(0.))
+    """
     arrays = tuple(numbers(value, name) for name, value in values.items())
     try:
         np.broadcast_shapes(*(array.shape for array in arrays))
@@ -266,7 +272,13 @@ def counted(count: int, noun: str) -> str:
 
 
 def and_more(items: Sized, noun: str = "") -> str:
-    """Return a text such as " (and 2 more pairs)" for the items after the first; "" for a single item."""
+    """Return a text such as " (and 2 more pairs)" for the items after the first; "" for a single item.
+
+    Examples
+    --------
+    >>> and_more("a", "pair"), and_more("abc", "pair"), and_more("abc")
+    ('', ' (and 2 more pairs)', ' (and 2 more)')
+    """
     count = len(items) - 1
     if count < 1:
         return ""
@@ -276,7 +288,13 @@ def and_more(items: Sized, noun: str = "") -> str:
 
 
 def distinct_digits(first: float, other: float, digits: str) -> tuple[float, float]:
-    """Round two numbers to the digits of a format, or to more digits if they would look equal."""
+    """Round two numbers to the digits of a format, or to more digits if they would look equal.
+
+    Examples
+    --------
+    >>> distinct_digits(2.51, 3.0, ".3g"), distinct_digits(2.9982, 3.0, ".3g")
+    ((2.51, 3.0), (2.998, 3.0))
+    """
     usual, kind = int(digits[1:-1]), digits[-1]
     digits_of = range(usual, usual + MORE_DIGITS)
     rounded = [(float(f"{first:.{n}{kind}}"), float(f"{other:.{n}{kind}}")) for n in digits_of]

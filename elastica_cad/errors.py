@@ -168,7 +168,13 @@ def quoted(value: object) -> str:
 
 
 def toml_slip(text: str, error: Exception) -> str:
-    """Return how to correct a line with a TOML error."""
+    """Return how to correct a line with a TOML error.
+
+    Examples
+    --------
+    >>> toml_slip("max_width = 2,5", ValueError("Expected newline (at line 1, column 14)"))
+    'write decimals with a point, 2.5'
+    """
     match = re.search(r"at line (\d+)", str(error))
     lines = text.splitlines()
     line = lines[int(match[1]) - 1] if match and int(match[1]) <= len(lines) else ""
@@ -197,7 +203,13 @@ def how_to_install(package: str) -> str:
 
 
 def missing_library(use: str, library: str) -> MissingDependencyError:
-    """Return the error for a missing library. `use` is the operation that needs it."""
+    """Return the error for a missing library. `use` is the operation that needs it.
+
+    Examples
+    --------
+    >>> str(missing_library("reading a.dxf needs ezdxf", "ezdxf")).endswith("pip install ezdxf")
+    True
+    """
     return MissingDependencyError(f"{use}: {how_to_install(library)}")
 
 

@@ -26,7 +26,13 @@ class _Worded:
 
 
 class Length(_Worded, float):
-    """Length in mm, shown with its unit and at least three digits or in the format of the template."""
+    """Length in mm, shown with its unit and at least three digits or in the format of the template.
+
+    Examples
+    --------
+    >>> "the ends are {} apart".format(Length(1234.56)), f"{Length(0.1234)}", f"{Length(8):.1f}"
+    ('the ends are 1235 mm apart', '0.123 mm', '8.0 mm')
+    """
 
     def __str__(self) -> str:
         return format(self)
@@ -371,6 +377,12 @@ def sentences(parts: Iterable[str], between: str = "; ", end: str = "") -> str:
     """Join sentences to a message from which front ends can take them apart.
 
     A single sentence is unchanged.
+
+    Examples
+    --------
+    >>> both = sentences([note("it is too long"), note("it breaks")])
+    >>> print(both, len(both.values))
+    it is too long; it breaks 2
     """
     parts = [part for part in parts if part]
     if len(parts) == 1 and not end:

@@ -50,6 +50,13 @@ def printed_row(row: Row) -> str:
     """Return a row as a line of text, with the label in a column.
 
     If the user must act, it is marked with "!".
+
+    Examples
+    --------
+    >>> rows = [Row("Size", "20 mm long"), Row("Stability", "unstable", (), "warning")]
+    >>> print(*map(printed_row, in_order(rows)), sep="\\n")
+    ! Stability unstable
+    Size        20 mm long
     """
     label = f"! {row.label}" if row.stops else row.label
     return f"{label:<{LABEL_WIDTH}} {row.text}"

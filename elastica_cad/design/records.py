@@ -368,6 +368,11 @@ def title(record: Record) -> str:
     """Return the name of a record's table in the manual and schema.
 
     If a key `kind` selects the record from a family, the name is the family and the value of `kind`.
+
+    Examples
+    --------
+    >>> title(Limits), title(Perforated)
+    ('limits', 'style perforated')
     """
     word = word_of(record)
     kinds = next((name_of(base) for base, kinds in BY_KIND.items() if record in kinds.values()), "")

@@ -34,7 +34,14 @@ _MOST_END_WIDTHS = 6.0
 
 
 def _stroke_width(run: Sequence[Edge], tolerance: float) -> float | None:
-    """Return the width, mm, of a stroke of constant width whose outline is the closed run, or None."""
+    """Return the width, mm, of a stroke of constant width whose outline is the closed run, or None.
+
+    Examples
+    --------
+    >>> bar = Edge.polyline([(0, 0), (100, 0), (100, 4), (0, 4), (0, 0)])
+    >>> round(_stroke_width([bar], 0.01), 2), _stroke_width([Edge.polyline(bar.points * (1, 10))], 0.01)
+    (4.0, None)
+    """
     if float(np.linalg.norm(run[0].start - run[-1].end)) > tolerance or run[0].points.shape[1] != 2:
         return None
     drawn = np.concatenate([edge.at(edge.stations()) for edge in run])

@@ -29,6 +29,11 @@ def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
 
     Reading errors then have the least effect. The length is rounded down to whole centimetres and is at most
     `max_overhang`, mm.
+
+    Examples
+    --------
+    >>> coupon_overhang(Sheet.named("card-200gsm"))
+    160.0
     """
     sheet = Sheet.of(sheet)
     require_positive(max_overhang, "max_overhang")

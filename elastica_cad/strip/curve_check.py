@@ -72,6 +72,14 @@ class CurveCheck(EquilibriumCheck):
         """At most four changes that make an impossible curve possible.
 
         Each was tested for a strip of a common sheet: it is stable and within the sheet's strain limit.
+
+        Examples
+        --------
+        >>> points = [(0, 20), (60, 20), (120, 40), (180, -20), (240, 50), (300, -50)]
+        >>> for suggestion in check_equilibrium(PlaneCurve.spline(points, degree=5)).cures:
+        ...     print(suggestion.change.field, round(suggestion.deviation, 1))
+        point 9.0
+        nearest 0.3
         """
         from elastica_cad.strip.suggestions import suggest
 

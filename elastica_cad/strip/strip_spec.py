@@ -823,7 +823,14 @@ class StripSpec(EqualByValue):
         return replace(self, **fields)
 
     def with_change(self, change: Change) -> "StripSpec | None":
-        """Return the request with a suggested change, or None if the change does not apply to it."""
+        """Return the request with a suggested change, or None if the change does not apply to it.
+
+        Examples
+        --------
+        >>> spec = StripSpec(PlaneCurve.spline([(0, 0), (50, 60), (100, 0)], degree=2), "pom-0.5", max_width=9)
+        >>> spec.with_change(Change("max_width", 12.0)).max_width, spec.with_change(Change("unit", "cm"))
+        (12.0, None)
+        """
         require_record(change, Change, "a change", "a Change")
         if change.field == "nearest":
             if self.may_change:
