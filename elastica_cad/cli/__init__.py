@@ -1,6 +1,6 @@
 """The `elastica` command.
 
-Large modules are imported inside `main`, where Ctrl-C is caught, so that it prints no traceback.
+Large modules are imported inside `main`, which catches Ctrl-C and prints no traceback.
 """
 
 import gc
@@ -30,15 +30,15 @@ def main(arguments: list[str] | None = None) -> None:
     """
     if arguments is None:
         if not sys.warnoptions:
-            warnings.simplefilter("ignore")  # hide warnings of Python, which are for programmers
-        # a single thread is faster for small matrices, and gives equal results on every machine
+            warnings.simplefilter("ignore")  # Python's warnings are for programmers
+        # one thread is faster for small matrices, and gives equal results on every machine
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-        # without this, garbage collection of the imported objects takes a fifth of the time of a command
+        # otherwise, garbage collection of imported objects takes a fifth of a command's time
         gc.set_threshold(200_000, 20, 20)
     try:
         from elastica_cad.plot.drawing_process import drawing_process
 
-        # a program that calls `main` draws in its own process, because it may have imported matplotlib
+        # a program that calls `main` draws in its own process; it may have imported matplotlib
         with drawing_process(() if arguments is not None else sys.argv[1:]) as process:
             code = _run(arguments, process)
     except KeyboardInterrupt:
@@ -47,7 +47,7 @@ def main(arguments: list[str] | None = None) -> None:
         code = OUTPUT_CLOSED
     finally:
         if arguments is None:
-            gc.freeze()  # skip the garbage collection at the end of the process, too
+            gc.freeze()  # skips the garbage collection at the end of the process
     if code == OUTPUT_CLOSED:
         _drop_output(1, 2)
     sys.exit(code)
@@ -63,10 +63,10 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
     except click.ClickException as problem:
         problem.show()
         return problem.exit_code
-    except click.Abort:  # click raises this exception for Ctrl-C
+    except click.Abort:  # click raises it for Ctrl-C
         return INTERRUPTED
     except OSError as problem:
-        if problem.filename is not None:  # an error with a file name does not concern standard output
+        if problem.filename is not None:  # an error with a file name is not about standard output
             raise
         return _unprinted(problem)
     return code if isinstance(code, int) else 0
@@ -75,7 +75,7 @@ def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
 def _unprinted(problem: OSError) -> int:
     """Return the exit code for an error of standard output, such as a full disk.
 
-    Its buffered text is discarded.
+    The text that was not written yet is discarded.
     """
     _drop_output(1)
     sys.stderr.write(f"Error: the answer can't be written: {problem.strerror or problem}\n")

@@ -1,5 +1,5 @@
-"""`elastica batten`: taper a batten so that its largest depth under end pressure is at the requested
-position.
+"""`elastica batten`: taper a batten so that it bends deepest at the requested position when its ends are
+pressed.
 """
 
 from functools import partial
@@ -30,7 +30,7 @@ from elastica_cad.refusals import Length
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.strip import Strip
 
-LEAST_FRACTION = 0.25  # default for the least size, as a fraction of the stock's size
+LEAST_FRACTION = 0.25  # least size, as a fraction of the stock's size, by default
 MOST_STATIONS = 1000
 
 _STOCK = (
@@ -157,7 +157,7 @@ def _write_plies(batten_result: Batten, chosen: dict[str, Any]) -> None:
 
 
 CONTENTS = {".csv": "table", ".svg": "drawing", ".dxf": "drawing", ".pdf": "print", ".step": "bodies"}
-"""Descriptions of the written files, by the end of the name."""
+"""Descriptions of the written files, by the end of their names."""
 
 
 def _print_files(written: tuple[Path, ...]) -> None:
@@ -206,7 +206,7 @@ def _report(result: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
         "camber": depth, "camber_place": place,
         "end_force_N": result.end_force, "mass_g": result.strip.mass, "max_strain": result.strip.max_strain,
         "strain_limit": result.strip.strain_limit, "warnings": list(result.strip.warnings),
-        # JSON has no infinity: the safety of ends that do not bend becomes null
+        # JSON has no infinity, the safety of ends that do not bend; it becomes null
         "table": {key: [v if np.isfinite(v) else None for v in values.tolist()] for key, values in table.items()},
     }  # fmt: skip
 

@@ -190,7 +190,7 @@ def bend_command(curve: Path | None, **chosen: Any) -> None:
         shapes = bend_path(rod, _keywords_of_steps(rod, chosen, supports, change), side=side)
         verdicts = [stability(shape) for shape in shapes]
     else:
-        # at travel 0, the force on a straight strip may have any value up to the buckling load
+        # at travel 0, the force on a straight strip may be anything up to the buckling load
         from_zero = curve is not None and chosen["steps"] > 1 and not change
         moved = bend_strip(
             strip,
@@ -357,7 +357,7 @@ def _keywords_of_steps(
 
 
 def _shape_report(shape: Rod, verdict: Stability, bending_stiffness: float) -> dict[str, Any]:
-    """Return the report of a shape, with forces in N if `bending_stiffness` is in N mm2."""
+    """Return the report of a shape. Forces are in N if `bending_stiffness` is given, in N mm2."""
     return {
         "start": shape.position[0], "end": shape.position[-1], "angles": shape.angle[[0, -1]],
         "size": np.ptp(shape.position, axis=0), "largest_curvature": np.abs(shape.curvature).max(),
@@ -429,7 +429,7 @@ def _print_shapes(
 
 
 STRETCHED_SHARE = 1e-4
-"""Stretch of a strip between its ends, as a fraction of its length, above which there is a warning."""
+"""Stretch of a strip between its ends, as a fraction of its length, above which a warning is printed."""
 
 
 def _warnings_on_stretch(shape: Rod) -> Iterator[str]:
@@ -443,7 +443,7 @@ def _warnings_on_stretch(shape: Rod) -> Iterator[str]:
 
 
 def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[str]:
-    """Yield a warning on a bar above a straight strip if its point is below, where a maker expects a gap."""
+    """Yield a warning if the bar of a rail is above a straight strip, because its point is below it."""
     at, direction = getattr(action.element, "at", None), bar_direction(action, shape)
     gravity = shape.gravity
     if rod.shape is not None or not isinstance(at, tuple) or direction is None or gravity is None:
@@ -529,7 +529,10 @@ def _stability_row(
 
 
 def _place(step: int, shapes: Sequence[Rod], moved: Travel | None, change: dict[str, Any]) -> str:
-    """Return a text for a step: its number if loads or elements change, because an end may slide then."""
+    """Return a text for a step.
+
+    If loads or elements change, it is the step's number, because an end may slide.
+    """
     if moved is None or change:
         return f"step {step + 1} of {len(shapes)}"
     return moved.place_message(moved.path_length[step])

@@ -122,7 +122,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
         "deviation_mm": result.deviation, "ratio": result.strip.rod.ratio, "max_strain": result.strip.max_strain,
         "strain_limit": result.strip.strain_limit if in_newtons else None,
         "margin": stability(result.strip.rod).margin, "warnings": list(result.strip.warnings) if in_newtons else [],
-        # JSON has no infinity: the safety of a straight rod becomes null
+        # JSON has no infinity, the safety of a straight rod; it becomes null
         "shorter": {name: [v if np.isfinite(v) else None for v in values] for name, values in table.items()},
     }  # fmt: skip
     written = _write(result, shorter, table, report, requested.name, chosen)
@@ -141,7 +141,10 @@ def _bow_or_suggestion(requested: RequestedCurve, sheet: Sheet, fields: dict[str
 
 
 def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
-    """Without --sheet, the material has a modulus of 1 GPa, so that forces are in N per GPa."""
+    """Return the material and its options.
+
+    Without --sheet, it has a modulus of 1 GPa: forces are in N per GPa.
+    """
     rod, widest, least = chosen["rod"], chosen["max_width"], chosen["min_width"]
     if (rod is None) == (widest is None):
         raise InputError(

@@ -57,11 +57,11 @@ if TYPE_CHECKING:
     from elastica_cad.strip.suggestions import Suggestion
 
 MOST_SHEETS = 3
-"""Largest number of sheets in the row of sheets without -v."""
+"""Largest number of sheets that are listed without -v."""
 
-EVEN = 1.005  # largest ratio of widths that is reported as a constant width
+EVEN = 1.005  # widths with a smaller ratio are reported as constant
 WIDE_MM = 40.0
-"""Width of the widest place, mm, in the example of a message on the ratio of widths."""
+"""Width of the widest place, mm, in the example that explains a ratio of widths."""
 
 
 @click.command()
@@ -151,7 +151,7 @@ def check(
 
 @dataclass(frozen=True)
 class _Request:
-    """Options for every curve that is checked; `smooth` is the largest movement by smoothing, mm."""
+    """Options for every curve that is checked. `smooth` is how far smoothing may move the curve, mm."""
 
     supports: Supports
     natural_curvature: NaturalCurvature
@@ -191,7 +191,7 @@ class _Request:
         outcome = self._smoothed(requested, verdict)
         report = report_check(verdict)
         report["advice"] = " ".join([*outcome, report["advice"]])
-        # omit messages on noise, because the check reports noise, too
+        # the check reports noise itself
         of_curve = (message for message in smoothing.notes if message not in smoothing.noise)
         report["notes"] = [*outcome, *([ends.message] if ends else []), *of_curve]
         if verdict.realizable and self.alone:
@@ -293,7 +293,7 @@ def _draw(verdict: EquilibriumCheck | Rod, path: Path, *, force: bool) -> None:
 
 
 def _check_on_elements(spec: RodSpec) -> EquilibriumCheck:
-    """A linear program decides about the curve and gives the reasons."""
+    """Check a curve with rails, pins or ties by a linear program, which also gives the reasons."""
     try:
         rod = solve_rod(spec)
     except NotRealizable as problem:

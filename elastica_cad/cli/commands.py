@@ -45,14 +45,15 @@ COMMANDS = {
     "studio": "studio_command:studio",
     "help": "help_command:help_command",
 }
-"""Module and function of each command; the module is imported on first use."""
+"""Module and function of each command. The module is imported on first use."""
 
 MM_IN_KEYS = ("settings",)
 PER_MM = ("natural_curvature",)
-"""Options to which `--units` does not apply: keys as in a design file (lengths in mm), and curvatures (1/mm)."""
+"""Options in fixed units, to which `--units` does not apply: keys of a design file (mm), and curvatures
+(1/mm)."""
 
 ALIKE = {"name": "label"}
-"""Name of an option in some commands, by the name of the same option in other commands."""
+"""Names by which commands may call the same option: its other name, by its usual name."""
 
 FILES = {
     "curve": "name the file with the curve (DXF, SVG, CSV, JSON, STEP), or - for standard input",
@@ -60,7 +61,7 @@ FILES = {
     "design": "name a design file; `elastica new pavilion` writes an example",
     "mesh": "name the file of a mesh (OBJ, STL, PLY) or of a STEP body",
 }
-"""Instructions if an input file is missing, by the name of its argument."""
+"""Instructions for missing input files, by the name of the argument."""
 
 EXIT_CODES: dict[type[ElasticaError], tuple[str, int]] = {
     NotRealizable: ("Not realizable: ", NOT_REALIZABLE),
@@ -68,7 +69,8 @@ EXIT_CODES: dict[type[ElasticaError], tuple[str, int]] = {
     NotMetError: ("Not within these limits: ", NOT_REALIZABLE),
     ElasticaError: ("", BAD_INPUT),
 }
-"""Beginning of the error message and exit code for each class of errors. The first matching class is used."""
+"""First words of the error message, and exit code, for each class of errors. The first matching class is
+used."""
 
 
 def _print_version(ctx: click.Context, _: click.Parameter, is_wanted: bool) -> None:
@@ -98,9 +100,7 @@ def _imported(name: str) -> click.Command:
 
 @contextmanager
 def _quiet_pipes() -> Iterator[None]:
-    """The program that reads the output may end first, as in `elastica sheets | head -1`; no message is
-    printed then.
-    """
+    """Print no message if the program that reads the output ends first, as in `elastica sheets | head -1`."""
     try:
         yield
     except BrokenPipeError:
@@ -158,7 +158,7 @@ def _spelled(path: str) -> str:
 
 
 ANYWHERE = {"-q": 0, "--quiet": 0, "--watch": 0, "--units": 1}
-"""Options of `elastica` that may also follow the name of a command, with the number of their values."""
+"""Options of `elastica` that may also follow the name of a command, and their numbers of values."""
 
 
 def _common_options_first(args: list[str]) -> list[str]:
@@ -243,7 +243,7 @@ def elastica(quiet: bool, units: str, watch: bool) -> None:
 def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     """Add `--json` and `-v` to a command, and apply the options of `elastica`.
 
-    `huge` means that the command itself rejects numbers that are too large for a drawing.
+    `huge` is True if the command itself rejects numbers too large for a drawing.
     """
     run, parameter_names = command.callback, {param.name for param in command.params}
     assert run is not None
@@ -277,7 +277,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
                 _refuse(problem)
                 return
             if "force" in parameter_names:
-                chosen["force"] = True  # with --watch, later runs overwrite the files of earlier runs
+                chosen["force"] = True  # later runs overwrite files of earlier runs
 
         remake_on_change(make, partial(echo, err=True))
 
@@ -306,7 +306,7 @@ def _check_numbers(chosen: Mapping[str, Any], *, huge: bool) -> None:
 
 
 def _numbers(value: Any) -> Iterator[float]:
-    """Integers too large for a float become 1e300."""
+    """Yield all numbers in a value. Integers too large for a float become 1e300."""
     if isinstance(value, tuple | list):
         for item in value:
             yield from _numbers(item)
@@ -315,7 +315,7 @@ def _numbers(value: Any) -> Iterator[float]:
 
 
 def _output_flag(*names: str, help: str) -> click.Option:
-    """The flag takes effect before other options are processed."""
+    """Return a flag that takes effect before other options."""
 
     def set_voice(_: click.Context, param: click.Parameter, value: bool) -> None:
         if value:

@@ -22,15 +22,15 @@ from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.coupon import coupon_drawing, coupon_overhang
 
 GUESSED_MPA, GUESSED_STRAIN = 4000.0, 0.004
-"""Assumed modulus (between card and plywood) and strain limit of an unknown sheet, for the length of its coupon."""
+"""Modulus, MPa (between card and plywood), and strain limit, assumed for the length of an unknown sheet's
+coupon."""
 
 LEAST_DROOP_MM = 10.0
-"""Least useful droop, mm, because the position and height of the clamp have errors of about half a mm."""
+"""Least useful droop, mm. Position and height of the clamp are uncertain by about half a mm."""
 
 SIGMAS, LEAST_CONTRADICTION = 3.0, 0.1
-"""Two readings contradict each other if they differ by more than this many standard deviations and by this
-fraction.
-"""
+"""Two readings contradict each other if they differ by more than this, both in standard deviations and as a
+fraction."""
 
 
 @click.command()
@@ -146,7 +146,7 @@ def _sheet_of_coupon(chosen: dict[str, Any]) -> Sheet:
             max_strain=GUESSED_STRAIN,
         )
     sheet = Sheet.named(chosen["sheet"])
-    if thickness is not None:  # the name of the sheet does not depend on the measured thickness
+    if thickness is not None:  # the name of the sheet does not contain the measured thickness
         sheet = replace(sheet.with_thickness(thickness), name=sheet.name)
     return sheet if density is None else replace(sheet, density=density, density_range=None)
 
@@ -230,7 +230,7 @@ def _warn_row(label: str, text: str) -> None:
 
 
 def _with_rounded_modulus(sheet: Sheet) -> Sheet:
-    """Round the modulus to six digits, because readings are less accurate."""
+    """Return the sheet with its modulus rounded to six digits. Readings are less accurate."""
     moduli = (sheet.youngs_modulus, *(sheet.youngs_modulus_range or ()))
     E, *limits = (float(f"{modulus:.6g}") for modulus in moduli)
     return replace(sheet, youngs_modulus=E, youngs_modulus_range=(limits[0], limits[1]) if limits else None)

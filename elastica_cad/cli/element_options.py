@@ -25,7 +25,7 @@ RECORDS: dict[str, tuple[type, str]] = {
 ELEMENTS, LOADS = ("rail", "pin", "tie"), ("point_force", "point_mass")
 
 CUTS = ("hole", "notch")
-"""Fields of pins and ties for cuts in the strip. The option for a field applies to all pins and ties."""
+"""Fields of pins and ties for cuts in the strip. Each has one option for all pins and ties."""
 
 
 class Place(Length):
@@ -95,7 +95,7 @@ def element_options(names: Iterable[str] = tuple(RECORDS)) -> Callable[[Any], An
 
 
 def cut_options() -> Callable[[Any], Any]:
-    """Return a decorator that adds the options for the holes and notches of pins and ties."""
+    """Return a decorator that adds the options for holes and notches of pins and ties."""
     cuts = [field for field in declared(Pin) if field.name in CUTS]
     helps = [f"{field.help} For each --pin and --tie." for field in cuts]
     return join_options(
@@ -107,7 +107,7 @@ def cut_options() -> Callable[[Any], Any]:
 
 
 def element_table(chosen: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the keys `between` and `loads`, as in a design file, for the given options."""
+    """Return the keys `between` and `loads` of a design file for the given options."""
     cuts = {name: chosen[name] for name in CUTS if chosen.get(name) is not None}
     if cuts and not (chosen.get("pin") or chosen.get("tie")):
         raise InputError("{option} needs --pin or --tie.", option=option_name(next(iter(cuts))))

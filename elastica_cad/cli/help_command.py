@@ -30,7 +30,7 @@ def help_command(key: str | None) -> None:
 
 
 def _in_words(kind: Kind) -> str:
-    """Return a description of the valid values of a key.
+    """Describe the valid values of a key.
 
     Examples
     --------

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 from elastica_cad.strip.summary import accuracy_row, hold_row, size_row
 
 MOST_SHOWN = 6
-"""Largest number of notes that are printed without -v; the report contains all notes."""
+"""Largest number of notes printed without -v. The report contains all."""
 
 
 @click.command()
@@ -132,7 +132,7 @@ def model(
 
 
 KEYS = {"nearest": f"`limits = {{{{ margin = {SAFE_MARGIN:g} }}}}`", "lap": "`shop = {{ lap = {value:g} }}`"}
-"""Lines in a design file for suggested changes, if they are not of the form FIELD = VALUE."""
+"""Lines in a design file for suggested changes that are not of the form FIELD = VALUE."""
 
 FIELDS = ("nearest", "lap", "max_width", "smooth", "thickness")
 """Fields that can be changed by a line in the table of a strip."""

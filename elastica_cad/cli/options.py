@@ -108,12 +108,12 @@ def _typed_as(field: Field) -> tuple[Any, str | None]:
 
 
 def given_of(chosen: Mapping[str, Any], names: Iterable[str]) -> dict[str, Any]:
-    """Return the named parameters that were given on the command line."""
+    """Return the named parameters that the user has given."""
     return {name: chosen[name] for name in names if chosen[name] is not None}
 
 
 def join_options(*options: Callable[[Any], Any]) -> Callable[[F], F]:
-    """Return a decorator that adds several options, in the order of help."""
+    """Return a decorator that adds several options, in the order in which help lists them."""
 
     def add(function: F) -> F:
         for option in reversed(options):
@@ -132,7 +132,7 @@ smooth_option = click.option(
 
 
 class _Folder(click.Path):
-    """Output folder. A name that looks like an option is refused, because the folder was probably forgotten."""
+    """Output folder. A name that looks like an option is refused, because the folder was forgotten."""
 
     def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
         if str(value).startswith("-"):
@@ -146,11 +146,11 @@ output_options = join_options(
     click.option("--force", is_flag=True, help="Overwrite files that exist."),
     click.option("-o", "--output", type=_Folder(path_type=Path), default=Path(), help="Folder for files."),
 )
-"""Options for the output folder and for overwriting files."""
+"""Options for the output folder and overwriting."""
 
 
 def sheet_options(*, required: bool, use: str = "Material") -> Callable[[F], F]:
-    """Return a decorator that adds options for the material, by name or from a file, and for its thickness."""
+    """Return a decorator that adds options for the sheet, by name or file, and for its thickness."""
 
     return join_options(
         click.option("--sheet", required=required, metavar="NAME|FILE",

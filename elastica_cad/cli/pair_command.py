@@ -89,7 +89,7 @@ def pair(**chosen: Any) -> None:
     else:
         spec, cutting = _spec_of(chosen, settings), cutting_of({"cut": cut})
     name = chosen["name"] or path.stem
-    cutting.options(Sheet.of(spec.sheet))  # refuse an unknown kerf before the computation
+    cutting.options(Sheet.of(spec.sheet))  # raises the error for an unknown kerf before the long computation
     if matched := spec.matched:
         say_row(Row("Curves", str(matched)))
     say_step("looking for the rod that rests in both curves")

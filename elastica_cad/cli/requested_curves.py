@@ -31,7 +31,7 @@ from elastica_cad.strip.lettering import engravable
 F = TypeVar("F", bound=Callable[..., Any])
 
 CHOICE = "--curve 1 .. --curve {count}, --curve ID or --layer NAME"
-"""Options, in messages, that select a curve in a file with several curves."""
+"""Options that select a curve of a file, as messages list them."""
 
 
 def curve_argument(*, required: bool = True) -> Callable[[F], F]:
@@ -110,17 +110,17 @@ class RequestedCurve:
         File with the curve.
     drawn : DrawnCurve
     whole : DrawnCurve
-        Curve before splitting; it is `drawn` if the curve was not split.
+        Curve before it was split at corners; `drawn` if it was not split.
     count : int
         Number of curves in the file.
     name : str
         Stem of the names of output files.
     which : tuple of str
-        Command line arguments that select the curve, if several curves were requested.
+        Command line arguments that select the curve among several requested ones.
     unit : str or None
         Unit of the file, if it was given.
     own : str
-        Name of the curve in a file with several curves, or "" without a name.
+        Name of the curve in a file with several curves; "" if it has none.
     alone : bool
         True if no other curve of the file has this name.
     """
@@ -137,7 +137,7 @@ class RequestedCurve:
 
     @property
     def label(self) -> str:
-        """Default of the engraved text: name of the curve and number of the piece, or `name`."""
+        """Default of the engraved text: the name of the curve with the number of the piece, or `name`."""
         piece = f"-{self.drawn.piece}" if self.drawn.pieces > 1 else ""
         return engravable(f"{self.own}{piece}" if self.own else self.name)
 
@@ -148,8 +148,9 @@ class RequestedCurve:
             return self.drawn.curve
 
     def bendable(self, smooth: float | None) -> PlaneCurve:
-        """Return the curve as drawn. Refuse the curve if smoothing by `smooth` mm does not remove its
-        corners.
+        """Return the curve as drawn.
+
+        Raise InputError if smoothing by `smooth` mm does not remove its corners.
         """
         with self._with_place_in_errors():
             curve = self.drawn.curve
@@ -182,8 +183,8 @@ def requested_curves(
     """Return the curve selected by number, id or layer.
 
     With `every`, several curves may be selected. With `split`, curves are divided at corners. Without
-    `corners`, curves that meet at a corner are not joined, and joints are not reported. `how` names the
-    options that select a single curve, for messages.
+    `corners`, curves that meet at a corner are not joined. `how` names, in messages, the options that select
+    a single curve.
     """
     drawing = drawn_curves(path, unit, number, layer, how, corners=corners)
     several = every and len(drawing) > 1 and number is None
@@ -234,9 +235,9 @@ def drawn_curves(
 
 
 def _names_by_number(curves: Sequence[DrawnCurve]) -> dict[int, tuple[str, bool]]:
-    """Map the number of each curve to its name, and to True if the name is unique.
+    """Return the name of each curve, and True if no other curve has this name, by the curve's number.
 
-    A name of several curves is followed by the number. A curve without a name from a user has the name "".
+    A name of several curves is followed by the number. A curve that the user did not name has the name "".
     """
     counts = Counter(_file_word(curve.name).casefold() for curve in curves)
     names = {}
@@ -262,13 +263,13 @@ END_NAMES = get_args(EndName)
 
 
 def read_curves_with_note(path: Path, *, unit: str | None = None) -> list[PlaneCurve]:
-    """Read the curve of a file that has a single curve, and print a note if its size is doubtful."""
+    """Return the curves of a file with a single curve. Print a note if its size is doubtful."""
     (curve,) = requested_curves(path, unit, None, None)
     return [curve.bendable(None)]
 
 
 def natural_curvature_of(value: Any) -> NaturalCurvature:
-    """Return the value of the option as a number (1/mm) or a record."""
+    """Return the natural curvature that an option gives: a number (1/mm) or a record."""
     if isinstance(value, float):
         return value
     from elastica_cad.design.records import Reader
@@ -280,12 +281,12 @@ def natural_curvature_of(value: Any) -> NaturalCurvature:
 
 
 class Blank(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
-    """Parameter type of `natural_curvature`: a number (1/mm), a table, or a drawing of the unloaded strip."""
+    """Type of the option for natural curvature: a number (1/mm), a table, or a drawing of the unloaded strip."""
 
     name = "blank"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
-        """Return the value in a form that the key `natural_curvature` of a design file accepts."""
+        """Return the value as the key `natural_curvature` of a design file."""
         try:
             return float(value)
         except ValueError:
@@ -319,4 +320,4 @@ support_options = join_options(
                  help="Curvature of the strip before bending (0: flat); variable as 'stations = [0, 300], "
                       "curvatures = [0, 0.01]', or a drawing of the pre-bent strip."),
 )  # fmt: skip
-"""Options for the supports of the ends and for a pre-curved rest shape."""
+"""Options for the supports of the ends and for natural curvature."""

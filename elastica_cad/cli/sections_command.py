@@ -1,4 +1,4 @@
-"""`elastica sections`: write the curves of sections of a mesh or a CAD body, and a design file for their
+"""`elastica sections`: write the curves of sections of a mesh or CAD body, and a design file for their
 strips.
 """
 
@@ -55,13 +55,13 @@ GAP_MM = 20.0
 """Distance, mm, between neighbouring curves in the drawing."""
 
 UPRIGHT = 1e-9
-"""Largest x and y, relative to z, of a direction that counts as parallel to z, because of rounding."""
+"""A direction counts as parallel to z if x and y, relative to z, are smaller; they are rounding errors."""
 
 _IDLE = {
     "--radial": ("up",), "--angle": ("up",), "--parallel": ("zero",), "--offset": ("zero",),
     "--along": ("point", "axis", "zero"),
 }  # fmt: skip
-"""Options that have no effect for a family of planes."""
+"""Options that a family of planes does not use."""
 
 Triple = tuple[float, float, float]
 TRIPLE = (float, float, float)
@@ -258,7 +258,7 @@ def _cuts(family: str, chosen: dict[str, Any], surface: Surface) -> RadialCuts |
 
 
 def _up(chosen: dict[str, Any], along: Any) -> Triple:
-    """The default is z, or y if `along` is parallel to z."""
+    """Return the upward direction. By default it is z, or y if `along` is parallel to z."""
     upright = np.abs(along[:2]).max() <= UPRIGHT * np.abs(along).max()
     up: Triple = chosen["up"] or ((0.0, 1.0, 0.0) if upright else (0.0, 0.0, 1.0))
     return up
@@ -296,7 +296,7 @@ def _sentence(section: dict[str, Any]) -> str:
 
 
 def _side_by_side(curves: Sequence[PlaneCurve]) -> list[PlaneCurve]:
-    """Gaps separate the curves, so that their ends do not meet in the drawing."""
+    """Return the curves side by side, with gaps so that their ends do not meet."""
     placed, x = [], 0.0
     for curve in curves:
         (lowest_x, low), (highest_x, _) = curve.bounds

@@ -106,7 +106,7 @@ def _toml_or_text(text: str) -> Any:
 
 
 def twice(table: Mapping[str, Any], other: Mapping[str, Any], prefix: str = "") -> Iterator[str]:
-    """Yield the paths of keys that have different values in two tables.
+    """Yield the paths of keys with different values in two tables.
 
     The value `true` of the key `gravity` equals any table or list.
     """
@@ -119,7 +119,7 @@ def twice(table: Mapping[str, Any], other: Mapping[str, Any], prefix: str = "") 
 
 
 class Setting(click.ParamType):  # type: ignore[type-arg]  # no generic class before click 8.2
-    """Parameter type of `KEY=VALUE` with the keys of a record; shells can complete them."""
+    """Type of `KEY=VALUE` with the keys of a record, which shells can complete."""
 
     name = "setting"
 
@@ -127,7 +127,7 @@ class Setting(click.ParamType):  # type: ignore[type-arg]  # no generic class be
         self.record = record
 
     def shell_complete(self, _: click.Context, __: click.Parameter, incomplete: str) -> list[Any]:
-        """Return the keys that begin with the typed text, or the possible values of a complete key."""
+        """Return the keys that begin with the typed text or, after a complete key, its possible values."""
         from click.shell_completion import CompletionItem
 
         path, equals_sign, typed = incomplete.partition("=")
@@ -139,7 +139,7 @@ class Setting(click.ParamType):  # type: ignore[type-arg]  # no generic class be
 
 
 def set_option(record: Record) -> Callable[[F], F]:
-    """Return a decorator that adds `--set KEY=VALUE` for the keys of a record."""
+    """Return a decorator that adds `--set KEY=VALUE` with the keys of a record."""
     return click.option(
         "--set", "settings", metavar="KEY=VALUE", multiple=True, type=Setting(record),
         help="Any other key, as in a design file; `elastica help` lists all. Repeatable.",
@@ -154,4 +154,4 @@ def _possible_words(kind: Kind) -> list[str]:
 
 
 DEEPEST = 1
-"""Largest number of dots in the paths that `elastica help` lists."""
+"""Largest number of dots in the keys that `elastica help` lists."""

@@ -45,12 +45,10 @@ from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.summary import size_row, strip_rows
 
 MOST_NAMES = 3
-"""Largest number of files for cutting that are named in a row on several strips."""
+"""Largest number of cutting files that a row on several strips names."""
 
 SUGGESTED_DEVIATION = 3e-4
-"""Corrected widths are suggested if the strip deviates from its curve by more than this fraction of its
-length.
-"""
+"""Corrected widths are suggested above this deviation of the strip, as a fraction of its length."""
 
 
 def _files(chosen: Mapping[str, Any], table: Mapping[str, Any]) -> StripFiles:
@@ -238,7 +236,7 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
 def _report_briefly(
     result: StripResult, written: Sequence[Path], alike: dict[str, list[tuple[str, Row]]]
 ) -> None:
-    """Print the size of a strip and its distance from the drawn curve, and add its warnings to `alike`."""
+    """Print the size of a strip and its distance from the drawn curve. Add its warnings to `alike`."""
     strip, near = result.strip, result.near
     voice().notes.extend(text for text in strip.warnings if not is_reported(text))
     for row in _rows(result):

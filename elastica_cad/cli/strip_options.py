@@ -34,18 +34,18 @@ if TYPE_CHECKING:
 CALLED = {
     "style.kind": "style", "style.width": "outer_width", "keep.length": "keep_length", "ends.length": "tab",
 }  # fmt: skip
-"""Names of options that differ from the last part of the key that they set."""
+"""Names of options, by key, that are not the last part of the key."""
 
 BY_HAND = ("style", "keep", "ends", "supports", "gravity", "natural_curvature", "limits", "cut", "keep.ends",
            "keep.tangents", "limits.strain")  # fmt: skip
-"""Keys without a generated option: their options have values of another form, or set their subkeys."""
+"""Keys without a generated option. Their options have other forms of values, or set subkeys."""
 
 FLAGS = ("keep.length", "ignore_limits")
-"""Keys whose options are flags that set them to true."""
+"""Keys whose options are flags."""
 
 
 def typed_name(path: str) -> str:
-    """Return the option that sets a key, which is `--set KEY` for a key without an option of its own.
+    """Return the option that sets a key. Without an option of its own, a key is set by `--set KEY`.
 
     Examples
     --------
@@ -58,11 +58,11 @@ def typed_name(path: str) -> str:
 
 
 CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split_corners"}
-"""Keys of a design file, by the name of the field in a suggested change, where they differ."""
+"""Keys of a design file for fields of suggested changes with another name."""
 
 
 def _arguments_of(change: Change) -> tuple[str, ...]:
-    if change.field == "between":  # the option is named after the record; its values are positions
+    if change.field == "between":  # the option has the name of the record, and positions as values
         record: Any = type(change.value)
         places = [
             getattr(change.value, entry.name) for entry in declared(record) if entry.default is REQUIRED
@@ -82,7 +82,10 @@ def _arguments_of(change: Change) -> tuple[str, ...]:
 
 
 def typed_change(suggestion: "Suggestion", *options: str, instead: str | None = None) -> str:
-    """Return the running command with a suggested change, or an instruction if no option makes the change."""
+    """Return the running command with a suggested change.
+
+    Without an option for the change, return an instruction.
+    """
     words = _arguments_of(suggestion.change)
     if suggestion.width is not None and "--max-width" not in options:
         options = *options, *_arguments_of(suggestion.width)
@@ -112,7 +115,7 @@ _OWN_OPTIONS = {
     "natural_curvature": "natural_curvature",
 }  # fmt: skip
 OPTIONS = _names_of_common_keys()
-"""Names of the options that are generated from declarations, by the path of the key that they set."""
+"""Names of the options generated from declarations, by the path of the key that they set."""
 
 DEFAULTS = {
     "label": "the file's name", "ends.length": "10, 0 at a free end", "style.kind": "plain",
@@ -172,7 +175,7 @@ _HAND_MADE: dict[str, tuple[Any, ...]] = {
 
 
 def strip_options(function: Any) -> Any:
-    """Add the options of common keys, and `--set` for the other keys, to a command."""
+    """Add the options of common keys, and `--set` for all other keys, to a command."""
     groups = []
     for group in GROUPS:
         common_keys = [(path, name) for path, name in OPTIONS.items() if _group(path) == group]
@@ -185,7 +188,7 @@ def _group(path: str) -> str:
 
 
 def grouped(parameters: list[click.Parameter]) -> dict[str, list[click.Parameter]]:
-    """Return the options by their group in help; options of every command are in the last group."""
+    """Return the options by their group in help. Options that every command has are in the last group."""
     of = {name: _group(path) for path, name in OPTIONS.items()}
     for group, options in _HAND_MADE.items():
         probe: Any = join_options(*options)(lambda: None)
@@ -234,7 +237,7 @@ def table_of(chosen: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the table of options merged with the table of `--set`; refuse a key that both set."""
+    """Return the table of options merged with that of `--set`. Raise InputError for a key that both set."""
     for path in twice(table, settings):
         raise InputError(
             "{option} and --set {path} set the same value. Leave out one of them.",
@@ -245,7 +248,7 @@ def with_settings(table: Mapping[str, Any], settings: Mapping[str, Any]) -> dict
 
 
 def spec_from_options(curve: PlaneCurve, label: str, table: Mapping[str, Any]) -> StripSpec:
-    """Return the request for a strip from the table of the options; errors name the options."""
+    """Return the request for a strip from the table of the options. Errors name the options."""
     keys = {
         "label": label,
         **{k: value for k, value in table.items() if k not in ("curve", "cut", "files")},

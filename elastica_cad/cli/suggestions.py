@@ -29,16 +29,16 @@ def name_program() -> str:
 
 
 TYPED = "elastica.typed"
-"""Key, in click's `meta`, of the arguments that the user typed."""
+"""Key of the typed arguments in click's `meta`."""
 
 MOST_REFUSALS = 7
-"""Largest number of refused curves of a file for which messages are printed."""
+"""Largest number of refused curves of a file that have their messages printed."""
 
 
 def typed_line(*added: str, instead: str | None = None) -> str:
-    """Return the running command as typed, with added options, which replace earlier values of the same options.
+    """Return the running command as typed, with added options, which replace earlier values.
 
-    `instead` is another command with the same options, except output options.
+    `instead` is another command, which gets the same options except those for output.
     """
     context = click.get_current_context()
     words: Sequence[str] = context.meta.get(TYPED, ())
@@ -48,7 +48,7 @@ def typed_line(*added: str, instead: str | None = None) -> str:
 
 
 def _without_values(words: Sequence[str], added: Sequence[str]) -> list[str]:
-    """Remove the earlier values of added options that take a single value."""
+    """Remove earlier values of added options that can occur only once."""
     remaining = list(words)
     for option in click.get_current_context().command.params:
         single = isinstance(option, click.Option) and not (option.multiple or option.is_flag)
@@ -62,24 +62,24 @@ def _without_values(words: Sequence[str], added: Sequence[str]) -> list[str]:
 
 
 def typed_length(mm: float) -> str:
-    """Return a length in mm as an argument of the running command, with the unit if the default unit is not mm."""
+    """Return a length in mm as an argument of the running command, with its unit if `--units` is not mm."""
     context = click.get_current_context(silent=True)
     units = "mm" if context is None else context.find_root().params.get("units", "mm")
     return f"{mm:g}" if units == "mm" else f"{mm:g}mm"
 
 
 def listing_note(refused: int) -> str:
-    """Return a sentence on which of many refused curves have messages, or ""."""
+    """Return a sentence on how many refused curves have messages, or "" if all have."""
     if refused <= MOST_REFUSALS:
         return ""
     return f"; the first {MOST_REFUSALS} are listed, all with -v"
 
 
 Cure: TypeAlias = dict[str, Any]
-"""Suggested change for reports: the keys of `Suggestion.as_dict`, and the printed text."""
+"""Suggested change in a report: the keys of `Suggestion.as_dict`, and the printed text."""
 
 SUGGEST = "elastica.suggest"
-"""Key, in click's `meta`, of the function that searches for a suggestion after an error."""
+"""Key, in click's `meta`, of the function that searches for suggestions after an error."""
 
 
 def suggest_later(
@@ -87,7 +87,7 @@ def suggest_later(
     spelled: "Callable[[Suggestion], str]",
     fields: Collection[str] | None = None,
 ) -> None:
-    """Register a search for changes, which runs after an error of the running command was printed.
+    """Register a search for changes that runs after an error of the running command is printed.
 
     `request` returns the refused request, or None. `spelled` converts a change to a command or an
     instruction.
@@ -105,7 +105,7 @@ def suggest_later(
 
 
 def cures_after(problem: ElasticaError) -> list[Cure]:
-    """Run the registered search for changes that avoid this error, and return them."""
+    """Run the registered search, and return the changes that avoid this error."""
     search = click.get_current_context().meta.get(SUGGEST)
     return [] if search is None else search(problem)
 
@@ -116,7 +116,7 @@ def cures_of(
     spelled: "Callable[[Suggestion], str]",
     fields: Collection[str] | None = None,
 ) -> list[Cure]:
-    """Return the changes that make the request possible. Ctrl-C ends the search."""
+    """Return changes that make the request possible. Ctrl-C ends the search."""
     from elastica_cad.strip.suggestions import suggest
 
     cures: list[Cure] = []

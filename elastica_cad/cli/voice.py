@@ -35,7 +35,7 @@ class Voice:
     step : str
         Current step of the command.
     as_json, quiet, verbose : bool
-        Print a single record instead of lines, only problems, or all steps and notes.
+        Print one JSON record, only problems, or all steps and notes.
     """
 
     command: str
@@ -55,7 +55,7 @@ class Voice:
         return f"elastica-{self.command}/1"
 
     def begin(self) -> None:
-        """Reset the output of an earlier run of the command."""
+        """Forget the output of an earlier run of the command."""
         self.record, self.notes, self.files, self.read = {}, [], [], {}
         self.since, self.step = time.perf_counter(), "working"
 
@@ -74,7 +74,7 @@ class Voice:
     def refuse(
         self, text: str, problem: ElasticaError, code: int, suggest: Callable[[], list[dict[str, Any]]]
     ) -> None:
-        """Print the error, then suggested changes. Ctrl-C ends the search for changes."""
+        """Print the error, then suggested changes. Ctrl-C ends the search for them."""
         _clear_step()
         cures: list[dict[str, Any]] = []
         _print_row(Row("Error", text, severity="error"), err=True)
@@ -104,21 +104,21 @@ def voice() -> Voice:
 
 
 def echo(text: str, *, nl: bool = True, err: bool = False) -> None:
-    """Write a line with escaped control codes, because text from a file could control a terminal."""
+    """Write a line. Control codes are escaped, because text from a file could control a terminal."""
     click.echo(printable(text), nl=nl, err=err)
 
 
 def say(text: str = "") -> None:
-    """Print a line of the answer, unless the output is JSON or quiet."""
+    """Print a line of the answer, unless output is JSON or quiet."""
     if not (voice().as_json or voice().quiet):
         _clear_step()
         echo(text)
 
 
 def warn(text: str, *, printed: bool = True, in_notes: bool = True) -> None:
-    """Print a warning to stderr, and with `in_notes` add it to the notes of the JSON record.
+    """Print a warning to stderr; `in_notes` adds it to the notes of the JSON record.
 
-    Without `printed`, the warning is only printed with -v.
+    With `printed` False, it is printed only with -v.
     """
     if in_notes:
         voice().notes.append(text)
@@ -130,8 +130,8 @@ def warn(text: str, *, printed: bool = True, in_notes: bool = True) -> None:
 def say_row(row: Row, *, is_answer: bool = False) -> None:
     """Print a row of the report, and with -v its details.
 
-    A row about a problem is printed as a warning to stderr, and is added to the notes of the JSON record. A
-    row that `is_answer` is not such a warning.
+    A row about a problem is a warning: it is printed to stderr and added to the notes of the JSON record.
+    With `is_answer`, it is not.
     """
     speaker = voice()
     warns = row.stops and not is_answer
@@ -159,7 +159,7 @@ def say_table(columns: Mapping[str, Sequence[str]]) -> None:
 
 
 def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyType({})) -> None:
-    """Report the written files in a row. `contents` maps the names of files to descriptions."""
+    """Report the written files in a row. `contents` has descriptions by file name."""
     written = list(paths)
     voice().files += map(str, written)
     names = [
@@ -173,12 +173,12 @@ def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyT
 
 
 def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
-    """Set the JSON record of the command; records, arrays and paths become plain JSON."""
+    """Set the JSON record of the command, with records, arrays and paths as plain JSON."""
     voice().record = _simplify(record)
 
 
 def say_step(text: str, number: int = 0, count: int = 0) -> None:
-    """Report the current step to stderr, with -v in a line of its own."""
+    """Report the current step on stderr; with -v, in a line of its own."""
     speaker = voice()
     speaker.step = counted = f"{text} ({number} of {count})" if count > 1 else text
     if speaker.verbose:
@@ -189,7 +189,7 @@ def say_step(text: str, number: int = 0, count: int = 0) -> None:
 
 
 PATIENCE_S = 5.0
-"""Time, s, before the first report of progress, and between reports."""
+"""Time, s, before the first report of progress, and between later ones."""
 
 
 @contextmanager
@@ -202,7 +202,7 @@ def progress_shown() -> Iterator[None]:
             text = printable(
                 f"{speaker.step} ... {time.perf_counter() - speaker.since:.0f} s, stop with Ctrl-C"
             )
-            with suppress(OSError, ValueError):  # a closed stderr
+            with suppress(OSError, ValueError):  # stderr may be closed
                 screen.write(f"\r\x1b[2K{text}" if screen.isatty() else f"{text}\n")
                 screen.flush()
 
@@ -224,7 +224,7 @@ def _print_json(record: Any) -> None:
 
 
 def _simplify(value: Any) -> Any:
-    """Return the value for JSON, with numbers rounded to ten digits, and null for infinity and nan.
+    """Return a value for JSON: numbers rounded to ten digits, null for infinity and nan.
 
     Examples
     --------
@@ -251,10 +251,10 @@ def _simplify(value: Any) -> Any:
 
 
 LOOK_S = 0.2
-"""Interval between two checks of the files, s."""
+"""Time, s, between two looks at the files."""
 
 GONE_LOOKS = 5
-"""Number of checks for which a file may be missing, because programs replace files when they save."""
+"""Number of looks for which a file may be missing, because programs replace files when they save."""
 
 
 def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> None:
@@ -280,7 +280,7 @@ def remake_on_change(make: Callable[[], None], tell: Callable[[str], None]) -> N
 
 
 def _wait_for_change(read: dict[Path, FileMark]) -> None:
-    """Wait until a file differs from the version that was read, and all files are unchanged between checks."""
+    """Wait until a file has changed since it was read, and no file changes any more."""
     before, still = read, 0
     while True:
         time.sleep(LOOK_S)
