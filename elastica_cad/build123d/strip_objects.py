@@ -57,12 +57,12 @@ Drawn: TypeAlias = bd.Edge | bd.Wire | PlaneCurve | Strip | StripBody | Iterable
 """Drawn curve, or a finished strip, which is not computed again."""
 
 
-COLOR = "_color"  # private attribute in which shapes of build123d store their colour
+COLOR = "_color"  # private attribute of build123d's shapes for their colour
 
 
 class _Pickled:
     def __getstate__(self) -> dict[str, Any]:
-        """Colours are stored as numbers, because colours of the kernel cannot be pickled."""
+        """Return the state with colours as numbers, because the kernel's colours cannot be pickled."""
         color = self.__dict__.get(COLOR)
         return self.__dict__ | {COLOR: None if color is None else tuple(color)}
 
@@ -89,7 +89,7 @@ class _Jointed(_Pickled):
 
 
 class _StripShape(_Jointed, StripBody):
-    """Base of shapes of a strip; copies of a shape share the strip."""
+    """Base of shapes of a strip. Copies of a shape share the strip."""
 
     def _start(self) -> Frame | None:
         if self._parts:
@@ -102,13 +102,16 @@ class _StripShape(_Jointed, StripBody):
 
     @property
     def _parts(self) -> list[bd.Compound]:
-        """A part for each of several `Locations`; empty for a single location."""
+        """One part for each of several `Locations`; empty for a single location."""
         body: Any = self
         return [part for part in body if isinstance(part, bd.Compound)]
 
     @property
     def copies(self) -> "bd.ShapeList[Self]":
-        """Bodies at several `Locations`, each with separate joints; for a single location, the body itself."""
+        """Bodies at several `Locations`, each with its own joints.
+
+        A single location gives the body itself.
+        """
         body: Any = self
         parts = self._parts
         shapes = bd.ShapeList([] if parts else [self])
@@ -122,7 +125,10 @@ class _StripShape(_Jointed, StripBody):
         return shapes
 
     def _publish_to_context(self, object_scope: Any) -> None:
-        """Copies at several `Locations` have separate joints, with numbered names from the second copy on."""
+        """Publish the body to its builder.
+
+        At several `Locations`, the joints are numbered from the second copy on.
+        """
         body: Any = self
         bd.BaseObject._publish_to_context(body, object_scope)
         occt.lock(body.wrapped)
@@ -156,7 +162,7 @@ class _StripShape(_Jointed, StripBody):
     def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider | AngleSlider":
         """Return a joint that moves the end of the strip to a point (mm), or rotates it to an angle (degrees).
 
-        A point is in space, or two numbers in the `frame` of the body. An angle is measured in this frame.
+        A point is in space, or two numbers in the `frame` of the body. An angle is in this frame.
         """
         return Slider(self, end) if angle is None else AngleSlider(self, angle, end)
 
@@ -203,12 +209,12 @@ class _StripShape(_Jointed, StripBody):
         return image
 
     def scale(self, *args: Any, **options: Any) -> bd.Part | bd.Sketch:
-        """Return a plain body, as `Shape.scale` does, because a strip of another size has other properties."""
+        """Return a plain body, as `Shape.scale` does: a strip of another size has other properties."""
         body: Any = self
         return self._plain(bd.Shape.scale(body, *args, **options))
 
     def transform_geometry(self, t_matrix: bd.Matrix) -> bd.Part | bd.Sketch:
-        """Return a plain body, as `Shape.transform_geometry` does, because a stretched body is not a strip."""
+        """Return a plain body, as `Shape.transform_geometry` does: a stretched body is not a strip."""
         body: Any = self
         return self._plain(bd.Shape.transform_geometry(body, t_matrix))
 
@@ -235,7 +241,7 @@ class _TravelJoint:
     parent: Any
 
     def __getstate__(self) -> dict[str, Any]:
-        """Axes and vectors are stored as numbers, because they cannot be pickled."""
+        """Return the state with axes and vectors as numbers, because they cannot be pickled."""
         state = dict(self.__dict__)
         for name, value in self.__dict__.items():
             if isinstance(value, bd.Axis):
@@ -258,19 +264,19 @@ class _TravelJoint:
     ) -> None:
         """Write an animation of the movement, forward and backward.
 
-        An existing file is only overwritten with `force`.
+        An existing file is overwritten only with `force`.
         """
         moved, color = replace(self.travel, frame=self._frame), self.parent._changed_color
         moved.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
 
     @property
     def _frame(self) -> Frame:
-        """Current plane of the strip, which changes when the body is joined to other bodies."""
+        """Current plane of the strip. It moves when the body is joined to others."""
         return self.parent.frame if isinstance(self.parent, _StripShape) else self.travel.frame
 
 
 class Slider(_TravelJoint, bd.LinearJoint):
-    """Linear joint "slider": the end of a strip moves straight to another point, and its direction is constant.
+    """Linear joint "slider": the end of a strip moves straight to another point without turning.
 
     `connect_to(joint, position=...)` moves the part that is attached to the end. `bent(position)` returns the
     strip for this position.
@@ -316,9 +322,9 @@ class Slider(_TravelJoint, bd.LinearJoint):
 class AngleSlider(_TravelJoint, bd.RevoluteJoint):
     """Revolute joint "slider": the end of a strip rotates in place.
 
-    `connect_to(joint, angle=...)` rotates the part that is attached to the end, with the x axis of the part
-    along the strip. `bent(angle)` returns the strip for this angle. Angles are in degrees from the initial
-    direction of the end.
+    `connect_to(joint, angle=...)` rotates the part that is attached to the end; its x axis is along the
+    strip. `bent(angle)` returns the strip for this angle. Angles are in degrees from the initial direction of
+    the end.
 
     Parameters
     ----------
@@ -365,7 +371,7 @@ class AngleSlider(_TravelJoint, bd.RevoluteJoint):
     def relative_to(self, other: bd.RigidJoint, *, angle: float | None = None) -> bd.Location:
         """Return the location of a joint on the end.
 
-        The base class is not used, because it does not define the direction of angle 0.
+        The method of the base class does not define the direction of angle 0.
         """
         require_record(other, bd.RigidJoint, "the other joint", "a RigidJoint")
         if angle is not None and not 0 <= require_number(angle, "the angle", "degrees") <= self.travel.length:
@@ -385,7 +391,7 @@ class StripOutline(_StripShape, bd.BaseSketchObject):
     rotation : float
         Rotation about the z axis, degrees.
     align, mode
-        The same as for every sketch object of build123d.
+        As in every sketch object of build123d.
 
     Raises
     ------
@@ -578,7 +584,7 @@ class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
         self.label, self.color = made_flexure.name, bd.Color(*made_flexure.color)
 
     def in_state(self, state: "State | None") -> "FlexurePart":
-        """Return the part in another state. Its first pad is where the first pad of this body is."""
+        """Return the part in another state, with its first pad in the same place."""
         part = FlexurePart(self.flexure, state, color=self.color, mode=bd.Mode.PRIVATE)
         part.label = self.label
         part.locate(self.joints["start"].location * part.joints["start"].relative_location.inverse())
@@ -586,7 +592,7 @@ class FlexurePart(_Jointed, FlexureBody, bd.BasePartObject):
 
 
 class PlacedStrip(_StripShape, bd.Part):
-    """Bent strip at its position in a model, with properties `strip`, `rod`, `check` and `warnings`."""
+    """Bent strip in its position in a model, with properties `strip`, `rod`, `check` and `warnings`."""
 
 
 def _jointed(records: Sequence[BodyRecord]) -> bd.Solid | bd.Part:

@@ -79,7 +79,7 @@ def elastic_strip(
     mode: bd.Mode = bd.Mode.ADD,
     **options: Unpack[StripOptions],
 ) -> Any:
-    """Operation: make the strip of a curve. By default the curve is the pending edges of the builder.
+    """Operation: make the strip of a curve, by default that of the builder's pending edges.
 
     Parameters
     ----------
@@ -119,7 +119,7 @@ def elastic_strip(
             )
         context.pending_edges = bd.ShapeList()
         path = list(bd.Wire.combine(path)) if len(path) > 1 else path
-        # the builder has placed its pending edges already
+        # the builder has already placed its pending edges
         location = bd.LocationList([bd.Location()]) if form == "bent" else nullcontext()
         with location:
             strips: list[Any] = [
@@ -198,8 +198,8 @@ class Elastica(bd.BaseLineObject):
     length : float
         Length of the strip, mm. It must exceed the distance between the ends.
     angles : pair of float or None
-        Directions of the tangents at start and end, degrees, without full turns. None is an end that rotates
-        freely.
+        Directions of the tangents at start and end, degrees, without full turns. None means that an end
+        rotates freely.
     stiffness : float, sequence or Profile
         Widths of a tapered strip at equally spaced stations, in any unit.
     gravity : Gravity, optional
@@ -287,7 +287,7 @@ def _placed_part(part: "AssemblyPart", solids: list[bd.Solid]) -> bd.Part:
         base: Any = part.solids[0]
         child._made = MadeStrip(part.strip, Frame(), home=base.joints["start"])
         if len(solids) > 1:
-            # equal strips share shapes, but a child can have only one parent
+            # equal strips share shapes, but a child has only one parent
             layers = [Layer(solid.wrapped) for solid in solids]
             for layer, name, color in zip(layers, part.names, part.colors, strict=True):
                 layer.label, layer.color = name, bd.Color(*color)

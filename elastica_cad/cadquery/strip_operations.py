@@ -1,6 +1,4 @@
-"""Curves of bent strips, strips along sections of a body, models as assemblies, and the methods
-`elasticStrip`.
-"""
+"""Curves of bent strips, strips along sections, models as assemblies, and the methods `elasticStrip`."""
 
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, TypeVar, Unpack, get_args
@@ -59,8 +57,8 @@ def elastica(
     length : float
         Length of the strip, mm. It must exceed the distance between the ends.
     angles : pair of float or None
-        Directions of the tangents at start and end, degrees, without full turns. None is an end that rotates
-        freely.
+        Directions of the tangents at start and end, degrees, without full turns. None means that an end
+        rotates freely.
     stiffness : float, sequence or Profile
         Widths of a tapered strip at equally spaced stations, in any unit.
     gravity : Gravity, optional
@@ -153,8 +151,8 @@ def section_strips(
 def model_assembly(model: "Model", *, others: "Iterable[Holder]" = ()) -> cq.Assembly:
     """Return the bent strips of a model as an assembly with names, colours and positions.
 
-    Constraints fix the end faces of the strips, so that `solve()` moves only parts that are added later.
-    Equal strips share a body.
+    Constraints fix the end faces of the strips, so `solve()` moves only parts that are added later. Equal
+    strips share a body.
 
     Parameters
     ----------
@@ -212,7 +210,7 @@ Form: TypeAlias = Literal["flat", "bent", "outline"]
 
 METHOD = "elasticStrip"
 Work = TypeVar("Work", bound=cq.Workplane)
-CHAIN = 1e-4  # largest distance, mm, between ends of pending edges that count as meeting
+CHAIN = 1e-4  # largest gap, mm, between pending edges that meet
 
 
 def register() -> None:
@@ -288,11 +286,11 @@ def _workplane_strip(
             else BentSolid.layers(made_strip.strip, made_strip.frame)
         )
         bodies.append(make_body(records, made_strip))
-    # clean() would return a body without the data of the strip
+    # clean() would lose the data of the strip
     tidy = clean and bool(combine)
     points = [item for item in self.objects if not isinstance(item, cq.Edge | cq.Wire)]
     places = points or [cq.Location()]
-    local = form != "bent" or bool(points)  # a bent strip at the position of its curve is not moved
+    local = form != "bent" or bool(points)  # a bent strip on its own curve is not moved
     if local and form == "bent":
         bodies = [body.moved(self.plane.location.inverse) for body in bodies]
     remaining = iter([body for body in bodies for _ in places])

@@ -82,12 +82,12 @@ class _Layer(_Pickled, cq.Solid):
 
 
 class _Moved(_Pickled):
-    """Shape that passes the data and joints of a strip to its copies."""
+    """Shape that gives the data and joints of a strip to its copies."""
 
     _joints: Mapping[str, cq.Location] = MappingProxyType({})
 
     def moved(self, *args: Any, **options: Any) -> Any:
-        """Return moved copies, as `Shape.moved` does; a single copy has the data of this shape."""
+        """Return moved copies, as `Shape.moved` does. A single copy has the data of this shape."""
         return self._with_record(super().moved(*args, **options))
 
     def located(self, loc: cq.Location) -> Self:
@@ -144,8 +144,7 @@ class _StripShape(StripBody, _Moved):
     def slider(self, end: Point | None = None, *, angle: float | None = None) -> "Slider":
         """Return the movement of the end of the strip to a point (mm), or its rotation to an angle (degrees).
 
-        A point is in space, or two numbers in the `frame` of the strip. An angle is measured in this
-        frame.
+        A point is in space, or two numbers in the `frame` of the strip. An angle is in this frame.
         """
         return Slider(self, end, angle=angle)
 
@@ -184,7 +183,7 @@ class _StripShape(StripBody, _Moved):
         return end_fixture(self, end=end, **sizes)
 
     def scale(self, factor: float) -> cq.Shape:
-        """Return a scaled plain body, because a strip of another size has other properties."""
+        """Return a scaled plain body: a strip of another size has other properties."""
         plain = cq.Shape.cast(super().scale(factor).wrapped)
         plain.label = self.label
         return plain
@@ -192,8 +191,9 @@ class _StripShape(StripBody, _Moved):
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:
-            """CadQuery returns filleted or shelled bodies as objects of the same class, but they are not
-            strips.
+            """Raise AttributeError that explains why a filleted or shelled body has no data of a strip.
+
+            CadQuery returns such bodies as objects of the same class.
             """
             if "_made" in self.__dict__ or name.startswith("__"):
                 raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
@@ -209,9 +209,8 @@ class _StripShape(StripBody, _Moved):
 
 
 class Slider:
-    """Path on which the end of a strip moves.
-
-    The end either moves straight to another point and keeps its direction, or rotates in place.
+    """Path on which the end of a strip moves: straight to another point without turning, or rotating in
+    place.
 
     Parameters
     ----------
@@ -280,7 +279,7 @@ class Slider:
     ) -> None:
         """Write an animation of the movement, forward and backward.
 
-        An existing file is only overwritten with `force`.
+        An existing file is overwritten only with `force`.
         """
         color = self._rib._changed_color
         self.travel.write_glb(path, frames=frames, seconds=seconds, color=color, force=force)
@@ -304,7 +303,7 @@ class _Jointed(_StripShape):
         the strip's start or end.
         """
         here = self.location()
-        # not a dict, because viewers would interpret a dict named `joints` as joints of build123d
+        # viewers would take a dict named `joints` for joints of build123d
         return MappingProxyType({name: here * place for name, place in self._joints.items()})
 
 
@@ -314,7 +313,7 @@ class _Ended(_Jointed):
         if end not in ENDS:
             raise InputError(f'A strip has no end {end!r}. Use "start" or "end".')
         tab = self.strip.ends[0 if end == "start" else 1].length
-        # in a closed bent strip, the lap is a separate body
+        # the lap of a closed bent strip is a separate body
         if self.strip.is_closed and self._made.home is not None:
             tab = 0.0
         tip = cq.Vector(*(self.joints[end] * cq.Location((tab, 0, 0))).toTuple()[0])
@@ -326,10 +325,9 @@ class StripSolid(_Ended, cq.Solid):
 
 
 class Sheets(cq.Compound):
-    """Compound of sheets that is passed to boolean operations as a single argument.
+    """Compound of sheets that boolean operations take as one argument.
 
-    A plain compound passes each solid as a separate argument; OpenCASCADE would then also intersect the
-    sheets with each other.
+    They would take the solids of a plain compound one by one, and also intersect the sheets with each other.
     """
 
     def _bool_op(self, args: Iterable[cq.Shape], *others: Any) -> cq.Shape:
@@ -337,7 +335,7 @@ class Sheets(cq.Compound):
         return Sheets(result.wrapped) if isinstance(result, cq.Compound) else result
 
     def fuse(self, *toFuse: cq.Shape, **options: Any) -> cq.Compound:
-        """Do the same as `Compound.fuse`."""
+        """Fuse, as `Compound.fuse` does."""
         fuse = cq.Shape.fuse if toFuse else cq.Compound.fuse
         return fuse(self, *toFuse, **options)
 
@@ -364,7 +362,7 @@ class FlexureSolid(FlexureBody, _Moved, cq.Solid):
         return MappingProxyType({name: here * place for name, place in self._joints.items()})
 
     def in_state(self, state: "State | None") -> "FlexureSolid":
-        """Return the part in another state. Its first pad is where the first pad of this body is."""
+        """Return the part in another state, with its first pad in the same place."""
         part = flexure_solid(self.flexure, state, color=self.color)
         part.label = self.label
         moved: FlexureSolid = part.moved(self.joints["start"] * part.joints["start"].inverse)
@@ -507,7 +505,7 @@ def _shapes_and_plane(path: Drawn) -> tuple[Any, dict[str, Any]]:
 
 
 def make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> MadeStrip:
-    """Make the strip of the drawn shapes; the plane of a Workplane is the plane of the curve."""
+    """Make the strip of drawn shapes. If they are on a Workplane, its plane is that of the curve."""
     edges, drawn_on = _shapes_and_plane(path)
     return make_strip_on(edges, sheet, **(drawn_on | options))
 
@@ -515,7 +513,7 @@ def make_strip_of(path: Drawn, sheet: Sheet | str | None, **options: Any) -> Mad
 def make_body(
     records: Sequence[BodyRecord | PrismSolid], made_strip: MadeStrip
 ) -> StripSolid | StripCompound:
-    """Return the body of a strip with the property `strip`. For several sheets it is a compound."""
+    """Return the body of a strip, with the property `strip`. Several sheets form a compound."""
     solids = occt.make_sheets(records)
     shape: StripSolid | StripCompound
     if len(solids) == 1:

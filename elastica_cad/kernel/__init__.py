@@ -1,1 +1,1 @@
-"""Conversion between records of this package and shapes of OpenCASCADE, in both directions."""
+"""Conversion between this package's records and OpenCASCADE's shapes."""

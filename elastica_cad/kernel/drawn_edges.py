@@ -17,7 +17,7 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.kernel.occt import sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
-OFFSET = 1e-6  # tolerance of the approximation of offset curves, mm
+OFFSET = 1e-6  # tolerance for offset curves, mm
 
 
 def plane_curve(
@@ -25,9 +25,9 @@ def plane_curve(
 ) -> tuple[PlaneCurve, Frame]:
     """Return the curve of an edge, a wire, or several consecutive edges, and the plane of the curve.
 
-    NURBS, lines and conics are converted exactly, and offset curves are approximated to 1e-6 mm. The direction of
-    the curve and the axes of the plane are chosen as in `placed_curve`. Without `plane`, the side of the plane
-    follows from the drawn edges and later rotations of the shapes.
+    NURBS, lines and conics are converted exactly, and offset curves are approximated to 1e-6 mm. The
+    direction of the curve and the axes of the plane are chosen as in `placed_curve`. Without `plane`, the
+    side of the plane follows from the edges as drawn, and then rotates with the shapes.
     """
     if _has_faces(shape):
         raise InputError(
@@ -61,10 +61,7 @@ def _turned(shape: Shape | Iterable[Shape]) -> FloatArray | None:
 
 
 def free_chains(shape: Shape) -> tuple[list[Run], dict[str, int]]:
-    """Return the chains of the free edges of a shape, and the numbers of omitted items by kind.
-
-    Free edges do not belong to a face.
-    """
+    """Return the chains of edges without a face, and the numbers of omitted items by kind."""
     k = kernel()
     kinds = k.TopAbs_ShapeEnum
     edges, skipped = [], Counter[str]()

@@ -27,14 +27,12 @@ from elastica_cad.strip.solids import BentSolid, bent_colors, centred_thickness
 from elastica_cad.strip.strip import Strip
 
 TURN_RAD = 2.5
-"""Angle of the circular arc into which a strip is bent for meshing, rad. The angle is so small that the tabs do
-not meet.
-"""
+"""Angle, rad, of the circular arc into which a strip is bent for meshing; so small that the tabs do not
+meet."""
 
 CHORD = 5e-5
-"""Largest distance of triangles from this arc, as a fraction of the length. This distance gives about 80
-triangles along the strip.
-"""
+"""Largest distance of triangles from the arc, as a fraction of the length. It gives about 80 triangles along
+the strip."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,9 +86,7 @@ def skin_meshes(strip: Strip) -> tuple[SkinMesh, ...]:
 
 
 def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, float]) -> SkinMesh:
-    """Mesh a layer bent into a circular arc, because there each point determines its position in the flat
-    pattern.
-    """
+    """Mesh a layer bent into a circular arc, where each point shows its position in the flat pattern."""
     body = make_solid(BentSolid.wrapped(circle, layer.outline, layer.holes, heights=heights))
     places: list[FloatArray] = []
     normals, triangles = [], []
@@ -103,12 +99,14 @@ def _skin_mesh(layer: Layer, circle: Rod, radius: float, heights: tuple[float, f
 
 
 def _unrolled(points: FloatArray, radius: float) -> FloatArray:
-    """Convert points (n, 3) of a strip bent into an arc about the origin to (along, across, height), mm, in
-    the flat strip.
+    """Return the positions (along, across, height), mm, in the flat strip for points (n, 3) of the strip bent
+    into an arc.
+
+    The centre of the arc is the origin.
     """
     flat = np.column_stack([points[:, 2]] * 3)
     turn = np.arctan2(points[:, 1], points[:, 0])
-    # points on the straight tabs have angles below 0 or above the angle of the arc
+    # tabs are straight; their points have angles outside the arc
     for end, sign in ((0.0, -1.0), (TURN_RAD, 1.0)):
         along = np.array([-np.sin(end), np.cos(end)])
         beyond = sign * (points[:, :2] @ along)
@@ -124,7 +122,7 @@ def _unrolled(points: FloatArray, radius: float) -> FloatArray:
 
 
 def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
-    """Return the unit normals (n, 3) at corners `places` (n, 3), averaged over triangles by area."""
+    """Return the unit normals (n, 3) at corners `places` (n, 3): area-weighted means over triangles."""
     a, b, c = (places[corners[:, i]] for i in range(3))
     normals = np.zeros_like(places)
     for i in range(3):
@@ -133,7 +131,7 @@ def _normals(places: FloatArray, corners: IntArray) -> FloatArray:
 
 
 STATIONS = 24
-"""Number of shapes along the path that are computed first. They are initial guesses for other shapes."""
+"""Number of shapes along the path that are computed first, as initial guesses for others."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,7 +146,7 @@ class Travel:
     end : (2,) array_like, optional
         Final position of the end after a translation, mm, in this plane.
     angle : float, optional
-        Final angle of the end after a rotation, rad, with the full turns along the strip, as in `bend`.
+        Final angle of the end after a rotation, rad, including full turns along the strip, as in `bend`.
 
     Examples
     --------
@@ -227,7 +225,7 @@ class Travel:
 
     @cached_property
     def _stations(self) -> tuple[Rod, ...]:
-        """Shapes along the path, from the designed shape on, that are initial guesses for other shapes."""
+        """Shapes along the path, from the design on, as initial guesses for others."""
         return (self.strip.rod_to_bend, *self.rods(STATIONS + 1)[1:])
 
     def rods(self, frames: int) -> tuple[Rod, ...]:
@@ -264,7 +262,7 @@ class Travel:
         Parameters
         ----------
         frames : int
-            Number of shapes on the path to its end; shapes between them are interpolated.
+            Number of shapes on the path to its end. Viewers interpolate between them.
         seconds : float
             Duration of the path and back, s.
         color : tuple of float, optional
@@ -290,7 +288,7 @@ class Travel:
 def travel_of(rib: StripBody, end: Point | None, angle: float | None) -> Travel:
     """Return the travel of the end of a bent body to a point, mm, or to an angle, degrees.
 
-    A point is given in space, or by two coordinates in the `frame` of the body. The angle is in this frame.
+    A point is in space, or two coordinates in the `frame` of the body. An angle is in this frame.
     """
     require_record(rib, StripBody, "what slides", "a bent strip")
     if rib._made.home is None:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class MadeFlexure:
-    """Flexure and state of a body; copies of the body share this record."""
+    """Flexure, state and colour of a body, shared by its copies."""
 
     flexure: "Flexure"
     state: "State | None"
@@ -22,9 +22,8 @@ class MadeFlexure:
 
     @classmethod
     def of(cls, flexure: "Flexure", state: "State | None", color: Any) -> "MadeFlexure":
-        """Return the record.
-
-        The colour is a colour of the library, its name, numbers, or None for the colour of the sheet.
+        """Return the record. `color` is a colour of the library, a name, numbers, or None for that of the
+        sheet.
         """
         from elastica_cad.pairs.flexure import Flexure
 

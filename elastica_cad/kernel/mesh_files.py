@@ -19,13 +19,13 @@ from elastica_cad.kernel.step_files import NamedShape, make_document
 def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[FloatArray, IntArray]]:
     """Yield for each face the points (n, 3), mm, and the triangles (m, 3) as indices of points.
 
-    Triangles are anticlockwise as seen from outside.
+    Triangles are anticlockwise, seen from outside.
 
     Parameters
     ----------
     body : Shape
-        Body to mesh. OpenCASCADE stores the mesh in it, so a second call with larger tolerances may return the
-        finer mesh.
+        Body to mesh. OpenCASCADE stores the mesh in the body, so a later call with larger tolerances may
+        return the finer mesh.
     chord : float
         Largest distance of triangles from the faces, mm.
     turn : float
@@ -45,7 +45,7 @@ def face_triangles(body: Shape, *, chord: float, turn: float) -> Iterator[tuple[
 
 
 PRINTED_MM, SHOWN_MM, TURN_RAD = 0.02, 0.2, 0.4
-"""Largest distances of triangles from faces, mm, for printing and for display, and largest angle between
+"""Largest distance of triangles from faces, mm, for printing and for display; largest angle between
 triangles, rad."""
 
 HEADING = b"binary STL, mm".ljust(80)
@@ -65,7 +65,7 @@ def write_stl(body: Shape, path: str | PathLike[str], *, bed: Frame | None = Non
     bed = bed or Frame()
     nets = face_triangles(body, chord=PRINTED_MM, turn=TURN_RAD)
     corners = np.concatenate([bed.local(points)[triangles] for points, triangles in nets]).astype("<f4")
-    # remove triangles without area, as at the pole of a sphere: with them, programs report an open body
+    # programs report an open body if there are triangles without area, as at the pole of a sphere
     same = [(corners[:, i] == corners[:, i - 1]).all(axis=1) for i in range(3)]
     corners = corners[~np.any(same, axis=0)]
     rows = np.zeros(len(corners), dtype=TRIANGLE)

@@ -46,7 +46,7 @@ def make_solid(record: BodyRecord | PrismSolid) -> Shape:
 
 
 def lock(shape: Shape) -> Shape:
-    """Lock a body, so that boolean operations change copies of its parts and not the body itself."""
+    """Lock a body: boolean operations then change copies of its parts, not the body itself."""
     shape.Locked(True)
     return shape
 
@@ -86,7 +86,7 @@ def _combined(shape: Shape, others: Sequence[Shape], operation: Any) -> Shape:
 
 
 def _with_few_faces(shape: Shape) -> Shape:
-    """Return the shape with coplanar adjacent faces and collinear adjacent edges joined."""
+    """Return the shape with adjacent coplanar faces and collinear edges joined."""
     joined = kernel().ShapeUpgrade_UnifySameDomain(shape, True, True, False)
     joined.Build()
     return joined.Shape()
@@ -125,7 +125,7 @@ def make_location(frame: Frame) -> Any:
 def moved_frame(frame: Frame, motion: Any) -> Frame:
     """Return the frame after a gp_Trsf: a translation, rotation or reflection.
 
-    After a reflection, only the x and z axes are images of the original axes, because frames are right-handed.
+    After a reflection, only the x and z axes are reflected, because frames are right-handed.
     """
     axes = plane_axes_of(frame).Transformed(motion)
     x, z = (np.array([d.X(), d.Y(), d.Z()]) for d in (axes.XDirection(), axes.Direction()))

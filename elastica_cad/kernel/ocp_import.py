@@ -13,17 +13,17 @@ from elastica_cad.errors import MissingDependencyError, how_to_install, installe
 from elastica_cad.refusals import note
 
 Shape: TypeAlias = Any
-"""TopoDS_Shape, or an object of build123d or CadQuery that wraps a TopoDS_Shape."""
+"""TopoDS_Shape, or an object of build123d or CadQuery that wraps one."""
 
 
 def bare(shape: Any) -> Any:
-    """Return the OpenCASCADE shape in a wrapper, or any other object unchanged.
+    """Return the OpenCASCADE shape in a wrapper. Other objects are returned unchanged.
 
-    Return an empty tuple for an empty wrapper.
+    For an empty wrapper, return an empty tuple.
     """
     try:
         inside = getattr(shape, "wrapped", shape)
-    except AssertionError:  # build123d raises this error for an empty shape
+    except AssertionError:  # build123d raises it for an empty shape
         return ()
     return () if inside is None and shape is not None else inside
 
@@ -39,13 +39,13 @@ REMARKS = {
     "7": ("TColStd", "TColStd_IndexedDataMapOfStringString"),
     "8": ("collections", "IndexedDataMap_TCollection_AsciiString_TCollection_AsciiString"),
 }
-"""Module and name of the OCP class that stores comments of files, by the major version of OCP."""
+"""Module and name of the OCP class for comments in files, by the major version of OCP."""
 
 
 @lru_cache(maxsize=1)
 @interrupts_held()
 def kernel() -> SimpleNamespace:
-    """Import OCP and return its classes by name. The class for comments in files has the name `Remarks`.
+    """Import OCP and return its classes by name. `Remarks` is the class for comments in files.
 
     Raises
     ------
@@ -83,7 +83,7 @@ def kernel() -> SimpleNamespace:
 
 
 def kernel_trouble() -> str:
-    """Return a message why bodies cannot be made and what to install, or "" if OpenCASCADE works."""
+    """Return why bodies cannot be made and what to install, or "" if OpenCASCADE works."""
     try:
         kernel()
     except MissingDependencyError as error:
@@ -92,7 +92,7 @@ def kernel_trouble() -> str:
 
 
 def library_trouble(library: str, error: ImportError) -> str:
-    """Return a message what to install if a library that uses OpenCASCADE cannot be imported."""
+    """Return what to install if a library that uses OpenCASCADE cannot be imported."""
     if error.name == library:
         return how_to_install(library)
     return kernel_trouble() or note("it cannot be loaded ({error}); install the named package", error=error)

@@ -17,16 +17,16 @@ DRAWN = {
     "sheet": ("Sheet or str", "Material, or the name of a built-in sheet; omit it for a finished strip."),
     "max_width": ("float", "Largest width of the free part (mm); or set `min_width`, the least width."),
 }
-"""Type and description of the arguments that all functions for a strip on a drawn path have."""
+"""Type and description of the arguments that all functions for a strip along a drawn path have."""
 
 
 def lists(*options: type, drawn: bool = False) -> Callable[[T], T]:
     """Return a decorator that adds the keys of `options` to docstring and signature of a class or function.
 
-    A key is declared as `Annotated["type", "help"]` in a typed dictionary. If two classes have the same key,
-    the first class describes the key. Keys that the docstring already describes are not repeated. With `drawn`,
-    the first parameters are path, sheet and width. In the signature, the keys replace `**options`, with `...`
-    for their defaults.
+    A key is declared as `Annotated["type", "help"]` in a typed dictionary. The first class with a key
+    describes it. Keys that the docstring already describes are not repeated. With `drawn`, the first
+    parameters are path, sheet and width. In the signature, the keys replace `**options`, with `...` for their
+    defaults.
 
     Examples
     --------
@@ -79,7 +79,6 @@ def _with_first_parameters(text: str) -> str:
 
 
 def _write_signature(thing: Any, keys: dict[str, tuple[str, str]]) -> None:
-    """Replace `**options` in the signature of `thing` by the keys."""
     given = plain_signature(thing.__init__ if isclass(thing) else thing)
     named = [entry for entry in given.parameters.values() if entry.kind is not Parameter.VAR_KEYWORD]
     taken = {entry.name for entry in named}

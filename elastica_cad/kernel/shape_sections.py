@@ -19,14 +19,13 @@ from elastica_cad.kernel.occt import plane_axes_of, sub_shapes
 from elastica_cad.kernel.ocp_import import Shape, bare, kernel
 
 POINTS = 120
-"""Number of points on each span of an edge of a section. Edges with more than four spans have fewer points on each
-span."""
+"""Number of points on each span of a section's edge. Edges with more than four spans have fewer."""
 
 MOST = 1000
-"""Number of points above which a line is thinned: evenly spaced points and points at bends remain."""
+"""A line with more points is thinned: evenly spaced points and points at bends remain."""
 
 BETWEEN = 1e-3
-"""Largest distance of omitted points from the chords between the remaining points, mm."""
+"""Largest distance, mm, of omitted points from the chords between remaining points."""
 
 
 def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False) -> tuple[PlaneSection, ...]:
@@ -54,7 +53,7 @@ def shape_sections(shape: Shape, planes: Sequence[Frame], *, half: bool = False)
 
     def cut(frame: Frame) -> Shape:
         section = k.BRepAlgoAPI_Section(shape, k.gp_Pln(plane_axes_of(frame)), False)
-        # join the computed points to splines; a freeform face would otherwise give a polyline of 10,000 points
+        # gives splines; a freeform face would otherwise give a polyline of 10,000 points
         section.Approximation(True)
         section.Build()
         return section.Shape()
@@ -93,7 +92,7 @@ def _section(cut: Shape, frame: Frame, half: bool, name: str) -> PlaneSection:
 
 
 def _points(run: Sequence[Edge], frame: Frame) -> FloatArray:
-    """Return the points (n, 2) of a chain of edges in the plane, in the direction required by `SectionLine`."""
+    """Return the points (n, 2) of a chain of edges in the plane, directed as `SectionLine` requires."""
     parts = [frame.local(_places(edge))[:, :2] for edge in run]
     points = np.concatenate([parts[0], *(part[1:] for part in parts[1:])])
     if np.linalg.norm(points[-1] - points[0]) <= JOIN:
@@ -113,7 +112,9 @@ def _places(edge: Edge) -> FloatArray:
 
 
 def _thinned(points: FloatArray) -> FloatArray:
-    """Return fewer points of a line: evenly spaced points, and points where chords would deviate from the line."""
+    """Return fewer points of a line: evenly spaced ones, and those without which chords would deviate from
+    it.
+    """
     if len(points) <= MOST:
         return points
     s = lengths_along(points)

@@ -39,19 +39,19 @@ if TYPE_CHECKING:
     from elastica_cad.pairs.flexure import Flexure, State
 
 LEAST_S, S_PER_MB = 5, 5
-"""Limit of the CPU time for reading a file, in s and in s per MB: ten times the time for valid files."""
+"""Limit of the CPU time for reading a file, in s, and in s per MB; valid files take a tenth."""
 
 BUSY = 10
-"""Limit of the elapsed time divided by the limit of the CPU time. The factor allows for a busy machine."""
+"""Limit of the elapsed time, as a multiple of the limit of the CPU time, because the machine may be busy."""
 
 PR_SET_PDEATHSIG = 1
-"""Option of the Linux function prctl: the signal that a process gets when its parent ends."""
+"""Option of Linux's prctl: the signal that a process gets when its parent ends."""
 
 
 def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
-    """Run a task in a copy of this process, to find out whether it crashes. Exceptions of the task are ignored.
+    """Run a task in a copy of this process to find out whether it crashes. Its exceptions are ignored.
 
-    The copy limits its own time. On Linux it also ends with this process. Nothing is done on systems without fork.
+    The time of the copy is limited. On Linux it also ends with this process. Without fork, nothing is done.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
         return
     seconds = LEAST_S + S_PER_MB * size // 2**20
     with warnings.catch_warnings():
-        # the warning is about threads, but the copy has only this thread
+        # the warning is about threads; the copy has only one
         warnings.simplefilter("ignore", DeprecationWarning)
         parent, copy = os.getpid(), os.fork()
     if not copy:
@@ -86,9 +86,9 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
 
 
 def _limit(parent: int, seconds: int) -> None:
-    """Suppress the output of this process, and limit its time, also in compiled code.
+    """Limit the time of this process, also in compiled code, and suppress its output.
 
-    On Linux it ends with its parent.
+    On Linux, the process ends with its parent.
     """
     import resource
 
@@ -106,26 +106,25 @@ def _limit(parent: int, seconds: int) -> None:
         import ctypes
 
         ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)
-        if os.getppid() != parent:  # the parent process ended before `prctl`
+        if os.getppid() != parent:  # the parent has ended before `prctl`
             os._exit(1)
 
 
 MANY_WIRES = 32
-"""Number of wires of a face above which the comparison of wires in OpenCASCADE is slow."""
+"""A face with more wires is slow, because OpenCASCADE compares all of them."""
 
 
 def _has_many_wires(shape: Shape) -> bool:
-    """Return True if a face has so many wires that OpenCASCADE compares them slowly."""
     k = kernel()
     faces = sub_shapes(shape, k.TopAbs_ShapeEnum.TopAbs_FACE)
     return any(len(sub_shapes(face, k.TopAbs_ShapeEnum.TopAbs_WIRE)) > MANY_WIRES for face in faces)
 
 
 def _with_wires_apart(shape: Shape) -> Shape:
-    """Give every wire of a face separate vertices, as the writer of OpenCASCADE does.
+    """Give every wire of a face its own vertices, as OpenCASCADE's writer does.
 
-    The writer compares all pairs of wires, in a time proportional to the square of their number. This
-    function changes only wires that share a vertex.
+    The writer compares all pairs of wires, which takes time with the square of their number. This function
+    changes only wires that share a vertex.
     """
     k = kernel()
     context, is_changed = k.ShapeBuild_ReShape(), False
@@ -147,8 +146,8 @@ def _with_wires_apart(shape: Shape) -> Shape:
 def _transfer_as_they_are(writer: Any, shapes: Iterable[Shape]) -> None:
     """Convert shapes to STEP entities without the check of their wires.
 
-    The later transfer of the document reuses these entities. An OCP writer cannot disable the check, but a new
-    controller has it disabled.
+    The later transfer of the document reuses these entities. The writer itself cannot skip the check; a new
+    controller does.
     """
     k = kernel()
     session = writer.ChangeWriter().WS()
@@ -178,8 +177,8 @@ SETTINGS = {"write.step.schema": "AP214IS", "write.step.unit": "MM"}
 TRACES = "write.surfacecurve.mode"
 """Name of the setting that also writes edges as curves in the parameters of their faces.
 
-These curves are more than half of a file. Planes, cylinders, cones, spheres and tori do not need them, because
-readers compute them exactly."""
+These curves are more than half of a file. Readers compute them exactly for planes, cylinders, cones, spheres
+and tori."""
 
 ELEMENTARY = ("Plane", "Cylinder", "Cone", "Sphere", "Torus")
 
@@ -198,7 +197,7 @@ class NamedShape:
 
 
 def model_shapes(model: Model, others: Iterable[Holder] = ()) -> list[NamedShape]:
-    """Return the bent strips of a model and their holders in their positions. Equal strips have the same shape."""
+    """Return the bent strips of a model and their holders, in their positions. Equal strips share a shape."""
     parts = assembly_parts(model.placed, (*model.plates, *others))
     return [
         NamedShape(name, shape, color, part.frame)
@@ -212,7 +211,7 @@ def write_step(
 ) -> None:
     """Write parts with names and colours to a STEP file (AP214, millimetres).
 
-    Several parts form an assembly with the name `name`, by default the name of the file.
+    Several parts form the assembly `name`, by default named after the file.
     """
     if not parts:
         raise InputError("There is nothing to write. Pass at least one part.")
@@ -294,7 +293,7 @@ def _own_settings(further: Mapping[str, str] = MappingProxyType({})) -> Iterator
     The previous settings are restored at its end.
     """
     k, settings = kernel(), {**SETTINGS, **further}
-    k.STEPControl_Writer()  # the settings do not exist before the first writer
+    k.STEPControl_Writer()  # the settings exist only after the first writer
     before = {name: k.Interface_Static.CVal_s(name) for name in settings}
     messenger = k.Message.DefaultMessenger_s()
     printers = list(messenger.Printers())
@@ -355,7 +354,7 @@ def write_flexure_step(
 def read_step_drawing(file: Path, *, unit: str | None = None) -> DrawnFile:
     """Return the curves of a STEP or BREP file, and the numbers of other items.
 
-    Edges of faces are ignored.
+    Edges that belong to a face are ignored.
     """
     chains, skipped = free_chains(read_step_shape(file))
     if not chains:

@@ -36,17 +36,17 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 LEAST_DEGREES = 7.0
-"""Least plausible angle with decimals, degrees. Smaller angles with decimals are probably radians."""
+"""A smaller angle with decimals, given in degrees, is probably in radians."""
 
 LEAST_LEAN_DEGREES = 90 / degrees(1)
-"""Least plausible inclination of a slot with decimals, degrees: the number of radians in 90 degrees."""
+"""A smaller inclination of a slot with decimals, given in degrees, is probably in radians."""
 
 LIBRARIES = ("elastica_cad", "build123d", "cadquery")
-"""Packages that are skipped when a warning is attributed to a line of the user's script."""
+"""A warning is located at the first line of code outside these packages, in the user's script."""
 
 
 class StripWarning(UserWarning):
-    """Warning about strips that can be made but may be unusable, such as overstrained or colliding strips."""
+    """Warning about a strip that can be made but may be useless, such as one that intersects another."""
 
 
 def model_parts(
@@ -54,7 +54,7 @@ def model_parts(
 ) -> "Iterator[tuple[AssemblyPart, T]]":
     """Return the parts of a model and further holders, each with the result of `make`.
 
-    Equal parts have the same result. A warning is issued for strips that intersect without a slot.
+    Equal parts share a result. Strips that intersect without a slot cause a warning.
     """
     from elastica_cad.model.assembly import assembly_parts, require_model, shape_parts
 
@@ -66,14 +66,14 @@ def model_parts(
 
 
 def end_angles(angles: object) -> tuple[float | None, float | None]:
-    """Return the angles at start and end, given in degrees, in rad. Issue a warning if they look like radians."""
+    """Return the angles at start and end in rad, from degrees. Warn if they look like radians."""
     pair = angles_in_rad(angles)
     warn_of_radians([degrees(angle) for angle in pair if angle], LEAST_DEGREES)
     return pair
 
 
 def warn_of_radians(angles: Sequence[float], least: float) -> None:
-    """Issue a warning if all angles have decimals and are smaller than `least`, degrees."""
+    """Warn if all angles, in degrees, have decimals and are smaller than `least`."""
     nonzero = [angle for angle in angles if angle]
     if nonzero and all(abs(angle) < least and round(angle, 9) % 1 for angle in nonzero):
         listed = ", ".join(f"{angle:.4g}" for angle in nonzero)
@@ -88,14 +88,14 @@ def warn_of_radians(angles: Sequence[float], least: float) -> None:
 def clamped_wire(
     start: Any, end: Any, length: float, *, angles: object, buckling: int, **others: Any
 ) -> tuple[ElasticaBetween, Shape]:
-    """Return the result of `elastica_between` for angles in degrees, and its curve as a TopoDS_Wire."""
+    """Return the rod of `elastica_between` for angles in degrees, and its curve as a TopoDS_Wire."""
     mode = whole_number(buckling, "buckling", 1)
     rod = elastica_between(start, end, length, angles=end_angles(angles), mode=mode, **others)
     return rod, make_wire(Path([Spline(rod.curve)]))
 
 
 def warn(text: str) -> None:
-    """Issue a warning that is attributed to the line of the user's script."""
+    """Issue a warning at the line of the user's script."""
     depth, caller = 2, sys._getframe(1)
     while caller.f_back is not None and str(caller.f_globals.get("__name__")).split(".")[0] in LIBRARIES:
         depth, caller = depth + 1, caller.f_back
@@ -103,7 +103,7 @@ def warn(text: str) -> None:
 
 
 def warn_of_strip(strip: Strip) -> None:
-    """Issue warnings if a strip is strained beyond the limit of its sheet, or intersects itself when bent."""
+    """Warn if a strip is strained beyond the limit of its sheet, or intersects itself when bent."""
     for text in strip.strain_warnings[:1]:
         warn(text)
     meeting = self_contact(strip)
@@ -144,15 +144,11 @@ def numbers_of(point: Point) -> tuple[float, ...]:
 
 
 COLOR_STEP = 1e-6
-"""Difference in a component above which two colours are different. The difference exceeds the rounding errors
-of the libraries.
-"""
+"""Two colours differ if a component differs by more; rounding errors of the libraries are smaller."""
 
 
 def color_numbers(color: Any) -> tuple[float, ...]:
-    """Return a colour as 3 or 4 numbers from 0 to 1. The argument is a colour of a library, the name of a
-    colour, or numbers.
-    """
+    """Return a colour as 3 or 4 numbers from 0 to 1. `color` is a colour of a library, a name, or numbers."""
     k = kernel()
     named = k.Quantity_Color()
     read = k.Quantity_Color.ColorFromHex_s if str(color).startswith("#") else k.Quantity_Color.ColorFromName_s
@@ -211,13 +207,13 @@ class MadeStrip:
     frame : Frame
         Plane of the strip's curve.
     deviation : float
-        Distance by which limits moved the strip from the drawn curve, mm.
+        Largest distance of the strip from the drawn curve, mm, if limits changed the curve.
     home : Frame or None
-        Original frame of the joint "start" of a bent body, or None for other bodies.
+        Frame of the joint "start" of a bent body when it was made; None for other bodies.
     color: tuple[float, ...] or None
         Requested screen colour of the body: red, green, blue and optionally opacity, each from 0 to 1.
     block : EndFixture or None
-        Block that holds an end, if the body is such a block; None for a body of the strip.
+        The body itself, if it is a block that holds an end; None for a body of the strip.
     """
 
     strip: Strip
@@ -231,7 +227,7 @@ class MadeStrip:
         return self
 
     def mirrored(self) -> "MadeStrip":
-        """Return the record of a mirrored body, whose strip is turned over."""
+        """Return the record of a mirrored body. Its strip is turned over."""
         return replace(self, strip=self.strip.mirrored())
 
     @property
@@ -261,7 +257,7 @@ class StripBody:
 
     @property
     def label(self) -> str:
-        """Name of the body and of its strip. Bodies that are made from this body have the same name."""
+        """Name of the body and of its strip. Bodies made from it have the same name."""
         return self._label
 
     @label.setter
@@ -282,12 +278,12 @@ class StripBody:
 
     @property
     def deviation(self) -> float:
-        """Distance by which limits moved the strip from the drawn curve, mm."""
+        """Largest distance of the strip from the drawn curve, mm, if limits changed the curve."""
         return self._made.deviation
 
     @property
     def frame(self) -> Frame:
-        """Plane of the curve. The plane moves with a bent body; for other bodies it is the drawn plane."""
+        """Plane of the curve. It moves with a bent body; other bodies have the drawn plane."""
         home, now = self._made.home, self._start()
         return self._made.frame if home is None or now is None else self._made.frame.carried(home, now)
 
@@ -335,7 +331,7 @@ class StripBody:
         return replace(self.strip, rod=bend(self.strip.rod_to_bend, **led))
 
     def _in_plane(self, point: Point, name: str) -> tuple[float, ...]:
-        """Return a point in the plane of the curve; two coordinates are returned unchanged."""
+        """Return a point in the plane of the curve. Two coordinates are already in this plane."""
         try:
             row = numbers_of(point)
         except (TypeError, ValueError):
@@ -356,7 +352,7 @@ class StripBody:
         return x, y
 
     def _layers(self) -> Iterator[tuple[Shape, str, tuple[float, ...]]]:
-        """Yield the bent sheets, the base first, each as a TopoDS_Solid with name and colour."""
+        """Yield the bent sheets, the base first, as TopoDS_Solid, name and colour."""
         from elastica_cad.model.assembly import bent_names
 
         names = bent_names(self._made.name, self.strip)
@@ -364,7 +360,7 @@ class StripBody:
         yield from zip(make_sheets(records), names, bent_colors(self.strip, self._changed_color), strict=True)
 
     def _engraving(self) -> list[Shape]:
-        """Return the strokes of the engraved text as TopoDS_Wires on the upper face of the flat base."""
+        """Return the strokes of the engraved text, on the upper face of the flat base, as TopoDS_Wires."""
         face = Frame((0.0, 0.0, self.strip.layers[0].high))
         strokes = self.strip.drawing().strokes
         return [make_wire(stroke.path, face) for stroke in strokes if stroke.layer == ENGRAVE]

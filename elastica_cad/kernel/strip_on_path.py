@@ -31,20 +31,19 @@ from elastica_cad.strip.outline import StripEnd
 from elastica_cad.strip.slots import Slot
 from elastica_cad.strip.strip import Strip
 
-# imported on first use at run time, so that the package loads quickly
+# the package loads faster without these imports
 if TYPE_CHECKING:
     from elastica_cad.forming.section_lines import SectionCurve
     from elastica_cad.model.fixtures import EndFixture
     from elastica_cad.strip.strip_spec import StripSpec
 
 FAR_SHARE = 0.01
-"""Deviation of a strip from the drawn curve above which a warning is issued, as a fraction of the length."""
+"""Deviation of a strip from the drawn curve, as a fraction of the length, above which a warning is issued."""
 
 SHORTEST_MM = 5.0
-"""Length of a curve, mm, below which it was probably drawn in metres, if it is also shorter than the width of its
-strip."""
+"""A curve that is shorter, mm, and shorter than its strip is wide, was probably drawn in metres."""
 
-KEPT_REQUESTS = 64  # number of requests whose strips are cached; it is sufficient for a few models
+KEPT_REQUESTS = 64  # number of cached strips, enough for a few models
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)
 GIVEN_OTHERWISE = {
     "material": 'sheet="mdf-3" or another name of ec.sheet_names()',
@@ -67,7 +66,7 @@ NO_CURVES = {
     "Rod": "ec.Strip(rod, sheet, max_width=...)",
     "NearestRod": "ec.Strip(found.rod, sheet, max_width=...)",
 }
-"""Names of records that are not curves, with the object that the user must pass instead."""
+"""Records that are not curves, and what the user must pass instead."""
 
 
 class FixtureOptions(StripOptions, FixtureSizes, total=False):
@@ -97,14 +96,14 @@ def make_strip_on(
     sheet : Sheet or str
         Sheet of the strip; None for a finished strip.
     workplane : Frame, or a plane of build123d or CadQuery, optional
-        Plane of the drawing. The plane determines which side of the path is up, if the path is parallel to it.
+        Plane of the drawing. It determines which side of a parallel path is up.
     **options
         `StripOptions`, and `max_width`.
     """
     from elastica_cad.strip.strip_spec import StripSpec, changes_suggested_in_python
 
     drawn = getattr(path, "line", None)
-    # a `BuildLine` of build123d is replaced by its line
+    # build123d: a `BuildLine` stands for its line
     path = path if drawn is None or callable(drawn) else drawn
     options = {name: value for name, value in options.items() if value is not None}
     _refuse_unknown(options)
@@ -163,7 +162,7 @@ def make_strip_on(
 
 
 def _require_curve(path: Any) -> None:
-    """Raise InputError for a text or points in place of a curve."""
+    """Raise InputError for a text or a list of points, which are not curves."""
     if isinstance(path, str | PathLike):
         raise InputError(
             f"{str(path)!r} is not a curve. Pass the curve first; ec.read_curves(file)[0] reads a file."
@@ -181,7 +180,7 @@ def _is_point(value: Any) -> bool:
 
 
 def _require_tabs(ends: Any) -> None:
-    """Raise InputError for the length of a tab in place of a tab."""
+    """Raise InputError for a number, which is not a tab."""
     lengths = [end for end in (ends if is_series(ends) else [ends]) if is_number(end)]
     if lengths:
         raise InputError(
@@ -190,7 +189,7 @@ def _require_tabs(ends: Any) -> None:
 
 
 def _slots_in_rad(slots: Any) -> tuple[Slot, ...]:
-    """Issue a warning if the inclinations look like radians."""
+    """Return the slots with inclinations in rad, from degrees. Warn if they look like radians."""
     in_degrees = several("slots", slots, Slot, "Slot")
     warn_of_radians([slot.lean for slot in in_degrees], LEAST_LEAN_DEGREES)
     return tuple(replace(slot, lean=radians(slot.lean)) for slot in in_degrees)
@@ -208,8 +207,8 @@ def make_fixture_on(
 ) -> "tuple[MadeStrip, EndFixture]":
     """Return the strip made by `make_strip_on`, and the block that holds one of its ends.
 
-    `floor` and `workplane` are planes of any CAD library, and `options` are `FixtureOptions`. Errors are the same
-    as for `EndFixture` and `make_strip_on`.
+    `floor` and `workplane` are planes of any CAD library, and `options` are `FixtureOptions`. Errors are
+    those of `EndFixture` and `make_strip_on`.
     """
     from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture
 
@@ -225,9 +224,9 @@ def make_fixture_on(
 
 
 def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[SectionCurve, ...]":
-    """`planes` are planes of any CAD library, or a `SectionSpec`; `half` selects the parts with x >= 0.
+    """Return the section curves of a body. Each omitted line causes a warning.
 
-    Issue a warning for each omitted line.
+    `planes` are planes of any CAD library, or a `SectionSpec`. `half` selects the parts with x >= 0.
     """
     from elastica_cad.forming.section_spec import GivenCuts, SectionSpec
     from elastica_cad.kernel.shape_sections import shape_surface
@@ -251,9 +250,9 @@ def _curves_on_body(body: Any, planes: Any, *, half: bool = False) -> "tuple[Sec
 def section_requests(
     body: Any, planes: Any, options: StripOptions, *, half: bool = False
 ) -> "list[tuple[PlaneCurve, StripOptions]]":
-    """Return the curve of each section of a body by planes, with the options of its strip.
+    """Return the curve of each section of a body, with the options of its strip.
 
-    The options include the plane and a numbered label.
+    They include the plane and a numbered label.
     """
     label = options.get("label")
     called = "strip" if is_one_of(label, (None, "")) else label
@@ -273,7 +272,7 @@ def _strip_and_deviation(spec: "StripSpec") -> tuple[Strip, float]:
 
 
 def _refuse_unknown(options: Mapping[str, Any], sizes: Sequence[str] = ()) -> None:
-    """Raise InputError for unknown options. For common mistakes, the message has the correct option."""
+    """Raise InputError for unknown options. For common mistakes, the message names the right option."""
     from elastica_cad.strip.strip_spec import StripSpec
 
     names = {"plane", "color", *sizes, *(field.name for field in fields(StripSpec))} - {
