@@ -1,4 +1,4 @@
-"""Pictures of rods, strips, drawings, models and bodies. They require matplotlib."""
+"""Pictures of rods, strips, drawings, models and bodies, drawn by matplotlib."""
 
 from elastica_cad._exports import exports
 

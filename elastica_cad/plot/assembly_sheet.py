@@ -1,4 +1,4 @@
-"""Assembly sheet as PDF: an exploded view, the order of assembly, positions and the parts."""
+"""Assembly sheet as PDF: exploded view, order of assembly, positions, and parts."""
 
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
@@ -38,30 +38,31 @@ A4 = np.array([595.0, 842.0])  # points
 MARGIN, TITLE_POINTS, LEADING = 36.0, 44.0, 12.5  # points: margin, height of the title, height of a line
 TEXT_POINTS = 8.5
 LETTER_POINTS = 0.57 * TEXT_POINTS  # mean width of a letter
-SHARED = 0.55  # least scale of the picture above text, relative to the scale on a separate page
-FEWEST = 3  # least number of lines of a table at the end of a page
-LABEL_HIGH, LABEL_PAD = 13.0, 6.0  # height of a label in the picture, and space beside its letters, points
-LABEL_OFF = 3.0  # distance of a label from the point beside it, points
-LABEL_SPACE = np.array([24.0, 10.0])  # space for labels at the sides, and above and below, points
-LABEL_AT = np.array([0.0, 0.3, 0.6, 1.0])  # positions of a label between tab and holder
-GAP_LETTERS = 2  # space between columns
-# direction to the viewer, and unit vectors to the right and upwards in the picture
+# a separate page for the picture is used if, above text, its scale would be less than this fraction
+SHARED = 0.55
+FEWEST = 3  # least number of lines of a table at the foot of a page
+LABEL_HIGH, LABEL_PAD = 13.0, 6.0  # height of a label, and space beside its letters, points
+LABEL_OFF = 3.0  # distance between label and point, points
+LABEL_SPACE = np.array([24.0, 10.0])  # space for labels at the sides, and at the top and bottom, points
+LABEL_AT = np.array([0.0, 0.3, 0.6, 1.0])  # possible places of a label, from tab to holder
+GAP_LETTERS = 2  # letters between columns
+# directions to the viewer, and to the right and upwards in the picture
 TOWARD, SCREEN = look_from(24.0, -60.0), screen_of(24.0, -60.0)
-# distance by which plates and blocks are moved away from the strips, as a fraction of the extent of the model
+# distance that plates and blocks are moved away from the strips, as a fraction of the model's size
 APART = 0.3
-BEHIND = 1.4  # distance of the second plate of a pair from the strips, relative to the first plate
+BEHIND = 1.4  # distance of the second plate of a pair from the strips, as a multiple of the first plate's
 SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from the middle
-PARALLEL = 1e-6  # largest difference of the cosine from -1 for plates that face each other
-EDGE_MM = 0.5  # largest distance, mm, between outlines and the polylines that are drawn
-BLOCK_PATCH = 0.02  # size of the patches of blocks, as a fraction of the extent of the model
+PARALLEL = 1e-6  # plates face each other if the cosine between their normals is nearer to -1
+EDGE_MM = 0.5  # largest distance, mm, between outlines and drawn polylines
+BLOCK_PATCH = 0.02  # size of the patches of blocks, as a fraction of the model's size
 BLOCK = np.array([0.75, 0.79, 0.85])
 PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
-# resolution of the pixel image of the strips; thousands of vector patches take minutes to open
+# strips are painted as pixels, because thousands of vector patches take minutes to open
 PAINT_DPI = 300
 
 
 class Table(NamedTuple):
-    """Heading, head of the columns, and rows of a table, or sentences as rows of a single cell."""
+    """Heading, column heads and rows of a table; sentences are rows of one cell."""
 
     title: str
     head: Sequence[str]
@@ -69,7 +70,7 @@ class Table(NamedTuple):
 
 
 class Line(NamedTuple):
-    """Printed line: texts, each with its distance from the margin in letters."""
+    """Printed line: texts, each with its distance from the left margin in letters."""
 
     cells: Sequence[tuple[int, str]] = ()
     weight: str = "normal"
@@ -124,7 +125,7 @@ def _pages(
     pairs = tuple(_plate_pairs(holders))
     view = View.of(model, holders, {id(second) for _, second, _ in pairs})
     tables = [table for table in _tables(model, holders, pairs, steps, cut_list) if table.rows]
-    # the paper, upright or across, on which the picture is larger; text is below the picture if there is room
+    # choose the orientation with the larger picture; text is below the picture if it fits
     layouts = []
     for paper in (A4, A4[::-1]):
         space = paper - [2 * MARGIN, 2 * MARGIN + TITLE_POINTS]
@@ -162,9 +163,7 @@ def _page(title: str, paper: FloatArray) -> Any:
 
 
 def _plate_pairs(holders: Sequence[Holder]) -> Iterator[tuple[BasePlate, BasePlate, float]]:
-    """Yield plates that hold the same tabs, first the plate nearer to the strips, and the gap between them,
-    mm.
-    """
+    """Yield pairs of plates that hold the same tabs, the one nearer to the strips first, and their gap, mm."""
     plates = _plates(holders)
     for i, first in enumerate(plates):
         for second in plates[i + 1 :]:
@@ -253,7 +252,7 @@ def _sentences_below_steps(holders: Sequence[Holder]) -> Iterator[str]:
         yield "Glue each foot into the angle of its plate and the tab whose name it has."
     if holders:
         yield "A strip starts (1) where its label starts. Each slot and block has the name of its end, such as A:1."
-    # the plate next to the strips replaces the second plate of the pair
+    # of two plates of a pair, the one next to the strips remains
     sides = {tuple(np.sign(plate.frame.z_axis).tolist()): plate for plate in reversed(plates)}
     if len(sides) == 2:
         near_plate, opposite = reversed(sides.values())
@@ -276,10 +275,10 @@ def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, 
 
 
 def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
-    """Yield a row for each plate and rib: the middle of its body, and the distance of the previous middle."""
+    """Yield a row for each plate and rib: its middle, and the distance from the previous one's."""
     middles = list[FloatArray]()
     for holder in single_holders(holders):
-        # sentences state the positions of rings
+        # sentences give the positions of rings
         if isinstance(holder, EndFixture) or (
             isinstance(holder, BasePlate) and (holder.glued or isinstance(holder.options, RingOptions))
         ):
@@ -295,7 +294,7 @@ def _point(position: FloatArray) -> str:
 
 
 def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
-    """Angles are between the strip, or the force of a load, and the line between the ends."""
+    """Yield a row for each rail, pin, tie and load. Angles are measured from the line between the ends."""
     for i, member in enumerate(model.placed):
         for element in held_elements(member.strip):
             points = member.frame.point(element.position)
@@ -308,7 +307,7 @@ def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
 
 
 def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:
-    """Successive parts with equal loads have one row."""
+    """Yield a row for each group of successive parts with equal loads."""
 
     def cells(part: EqualStrips) -> tuple[str, ...]:
         loads = part.strip.reactions()
@@ -325,7 +324,7 @@ def _load_rows(model: Model) -> Iterator[tuple[str, ...]]:
 
 
 def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
-    """Each shape has a row, because parts of equal shape differ only in the engraving."""
+    """Yield a row for each shape, because parts of equal shape differ only in their engraving."""
     flat, solid = "{0.length:.1f} x {0.width:.1f}", "{0.length:.1f} x {0.width:.1f} x {0.thickness:.1f}"
     for cut_rows, size in ((cut_list.rows, flat), (cut_list.printed, solid)):
         shapes: dict[str, list[int]] = {}
@@ -340,9 +339,9 @@ def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
 
 
 def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
-    """Return heading and rows of a table as lines of at most `most` letters, without empty columns.
+    """Return heading and rows of a table as lines of at most `most` letters.
 
-    The longest cells are wrapped.
+    Empty columns are left out, and the longest cells are wrapped.
     """
     used = [k for k in range(len(table.rows[0])) if any(row[k] for row in table.rows)]
     rows = [[row[k] for k in used] for row in ([table.head] if table.head else []) + [*table.rows]]
@@ -362,7 +361,7 @@ def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
 
 
 def _paginated(blocks: Sequence[tuple[list[Line], list[Line]]], most: int) -> Iterator[list[Line]]:
-    """Yield the lines of each page, at most `most`; a table that continues on a page repeats its heading there."""
+    """Yield the lines of each page, at most `most`. A continued table repeats its heading."""
     page: list[Line] = []
     for head, body in blocks:
         start = 0
@@ -389,7 +388,7 @@ def _write(figure: Any, lines: Sequence[Line], top: float) -> None:
 class Label(NamedTuple):
     """Text of the picture, drawn at the first of `positions` (k, 3) where it covers no other text.
 
-    `sides` has, for each position, the side on which the text is: (1, 0) to the right, (0, 1) above.
+    `sides` has the side of the text at each position: (1, 0) to the right, (0, 1) above.
     """
 
     text: str
@@ -412,7 +411,7 @@ class View:
     elements : sequence of (HeldElement, points (k, 3), tip (3,) or None)
         Rails, pins, ties and loads with their points; loads also with the tip of their arrow.
     labels : sequence of Label
-        Names, the most important first.
+        Texts, the most important first.
     dimensions : sequence of (line (2, 3), text)
         Overall width (along x) and height of the assembled model, on edges of the box around the picture.
     size : (3,) array
@@ -493,7 +492,7 @@ class View:
 
     @cached_property
     def _box(self) -> FloatArray:
-        """Lower left and upper right corner of the picture on the screen, mm."""
+        """Lower left and upper right corner of the picture, mm in the plane of the screen."""
         tips = [tip for _, _, tip in self.elements if tip is not None]
         loops = [
             self.patches.reshape(-1, 3),
@@ -504,11 +503,11 @@ class View:
         return box_about(np.concatenate(loops) @ SCREEN)
 
     def scale(self, size: FloatArray) -> float:
-        """Return the scale, points per mm, at which the picture fills the size (2,), points."""
+        """Return the scale, points per mm, at which the picture fills `size` (2,), points."""
         return float(((size - 2 * LABEL_SPACE) / np.maximum(np.ptp(self._box, axis=0), EDGE_MM)).min())
 
     def height(self, scale: float) -> float:
-        """Return the height of the picture, points, with its labels."""
+        """Return the height of the picture with its labels, points."""
         return float(scale * np.ptp(self._box, axis=0)[1] + 2 * LABEL_SPACE[1])
 
     def draw(self, axes: Any, size: FloatArray) -> None:
@@ -519,7 +518,7 @@ class View:
         axes.set_xlim(*(middle[0] + [-size[0] / 2, size[0] / 2]))
         axes.set_ylim(*(middle[1] + [-size[1] / 2, size[1] / 2]))
         depths = [*(self.patches.mean(axis=1) @ TOWARD), *(depth @ TOWARD for _, depth, _ in self.outlines)]
-        # paint from far to near; runs of patches are drawn together, because this is much faster
+        # paint from far to near; runs of patches are drawn at once, which is much faster
         order = np.argsort(depths, kind="stable")
         whole = order >= len(self.patches)
         for run in np.split(order, np.flatnonzero(np.diff(whole)) + 1):
@@ -581,7 +580,7 @@ def _element_label(element: HeldElement, points: FloatArray, tip: FloatArray | N
 
 
 def _loops(plate: BasePlate | Rib) -> Iterator[tuple[FloatArray, FloatArray, str]]:
-    """Yield loops (n, 3) of a plate, each with a point for depth sorting and a colour."""
+    """Yield the loops (n, 3) of a plate, each with a point for depth sorting and a colour."""
     solid = plate.solid
     for k, path in enumerate((solid.outline, *solid.holes)):
         points = path.points(EDGE_MM)

@@ -10,7 +10,7 @@ from elastica_cad.plot.strip_pictures import FAINT, FIRST, LAST, LINE, NUMBERED,
 from elastica_cad.strip.travel import Travel
 
 SAME_CORD_SHARE = 1e-6
-"""Shortening of the cord, as a fraction of its length, up to which the shape is that of the bow itself."""
+"""If the cord is shortened by less than this fraction of its length, the shape is that of the bow itself."""
 
 
 def bow(bow: Bow, shorter: Travel) -> Figure:

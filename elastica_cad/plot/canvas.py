@@ -19,28 +19,28 @@ Figure: TypeAlias = Any
 Axes: TypeAlias = Any
 
 WIDTH_INCHES = 9.0
-"""Width of all figures, inches, which fits a page in landscape."""
+"""Width of all figures, inches. It fits a page in landscape."""
 
 NOTEBOOK_DPI = 90.0
-"""Resolution, dots per inch, at which a figure is as wide as the column of a notebook."""
+"""Resolution, dots per inch, at which a figure is as wide as a notebook's column."""
 
 RESOLUTION = 150.0
 """Default resolution of PNG files, dots per inch."""
 
 MOST_RESOLUTION = 2400.0
-"""Largest resolution, dots per inch; a higher resolution would need too much memory."""
+"""Largest resolution, dots per inch. A higher one would need too much memory."""
 
 PICTURES = ("png", "svg", "pdf")
 
 INK = "#1f2430"
 
 SEAM_POINTS = 0.3
-"""Width, points, of outlines of patches, which hide the seams between neighbouring patches."""
+"""Width, points, of the outlines of patches, which hide the seams between patches."""
 
 TITLE_POINTS = 11
 
 TITLE_INCHES, TITLE_LINE_INCHES = 0.1, 0.19
-"""Space above and below the title of a page, and height of each of its lines, inches."""
+"""Space above and below the title of a page, and height of its lines, inches."""
 
 
 class Panel(NamedTuple):
@@ -138,19 +138,18 @@ def write_pages(
 
 
 def _properties() -> dict[str, str | None]:
-    """The metadata have no time, so that equal pictures result in equal files."""
+    """Return the metadata of a file. They have no time, so that equal pictures give equal files."""
     return {"CreationDate": None} | ({"Subject": command} if (command := MADE_BY.get()) else {})
 
 
 def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:
-    """Paint polygons, an array (n, k, 2) or a sequence of arrays (k, 2), later polygons on top.
+    """Paint polygons, an array (n, k, 2) or a sequence of arrays (k, 2), later ones on top.
 
-    The bounding box of all polygons is set here, because matplotlib would compute the box of every polygon,
-    which is slow.
+    Matplotlib would slowly compute the box of every polygon, so the box of all is set here.
     """
     from matplotlib.collections import PolyCollection
 
-    painted: Any = polygons  # an array (n, k, 2) is a sequence of polygons for matplotlib
+    painted: Any = polygons  # for matplotlib, an array (n, k, 2) is a sequence of polygons
     axes.add_collection(PolyCollection(painted, **style), autolim=False)
     corners = polygons.reshape(-1, 2) if isinstance(polygons, np.ndarray) else np.concatenate(polygons)
     axes.update_datalim(box_about(corners))
@@ -164,7 +163,7 @@ def paint_patches(axes: Axes, patches: FloatArray, colors: FloatArray, **style: 
 def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axes]]:
     """Make a figure, `WIDTH_INCHES` wide, with axes for the panels one above another.
 
-    The space for text is estimated, because matplotlib's layouts measure every text first, which is slow.
+    The space for text is estimated, because matplotlib's layouts slowly measure every text.
     """
     try:
         from matplotlib.figure import Figure as MatplotlibFigure
@@ -172,7 +171,7 @@ def new_page(panels: Sequence[Panel], title: str = "") -> tuple[Figure, list[Axe
         raise missing_library("pictures need matplotlib", "matplotlib") from error
 
     class Page(MatplotlibFigure):
-        """Figure that a notebook displays only once, if it is the last value of a cell."""
+        """Figure that a notebook displays only once, even as the last value of a cell."""
 
         def _repr_png_(self) -> bytes:
             stream = BytesIO()

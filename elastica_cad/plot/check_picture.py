@@ -1,4 +1,4 @@
-"""Picture of a check: the drawn curve, its inflections, the line through them, and the positions of faults."""
+"""Picture of a check: the drawn curve, its inflections, the line through them, and its faults."""
 
 from collections.abc import Iterator
 from textwrap import fill
@@ -25,17 +25,17 @@ POINTS = 601
 
 GOOD, OUTLIER = "#2e7d4f", "#c62828"
 ON_THE_LINE = 1e-6
-"""Largest distance from the inflection line of an inflection that counts as on it, as a fraction of the length."""
+"""Inflections count as on the line if they are closer, as a fraction of the length."""
 
 LETTERS = 96
-"""Largest number of characters in a line of the text above the picture."""
+"""Largest number of characters in a line above the picture."""
 
 
 def check(check: EquilibriumCheck) -> Figure:
     """Draw the curve of a check with its curvature comb, inflections, inflection line and faults.
 
-    Noisy measured points are drawn as dots, and outliers have a ring. Positions are stated in mm along the
-    curve from its start, as in the reasons.
+    Noisy measured points are dots, and outliers have a ring. Positions are in mm along the curve from its
+    start, as in the reasons.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """Drawing of pictures in a second process, which imports matplotlib while the command computes.
 
-Importing matplotlib takes as long as computing a strip. If there is no second process, or it ends early,
+Importing matplotlib takes as long as computing a strip. Without a second process, or if it ends early,
 pictures are drawn in this process.
 """
 
@@ -41,7 +41,7 @@ class DrawingProcess:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
-            # Ctrl-C is sent only to this process, which then ends the second process
+            # Ctrl-C reaches only this process, which then ends the second one
             start_new_session=True,
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
         )
@@ -56,24 +56,24 @@ class DrawingProcess:
 
     @contextmanager
     def drawing(self, files: "Sequence[File]") -> "Iterator[Sequence[File]]":
-        """Let the second process draw the pictures of a kit whose files the `with` block writes.
+        """Let the second process draw the pictures among files that the `with` block writes.
 
-        Yields the files in an order in which pictures are drawn while other files are written. The function
-        that writes a picture waits for the second process; if that has ended, it draws in this process.
-        Archives are last, because they contain the other files.
+        Yields the files with pictures after other files, so that they are drawn meanwhile. Writing a picture
+        waits for the second process or, if that has ended, draws it in this process. Archives are last,
+        because they contain the other files.
         """
         pictures = [file for file in files if file.name.endswith((".png", ".pdf"))]
         archives = [file for file in files if file.name.endswith(".zip")]
         tasks = [(Path(self._folder.name, Path(file.name).name), file.write) for file in pictures]
         request = pickle.dumps((MADE_BY.get(), tasks))
-        # a thread sends the request, because the process reads it only after it has imported matplotlib
+        # in a thread, because the process reads the request only after importing matplotlib
         Thread(target=self._send, args=(request,), daemon=True).start()
         other_files = [file for file in files if file not in pictures and file not in archives]
         received = [replace(file, write=partial(self._receive, file)) for file in pictures]
         try:
             yield [*other_files, *received, *archives]
         except BaseException:
-            self.end()  # the remaining pictures of the request are not needed
+            self.end()  # the remaining pictures are not needed
             raise
 
     def end(self) -> None:
@@ -98,7 +98,7 @@ class DrawingProcess:
             OSError,
             ValueError,
             pickle.UnpicklingError,
-        ):  # draw in this process if the other has ended
+        ):  # if the other process has ended, draw in this one
             file.write(path)
         else:
             path.write_bytes(content)
@@ -125,7 +125,7 @@ def drawing_process(words: Sequence[str]) -> Iterator[DrawingProcess | None]:
 
 
 def serve() -> None:
-    """Run the second process: import the drawing functions, then draw the pictures requested through standard
+    """Run the second process: import the drawing functions, then draw the pictures requested by standard
     input.
     """
     warnings.simplefilter("ignore")
@@ -136,7 +136,7 @@ def serve() -> None:
     import elastica_cad.plot.strip_pictures  # noqa: F401
 
     Image.preinit()
-    with suppress(EOFError):  # EOFError is raised when the command has ended
+    with suppress(EOFError):  # the command has ended
         while True:
             command, pictures = pickle.load(sys.stdin.buffer)
             MADE_BY.set(command)

@@ -29,14 +29,14 @@ from elastica_cad.strip.solids import FlatSolid
 from elastica_cad.strip.strip import Placed
 
 APART_MM = 1e-7
-"""Least distance of stations, mm; nearer stations are merged."""
+"""Stations closer together than this, mm, are merged."""
 
 FEWEST, ROUND = 4, 96
-"""Least number of sides of the polygon of a curve, and number of sides for a loop that is a single curve."""
+"""Least number of sides of a polygon for a curve, and number of sides for a loop that is one curve."""
 
 
 def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> FloatArray:
-    """Divide the area that is inside an odd number of loops into trapezoids with sides parallel to y.
+    """Divide the area inside an odd number of loops into trapezoids with sides parallel to y.
 
     Trapezoids end at corners of the loops and at `stations`.
 
@@ -74,15 +74,15 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
     )
     cuts = cuts[np.concatenate([[True], np.diff(cuts) > APART_MM])]
     middles = (cuts[:-1] + cuts[1:]) / 2
-    # a slab is the area between neighbouring values of x; a line crosses consecutive slabs
+    # slabs are between neighbouring values of x; a line crosses consecutive slabs
     first = np.searchsorted(middles, left[:, 0], side="right")
     count = np.searchsorted(middles, right[:, 0], side="left") - first
     line = np.repeat(np.arange(len(left)), count)
     slab = numbers_in_groups(count) + np.repeat(first, count)
     order = np.lexsort((left[line, 1] + slope[line] * (middles[slab] - left[line, 0]), slab))
-    # loops are closed, so the lines in every slab form pairs, below and above the area
+    # in each slab, the lines of closed loops form pairs: below and above the area
     below, above, slab = line[order[0::2]], line[order[1::2]], slab[order[0::2]]
-    # a trapezoid consists of neighbouring slabs between the same two lines, and ends at a station
+    # slabs between the same two lines form a trapezoid, which ends at stations
     ends_here = np.zeros(len(cuts), dtype=bool)
     ends_here[np.searchsorted(cuts, stations, side="right") - 1] = True
     along = np.lexsort((slab, above, below))
@@ -96,7 +96,7 @@ def trapezoids(loops: Sequence[Path], stations: FloatArray, step: float) -> Floa
 
 
 def _polygon_of(loop: Path, step: float) -> FloatArray:
-    """Return points (n, 2) at corners, and about `step` mm apart on curves."""
+    """Return points (n, 2) of a loop: its corners, and points about `step` mm apart on curves."""
     rows = []
     for segment in loop.segments:
         parts = 1
@@ -116,10 +116,10 @@ def _plate_faces(holders: Sequence[Holder]) -> list[Frame]:
 
 
 def holder_patches(holders: Sequence[Holder], size: float) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Yield patches (n, 4, 3), at most `size` mm large, and their colours (n, 3) without shading, for each
-    body of the holders.
+    """Yield patches (n, 4, 3) of at most `size` mm and their unshaded colours (n, 3), for each body of the
+    holders.
 
-    Slots that tabs fill are drawn as if they were not cut.
+    Slots with tabs in them are drawn as if they were not cut.
     """
     for holder in single_holders(holders):
         if isinstance(holder, EndFixture):
@@ -138,7 +138,7 @@ def _loops_without_slots(holder: Plate) -> tuple[Path, ...]:
 def _patches(
     solid: FlatSolid, loops: Sequence[Path], color: Color, size: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Return patches (n, 4, 3) of both faces and of the rims of a plate, and colours (n, 3)."""
+    """Return patches (n, 4, 3) of the faces and rims of a plate, and colours (n, 3)."""
     low, high = np.array([loop.bounds for loop in loops[:1]])[0]
     stations = np.linspace(low[0], high[0], int(np.ceil((high[0] - low[0]) / size)) + 1)
     flat = [part for slab in trapezoids(loops, stations, size) for part in _split(slab, size)]
@@ -159,7 +159,7 @@ def _patches(
 
 
 def _split(slab: FloatArray, size: float) -> Iterator[FloatArray]:
-    """Yield parts of a trapezoid (2, 3), at most `size` mm high; the columns are x, lower y and upper y."""
+    """Yield parts of a trapezoid (2, 3), at most `size` mm high. Its columns are x, lower y and upper y."""
     count = max(1, int(np.ceil((slab[:, 2] - slab[:, 1]).max() / size)))
     heights = slab[:, 1:2] + (slab[:, 2:] - slab[:, 1:2]) * np.linspace(0.0, 1.0, count + 1)
     for k, _ in pairwise(range(count + 1)):
@@ -176,22 +176,23 @@ def _fine_polygon(points: FloatArray, size: float) -> FloatArray:
 
 
 RIM, MODEL_RIM = 0.035, 0.0015
-"""Width of the dark line along edges: as a fraction of the strip width, and at most of the model's extent."""
+"""Width of the dark line along edges as a fraction of the strip width, and its limit as a fraction of the
+model's size."""
 
 ROUNDED_MM = 6
-"""Decimals of heights above a face, mm; a patch with height 0.0 is on the face."""
+"""Decimals of heights above a face, mm. A patch with height 0.0 is on the face."""
 
 HOLDER_PATCH = 0.02
-"""Size of patches of holders, as a fraction of the model's extent, so small that sorting by depth is sufficient."""
+"""Size of patches of holders as a fraction of the model's size; sorting small patches by depth is enough."""
 
 NAME_SPACE = 0.045
-"""Space for the name of a flat part, as a fraction of the length of the longest part."""
+"""Space for the name of a flat part as a fraction of the longest part."""
 
 STATIONS, CORNERS = 81, 40
-"""Number of stations along a strip at which its patches end, and number of corners of its drawn outline."""
+"""Number of stations along a strip at which patches end, and number of corners of its drawn outline."""
 
 LIGHT = np.array([0.35, -0.45, 0.82])
-"""Direction to the light, which is above, to the left and in front."""
+"""Direction to the light: above, to the left and in front."""
 
 
 def model(
@@ -204,9 +205,9 @@ def model(
 ) -> Figure:
     """Draw the bent strips of a model in the colours of their sheets, viewed from two angles (degrees).
 
-    Tabs, slots and holes of strips are drawn, but of a laminate only the base. `holders` are drawn in addition
-    to the plates of the model; slots of plates and holders are not drawn, holes are. `flat` is the number of
-    different flat parts that are drawn below at a common scale: the first, the last, and some between them.
+    Strips have their tabs, slots and holes; of a laminate only the base is drawn. `holders` are drawn in
+    addition to the plates of the model, with their holes but without slots. `flat` is the number of different
+    flat parts that are drawn below at a common scale: the first, the last, and some between them.
     """
     require_model(model)
     if not (is_whole(flat) and flat >= 0):
@@ -279,13 +280,13 @@ def _figure(
 ) -> Figure:
     """Paint patches (n, k, 3) from the farthest to the nearest, and below them flat parts at a common scale.
 
-    Patches in front of the face of a plate are painted after the patches behind it, because sorting by depth
-    alone would draw tabs with ragged edges in their slots.
+    Patches in front of a plate's face are painted after those behind it. Sorted by depth alone, tabs would
+    have ragged edges in their slots.
     """
     toward = look_from(elevation, azimuth)
     plane = patches @ screen_of(elevation, azimuth)
     middle = patches.mean(axis=1)
-    # for each face: patches behind it, on it, and in front of it
+    # for each face: patches behind it (-1), on it (0), in front of it (1)
     sides = [
         np.sign(np.round((middle - face.origin) @ face.z_axis, ROUNDED_MM)) * np.sign(face.z_axis @ toward)
         for face in faces
@@ -343,16 +344,17 @@ def screen_of(elevation: float, azimuth: float) -> FloatArray:
 
 
 def lit(patches: FloatArray) -> FloatArray:
-    """Return the brightness (n, 1) of patches from their angle to the light; both sides are equally bright."""
+    """Return the brightness (n, 1) of patches from their angle to the light.
+
+    Both sides are equally bright.
+    """
     normal = np.cross(patches[:, 2] - patches[:, 0], patches[:, -1] - patches[:, 1])
     normal = normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
     return np.asarray(0.6 + 0.4 * np.abs(normal @ LIGHT)[:, None], dtype=float)
 
 
 def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[FloatArray, FloatArray]:
-    """Divide triangles at their longest edge until no edge is longer than `longest`, so that they can be
-    sorted by depth.
-    """
+    """Return triangles with no edge longer than `longest`, so that they can be sorted by depth."""
     while True:
         edges = np.linalg.norm(np.roll(triangles, -1, axis=1) - triangles, axis=2)
         large = edges.max(axis=1) > longest
@@ -369,8 +371,8 @@ def _fine(triangles: FloatArray, colors: FloatArray, longest: float) -> tuple[Fl
 def rule_strip(
     placed: Placed, rim_most: float = np.inf, faces: Sequence[Frame] = ()
 ) -> tuple[FloatArray, FloatArray]:
-    """Return a strip in space, with tabs, slots and holes, as patches (n, 4, 3) with dark rims, and colours
-    (n, 3).
+    """Return a strip in space with tabs, slots and holes: patches (n, 4, 3) with dark rims, and colours (n,
+    3).
 
     Patches are split where the strip crosses one of the `faces`.
     """
@@ -395,7 +397,7 @@ def rule_strip(
 
 
 def _bent(rod: Rod, x: FloatArray) -> FloatArray:
-    """Return the points of the centre line (..., 2) at arc lengths x; tabs are straight along the end tangents."""
+    """Return the points of the centre line (..., 2) at arc lengths x. Tabs are straight."""
     inside = np.clip(x, 0.0, rod.length)
     points = np.stack([np.interp(inside, rod.s, column) for column in rod.position.T], axis=-1)
     angle = np.where(x < 0, rod.angle[0], rod.angle[-1])

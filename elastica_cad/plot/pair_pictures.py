@@ -10,15 +10,14 @@ from elastica_cad.pairs.flexure import Flexure
 from elastica_cad.plot.canvas import INK, WIDTH_INCHES, Axes, Figure, Panel, new_page
 
 CUT, FIRST, SECOND, WAY = "#8a8f98", "#1f5fa8", "#c2571a", "#d9dbe0"
-# largest distance between splines and the polylines that are drawn, as a fraction of the length
+# largest distance between splines and drawn polylines, as a fraction of the length
 CHORD = 1e-4
 
 ARROW = 0.3  # length of the arrow, as a fraction of the displacement between the states
 
 
 def pair_sheet(part: Flexure, drawn_as: Sequence[PlaneCurve] = ()) -> Figure:
-    """Draw a two-state part: flat pattern, both rest shapes with the holes of the holder, and force between
-    the states.
+    """Draw a two-state part: flat pattern, both rest shapes with the holes of the holder, and force.
 
     The requested curves `drawn_as` are dashed.
     """

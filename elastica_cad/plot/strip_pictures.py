@@ -33,22 +33,23 @@ LAYER_COLORS = {
 COMB, LINE, FAINT, HOLD = "#2f6db3", "#c2452d", "#8a8f98", "#3a8f4d"
 LOAD = "#c77700"
 MARKERS = {Rail: "^", Pin: "o", Tie: "s"}
-"""Markers of rails, pins and ties at their stations."""
+"""Markers of rails, pins and ties."""
 
 ARROW_SHARE = 0.08
 """Length of the arrow of a load, as a fraction of the size of the drawing."""
 
 END_LABEL_INCHES = 0.3
-"""Space below an end for the label with its angle, inches."""
+"""Space for the angle below an end, inches."""
 
 ROUNDING_SHARE, SMALL_MOVE_SHARE, ENLARGED_SHARE = 1e-5, 0.01, 0.05
-"""Limits between which a displacement is also drawn enlarged, and its size then, as fractions of the length."""
+"""Displacements between the first two limits are also drawn enlarged, to the third size; all are fractions of
+the length."""
 
 NUMBERED = Panel(5.2, above=0.54, below=0.52, left=0.8, right=0.15)
-"""Space around a drawing with both axes, a title, and a legend below the title."""
+"""Panel for a drawing with two axes, a title, and a legend below the title."""
 
 STIFFNESS = NUMBERED._replace(height=1.6, above=0.32)
-"""Space around the graph of K along the strip, with a title."""
+"""Panel for the graph of K along the strip, with a title."""
 
 WIDE = WIDTH_INCHES - NUMBERED.left - NUMBERED.right
 """Width of the axes, inches."""
@@ -56,10 +57,10 @@ WIDE = WIDTH_INCHES - NUMBERED.left - NUMBERED.right
 MARGIN_FRACTION = 0.04
 """Space beside the flat strip, as a fraction of its length."""
 COMB_FRACTION = 0.16
-"""Length of the longest tooth of the curvature comb, as a fraction of the extent of the curve."""
+"""Length of the longest tooth of the curvature comb, as a fraction of the size of the curve."""
 
 SMOOTH_MM = 0.02
-"""Largest distance, mm, between a spline and the polyline that is drawn; it is less than a printed dot."""
+"""Largest distance, mm, between a spline and the drawn polyline: less than a printed dot."""
 
 
 def rod(rod: Rod, *, wish: PlaneCurve | None = None, design: Rod | None = None) -> Figure:
@@ -69,10 +70,10 @@ def rod(rod: Rod, *, wish: PlaneCurve | None = None, design: Rod | None = None) 
     ----------
     rod : Rod
     wish : PlaneCurve, optional
-        Requested curve. It is also drawn if the rod bends into the nearest possible curve instead.
+        Requested curve, drawn too if the rod is that of the nearest possible curve.
     design : Rod, optional
-        Designed shape of a loaded or moved rod. It is also drawn. If the displacement is less than 1 % of the
-        length, an enlarged displacement is drawn too. The inflection line and the thrust line are left out.
+        Designed shape of a loaded or moved rod, drawn too. A displacement below 1 % of the length is also
+        drawn enlarged. The inflection line and the thrust line are left out.
     """
     require_record(rod, Rod, "what is drawn", "a Rod")
     if design is not None:
@@ -104,7 +105,7 @@ def drawing(drawing: Drawing) -> Figure:
     lines = [item.path.closed_points(SMOOTH_MM) for item in drawing.strokes]
     for layer in dict.fromkeys(item.layer for item in drawing.strokes):
         strokes = [line for item, line in zip(drawing.strokes, lines, strict=True) if item.layer == layer]
-        # lines are not snapped to pixels, because dots of letters would vanish
+        # snapping to pixels would remove dots of letters
         axes.add_collection(
             LineCollection(strokes, colors=LAYER_COLORS[layer], linewidths=0.9, label=layer, snap=False)
         )
@@ -120,7 +121,7 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
     ----------
     strip : Strip
     wish : PlaneCurve, optional
-        Requested curve. It is also drawn if the strip bends into the nearest possible curve instead.
+        Requested curve, drawn too if the strip is that of the nearest possible curve.
 
     Returns
     -------
@@ -152,16 +153,16 @@ def strip_sheet(strip: Strip, *, wish: PlaneCurve | None = None) -> Figure:
 
 
 def paint_flat(axes: Axes, strip: Strip, shift: tuple[float, float] = (0.0, 0.0)) -> None:
-    """Paint the cutting pattern, moved by `shift` mm, in the colours of its sheets. A backing is translucent."""
+    """Paint the flat pattern, moved by `shift` mm, in the colours of its sheets. A backing is translucent."""
     from matplotlib.patches import PathPatch
     from matplotlib.path import Path as Outline
 
     for layer in strip.layers:
-        # matplotlib does not fill loops whose direction is opposite to the direction of the outline
+        # matplotlib fills all but loops directed against the outline
         loops = [layer.outline, *(hole if hole.area < 0 else hole.reversed() for hole in layer.holes)]
         outlines = [Outline(loop.closed_points(SMOOTH_MM) + shift, closed=True) for loop in loops]
         seen_through = layer is not strip.layers[0]
-        # `add_patch` is not used, because it is slow: it computes limits from every piece of every hole
+        # `add_patch` would slowly compute limits from every piece of every hole
         axes.add_artist(
             PathPatch(
                 Outline.make_compound_path(*outlines),
@@ -183,7 +184,7 @@ def _bent_panel(rod: Rod, wish: PlaneCurve | None, ends: Sequence[HeldEnd] = ())
 
 
 def _with_room_below(points: FloatArray, ends: Sequence[HeldEnd]) -> FloatArray:
-    """Return the points (n, 2) and points below the ends, which make room for the labels of the ends."""
+    """Return the points (n, 2), and points below the ends that keep space for the labels of the ends."""
     width, height = _widened(np.ptp(points, axis=0))
     room = END_LABEL_INCHES * max(width / WIDE, height / NUMBERED.height)
     return np.concatenate([points, *(end.position[None] - (0.0, room) for end in ends)])
@@ -226,7 +227,7 @@ def _paint_bent(
         axes.plot(*side.T, color=LINE, linewidth=1.0, linestyle="--", label=label)
     _mark_stations(axes, rod)
     shown += _mark_loads(axes, rod, float(np.max(high - low)))
-    # enlarge the box of a nearly straight curve, so that the numbers on the axis across it can be read
+    # so that the numbers across a nearly straight curve can be read
     box = box_about(_with_room_below(np.array(shown), ends))
     least, middle = _widened(box[1] - box[0]) / 2, box.mean(axis=0)
     axes.set_xlim(middle[0] - least[0], middle[0] + least[0])
@@ -295,17 +296,17 @@ def _paint_dimensioned(axes: Axes, strip: Strip) -> None:
 
 
 def _widened(size: FloatArray) -> FloatArray:
-    """Each side is at least 0.3 times the longer side, so that the numbers on the axes can be read."""
+    """Return a size with each side at least 0.3 times the longer one, so that numbers on the axes can be
+    read.
+    """
     return np.asarray(1.1 * np.maximum(size, 0.3 * size.max()))
 
 
 def _stations_of(size: Profile) -> list[float]:
-    """Return the stations (mm) of labels that do not overlap: widest and narrowest position, ends and
-    quarters.
-    """
+    """Return the stations, mm, of labels that do not overlap: widest and narrowest place, ends and quarters."""
     length = size.length
     s = np.linspace(0.0, length, 801)
-    # widths are rounded, so that rounding errors do not decide between positions of equal width
+    # rounded, so that rounding errors do not choose between places of equal width
     w = np.round(size(s), 9)
     candidates = [
         s[int(np.argmax(w))],
@@ -326,7 +327,7 @@ def _stations_of(size: Profile) -> list[float]:
 def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
     """Return a point and the direction of the line of zero moment (Eq. 3 of the paper).
 
-    Return None for a rod with weight, elements or point forces, and for a rod without a force at its start.
+    Return None for a rod with weight, elements or point forces, or without a force at its start.
     """
     size = float(np.linalg.norm(rod.force[0]))
     if rod.gravity is not None or rod.acting or size == 0.0:
@@ -337,9 +338,9 @@ def _inflection_line(rod: Rod) -> tuple[FloatArray, FloatArray] | None:
 
 
 def _paint_displacement(axes: Axes, rod: Rod, design: Rod) -> list[FloatArray]:
-    """Draw the designed shape, and an enlarged displacement if the displacement is small.
+    """Draw the designed shape and, if the displacement is small, an enlarged displacement.
 
-    Return the drawn lines, arrays (n, 2).
+    Return the drawn lines (n, 2).
     """
     light = {"color": FAINT, "linewidth": 1.2}
     lines = [design.position]
@@ -356,7 +357,7 @@ def _paint_displacement(axes: Axes, rod: Rod, design: Rod) -> list[FloatArray]:
 
 
 def _mark_stations(axes: Axes, rod: Rod) -> None:
-    """Draw labelled markers of rails, pins and ties. A tie is a dotted line, and slack elements are grey.
+    """Draw labelled markers of rails, pins and ties. A tie is a dotted line. Slack elements are grey.
 
     The label of a rail is on the side from which the rail pushes.
     """
@@ -379,9 +380,9 @@ def _mark_stations(axes: Axes, rod: Rod) -> None:
 
 
 def _mark_loads(axes: Axes, rod: Rod, size: float) -> list[FloatArray]:
-    """Draw an arrow for each point force and point mass, in a drawing of the given size, mm.
+    """Draw an arrow for each point force and mass, and return the positions of the labels.
 
-    Return the positions of the labels.
+    `size` is the size of the drawing, mm.
     """
     places = []
     loads = [(float(load.s[0]), load.force[0], NOUNS[PointForce]) for load in rod.point_forces]
@@ -408,7 +409,7 @@ def comb_tips(rod: Rod | CurveSamples) -> FloatArray:
 
 
 def paint_comb(axes: Axes, position: FloatArray, tips: FloatArray) -> None:
-    """Paint some hundred teeth of a curvature comb, and the line through all tips."""
+    """Paint the teeth of a curvature comb, at most some hundred, and the line through all tips."""
     step = max(1, len(position) // 100)
     teeth = np.stack([position, tips, np.full_like(tips, np.nan)], axis=1)[::step].reshape(-1, 2)
     axes.plot(*teeth.T, color=COMB, linewidth=0.5, alpha=0.6)
@@ -438,7 +439,7 @@ def _paint_both_axes(axes: Axes, title: str) -> None:
 
 
 def _set_title(axes: Axes, title: str, pad: float = 6.0) -> None:
-    """Set a title above the axes, at a position that does not depend on other texts."""
+    """Set a title above the axes. Its position does not depend on other texts."""
     axes.set_title(title, fontsize=10, loc="left", color=INK, pad=pad, y=1.0)
 
 
@@ -453,10 +454,10 @@ def _paint_legend(axes: Axes) -> None:
     )
 
 
-# colours of the shapes from first to last, and of shapes after snaps
+# colours of the first and the last shape, and of shapes after snaps
 FIRST, LAST, UNSTABLE = "#a9c6e8", "#1d4f8c", "#c2452d"
 SHAPES = Panel(3.2, above=0.3, below=0.52, left=0.8, right=0.8)
-# panel with the force on the left axis and the energy on the right axis
+# panel with force on the left axis and energy on the right
 COSTS = SHAPES._replace(height=2.4, above=NUMBERED.above)
 FORCE, ENERGY = "#1d4f8c", "#e0962b"
 
@@ -464,7 +465,7 @@ FORCE, ENERGY = "#1d4f8c", "#e0962b"
 def travel(moved: Travel) -> Figure:
     """Draw all shapes of a travel, and below them the force along the path and the bending energy.
 
-    A travel of one step has no graph of the force. Its shape is drawn with the design.
+    A travel of one step has no graph; its shape is drawn with the design.
 
     Dotted lines mark the positions on the path to which `Travel.warnings` refer.
 
@@ -502,7 +503,7 @@ def travel(moved: Travel) -> Figure:
     beside = below.twinx()
     beside.plot(moved.path_length, moved.energy, color=ENERGY, linestyle="--")
     beside.set_ylabel("bending energy, N mm", color=ENERGY)
-    for axes in (below, beside):  # axes begin at 0, so that a nearly constant force looks constant
+    for axes in (below, beside):  # from 0, so that a nearly constant force looks constant
         low, high = axes.get_ylim()
         room = 0.05 * (high - low) if low * high > 0 else 0.0
         axes.set_ylim(min(low - room, 0.0), max(high + room, 0.0))

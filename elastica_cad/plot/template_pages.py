@@ -1,4 +1,4 @@
-"""Paper templates: drawings at full size as PDF, divided into pages with marks for joining them."""
+"""Paper templates: full-size drawings as PDF, on pages with marks for joining them."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -19,16 +19,16 @@ PAPERS = {
     "A4": (210.0, 297.0), "A3": (297.0, 420.0), "A2": (420.0, 594.0), "A1": (594.0, 841.0), "A0": (841.0, 1189.0),
     "letter": (215.9, 279.4), "tabloid": (279.4, 431.8),
 }  # fmt: skip
-"""Width and height of paper sizes, mm (ISO 216; ANSI Y14.1)."""
+"""Width and height of papers, mm (ISO 216; ANSI Y14.1)."""
 
-MARGIN_MM = 10.0  # width of the margin, mm, that home printers cannot print
+MARGIN_MM = 10.0  # margin, mm, that home printers cannot print
 OVERLAP_MM = 10.0  # overlap of neighbouring tiles, mm, for glue
-# largest distance, mm, between splines and the lines that are drawn: a fifth of a dot at 600 dpi
+# largest distance, mm, between splines and drawn lines: a fifth of a dot at 600 dpi
 CHORD_MM = 0.01
 CROSS_MM = 4.0  # length of the arms of a registration mark, mm
-RULER_MM = 100.0  # length, mm, of the bar by which users detect that the printer scaled the page
+RULER_MM = 100.0  # length, mm, of the bar that shows whether the printer scaled the page
 POINTS_PER_MM = 72 / MM_PER_INCH
-MOST_TILES = 400  # largest number of pages, because more pages are probably a mistake
+MOST_TILES = 400  # largest number of pages; more are probably a mistake
 
 
 def printed_size(paper: str) -> tuple[float, float]:
@@ -62,7 +62,7 @@ class Tiling:
 def _tile_drawing(drawing: Drawing, paper: str = "A4") -> Tiling:
     """Return the tiles that cover a drawing.
 
-    Pages are upright or across, whichever needs fewer; empty tiles are left out.
+    Pages are upright or across, whichever needs fewer. Empty tiles are left out.
 
     Raises
     ------
@@ -105,9 +105,9 @@ def _tiles(drawing: Drawing, page: tuple[float, float]) -> Tiling:
 
 
 def _enters(segments: FloatArray, low: FloatArray, high: FloatArray) -> bool:
-    """Return True if the bounding box of any of the segments (n, 4) overlaps the box from `low` to `high`.
+    """Return True if the bounding box of any segment (n, 4) overlaps the box from `low` to `high`.
 
-    A segment is x, y of its start and x, y of its end.
+    A segment is x and y of its start, and x and y of its end.
     """
     inside = np.minimum(segments[:, :2], segments[:, 2:]), np.maximum(segments[:, :2], segments[:, 2:])
     return bool(np.any(np.all((inside[0] < high) & (inside[1] > low), axis=1)))
@@ -132,7 +132,7 @@ def save_template(
 ) -> Tiling:
     """Write a drawing at its true size as PDF, on as many pages as necessary.
 
-    Each page has a name, and a measuring bar to detect scaling by the printer. Pages are joined so that their
+    Each page has a name, and a bar to measure whether the printer scaled it. Pages are joined so that their
     crosses coincide. Lines follow splines to 0.01 mm.
 
     Parameters
@@ -184,7 +184,7 @@ def _pages(drawing: Drawing, tiling: Tiling) -> Iterator[Any]:
 
 
 def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, title: str) -> None:
-    """The axes cover the whole page and are in mm of the drawing."""
+    """Draw a tile on a figure. The axes cover the page and are in mm of the drawing."""
     low = tiling.origins[k]
     high = low + tiling.size
     axes = figure.add_axes((0, 0, 1, 1))
@@ -197,7 +197,7 @@ def _draw_page(figure: Any, drawing: Drawing, tiling: Tiling, k: int, title: str
     for item in drawing.strokes:
         points = item.path.closed_points(CHORD_MM)
         if np.any(points.max(axis=0) < low) or np.any(points.min(axis=0) > high):
-            continue  # skip lines that are on other pages, because drawing them would take the same time
+            continue  # lines on other pages would take as long to draw
         axes.plot(*points.T, color=LAYER_COLORS[item.layer], linewidth=0.6, solid_capstyle="butt")[
             0
         ].set_clip_path(window)

@@ -1,1 +1,1 @@
-"""The studio: a web page for drawing curves, which shows their strips immediately, and its server."""
+"""The studio, a web page for drawing curves that shows their strips immediately, and its server."""

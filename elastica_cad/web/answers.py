@@ -62,28 +62,28 @@ from elastica_cad.web.saved_design import (
 Record = dict[str, Any]
 
 LEAST_STEP = 1e-3
-"""Smallest tolerance, mm, to which the last possible position of a dragged point is searched."""
+"""Smallest tolerance, mm, of the last possible position of a dragged point."""
 
 DIRECTIONS = 2
-"""Largest number of directions that an answer tries in the search for the last possible position."""
+"""Largest number of directions that one answer tries in the search for the last possible position."""
 
 HALVINGS = 2
-"""Largest number of bisection steps of an answer in the search for the last possible position."""
+"""Largest number of bisection steps of one answer in the search for the last possible position."""
 
 PLACE_DIGITS = 6
-"""Decimals of a position along the curve, mm. With fewer decimals, the rounded end could be beyond the curve."""
+"""Decimals of a position along the curve, mm. With fewer, a rounded end could be beyond the curve."""
 
 DRAWN_NODES = 160
-"""Largest number of nodes of a strip that are sent, because more would not be visible on a screen."""
+"""Largest number of nodes of a strip that are sent. More could not be seen on a screen."""
 
 CHORD_MM = 0.05
 """Largest distance, mm, between the cut outline and the lines on the screen."""
 
 DROPPED = (".svg", ".dxf", ".csv", ".txt", ".json", ".toml")
-"""Kinds of files that may be dropped on the page."""
+"""Files that may be dropped on the page, by suffix."""
 
 DOWNLOADS = ("dxf", "svg", "pdf", "step", "stl", "kit")
-"""Kinds of files that can be downloaded, in addition to the design."""
+"""Files that can be downloaded, in addition to the design."""
 
 FILE_KEYS = ("file", "mesh", "sheets_file")
 CURVE_KEYS = ("curve", "first", "second")
@@ -94,12 +94,10 @@ BENT_STEPS, PRESSED_STEPS = 32, 12
 """Number of shapes between the flat strip and the design, and of shapes with the ends pressed further together."""
 
 NEARLY_FLAT = 0.9999
-"""Largest distance of the ends, relative to the length of the strip: a straight strip could bend to either
-side.
-"""
+"""Largest distance of the ends, as a fraction of the length. A straighter strip could bend to either side."""
 
 PRESSED_FRACTION = 0.4
-"""Largest reduction of the distance between the ends of a strip, as a fraction of this distance."""
+"""Largest reduction of the distance between the ends, as a fraction of it."""
 
 
 @dataclass(frozen=True)
@@ -143,7 +141,7 @@ def refused(problem: ElasticaError) -> Record:
 
 
 def _refuse_files(value: object, key: str = "") -> None:
-    """The page reads only files that are dropped on it."""
+    """Raise InputError for names of files, because the page reads only files dropped on it."""
     if isinstance(value, Mapping):
         for name, item in value.items():
             _refuse_files(item, str(name))
@@ -178,7 +176,10 @@ def _spec(request: Mapping[str, Any]) -> StripSpec:
 
 
 def _strip(request: Mapping[str, Any]) -> Record:
-    """With `hold`, a dragged control point stops at the last possible position."""
+    """Return the answer on a strip.
+
+    With `hold`, a dragged control point stops at the last possible position.
+    """
     try:
         spec, scaled = _scaled_request(request)
     except ElasticaError as problem:
@@ -200,7 +201,9 @@ def _strip(request: Mapping[str, Any]) -> Record:
 
 
 def _bare_curve(request: Mapping[str, Any]) -> Record:
-    """Return the drawn curve of a strip whose request cannot be read, or nothing if the curve cannot be read."""
+    """Return the drawn curve of a strip whose request cannot be read; nothing if the curve cannot be read
+    either.
+    """
     with suppress(ElasticaError, LookupError, TypeError):
         strip = {"curve": request["design"]["strips"][request.get("strip", 0)]["curve"], "max_width": 10.0}
         return _drawn_points(requested_spec({"schema": 1, "sheet": "birch-plywood-0.8", "strips": [strip]}))
@@ -208,11 +211,11 @@ def _bare_curve(request: Mapping[str, Any]) -> Record:
 
 
 def _check_record(spec: StripSpec, scaled: Record) -> Record:
-    """Return the drawn curve, and the check unless an element is not on the curve."""
+    """Return the drawn curve and, if all elements are on the curve, its check."""
     curve = spec.rod_spec.drawn or spec.rod_spec.curve
     path = {"points": _rounded(curve.sample(DRAWN_NODES + 1).position, 3), "length": curve.length}
     record: Record = {"path": path, "kept": scaled}
-    with suppress(InputError):  # the refusal reports the element
+    with suppress(InputError):  # the refusal of the strip reports the element
         check = spec.rod_spec.check
         record |= {"theorem": _theorem(check), "text": str(check)}
     return record
@@ -236,11 +239,11 @@ def _strip_record(
 
 
 def _strip_of_drag(request: Mapping[str, Any]) -> Record:
-    """Return the strip for a possible position of a dragged control point.
+    """Return the strip for the last possible position of a dragged control point.
 
     `request["hold"]` has the indices of the points that move together, their last possible positions `from`,
-    the tolerance `step`, mm, and the first direction `turn` of this answer. If the points cannot move, the
-    answer has the positions `from` and, unless all directions were tried, the `turn` of the next answer.
+    the tolerance `step`, mm, and the first direction `turn` to try. If the points cannot move, the answer has
+    the positions `from`, and the `turn` of the next answer if there are more directions to try.
     """
     hold, design, k = request["hold"], request["design"], request.get("strip", 0)
     strip = design["strips"][k]
@@ -269,7 +272,7 @@ def _strip_of_drag(request: Mapping[str, Any]) -> Record:
 
 
 def _solve_if_possible(spec: StripSpec, hold: Mapping[str, Any]) -> tuple[Rod | NearestRod, Strip] | None:
-    """Return the rod and the strip, or None if the strip is impossible; the reason is not computed.
+    """Return the rod and the strip, or None if the strip is impossible. The reason is not computed.
 
     With `hold["strain"]`, a strip above the strain limit of its sheet is impossible too.
     """
@@ -289,7 +292,7 @@ def _solve_if_possible(spec: StripSpec, hold: Mapping[str, Any]) -> tuple[Rod | 
 
 
 def _curve_breaks_strip(spec: StripSpec) -> bool:
-    """Return True if the drawn curve alone, without the rod, shows that the strip would break."""
+    """Return True if the drawn curve alone shows that the strip would break, without a rod."""
     bends = spec.smooth or spec.natural_curvature or spec.loads or spec.gravity is not None
     if spec.may_change or spec.ignore_limits or bends or not isinstance(spec.style, Plain):
         return False
@@ -298,7 +301,7 @@ def _curve_breaks_strip(spec: StripSpec) -> bool:
 
 
 def _scaled_request(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
-    """Scale the positions of ties and loads with the curve, and return the request and the scaled tables.
+    """Return the request and its tables, with positions of ties and loads scaled with the curve.
 
     The page sends the previous length (mm) of an edited curve, to which the positions refer.
     """
@@ -315,7 +318,7 @@ def _scaled_request(request: Mapping[str, Any]) -> tuple[StripSpec, Record]:
 
 
 def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
-    """Return rails, pins, ties and loads with their positions, and with forces in N if they are known."""
+    """Return rails, pins, ties and loads with their positions and, if known, forces in N."""
     curve = spec.rod_spec.curve_to_bend
     drawn_curve = spec.rod_spec.drawn or spec.rod_spec.curve
     loads = () if isinstance(spec.loads, Weight) else spec.loads
@@ -330,7 +333,7 @@ def _elements(spec: StripSpec, strip: Strip | None = None) -> list[Record]:
         for k, record in enumerate(records):
             mass = record.mass if isinstance(record, PointMass) else None
             element = PointForce(record.at, (0, 0)) if isinstance(record, PointMass) else record
-            with suppress(InputError):  # the check reports a position that is not on the curve
+            with suppress(InputError):  # the check reports a position off the curve
                 places = curve.at(PlacedElement.on(element, drawn_curve, curve).s).position
                 force = forces.get(id(record))
                 elements.append({
@@ -367,7 +370,7 @@ def _theorem(check: EquilibriumCheck) -> Record:
 
 
 def _inflections(rod: Rod) -> Record:
-    """Return the inflections of a rod and their line, which differ from those of the drawn curve."""
+    """Return the inflections of a rod and the line through them. The drawn curve may have others."""
     points = inflections_of(rod)
     s = [rod.s[np.hypot(*(rod.position - point).T).argmin()] for point in points]
     line = None if rod.acting or rod.gravity is not None or not len(points) else rod.thrust_line[0]
@@ -441,7 +444,7 @@ def _suggestions(request: Mapping[str, Any]) -> Record:
 
 
 def _sheet_size_of_model(design: Mapping[str, Any]) -> tuple[float, float] | None:
-    """Return the sides of the sheets, mm, on which the parts of a model are laid, or None for a strip alone."""
+    """Return the sides of a model's sheets, mm, or None for a strip alone."""
     if len(design["strips"]) == 1 and design.keys().isdisjoint({"nest", *OF_MODELS}):
         return None
     strips_and_nest = {key: value for key, value in design.items() if key not in OF_MODELS}
@@ -471,7 +474,7 @@ def _changed_strips(request: Mapping[str, Any], suggestion: Suggestion) -> list[
 
 
 def _sheet_rows(request: Mapping[str, Any]) -> Record:
-    """Try all sheets, or those in `names`; the rod is only solved again if it depends on the sheet."""
+    """Try all sheets, or those in `names`. The rod is solved again only if it depends on the sheet."""
     spec, names, rod, rows = _spec(request), request.get("names"), None, []
     solved = spec.rod_spec
     for sheet in cut_sheets():
@@ -522,7 +525,7 @@ def _bending_frames(request: Mapping[str, Any]) -> Record:
     parts = np.arange(BENT_STEPS + 1) / BENT_STEPS
     pulled = bend_strip(strip, [bend_keywords(part, flat, 1.0) for part in parts])
     frames = [_frame(strip, pulled, k, 1 - parts[k]) for k in range(len(parts))][::-1]
-    # if the strip cannot be pressed further, only the shapes from flat to the design are shown
+    # if the strip cannot be pressed further, show only the shapes up to the design
     with suppress(ElasticaError):
         more = np.arange(1, PRESSED_STEPS + 1) / PRESSED_STEPS
         pressed = bend_strip(
@@ -593,7 +596,7 @@ def _model(request: Mapping[str, Any]) -> Record:
 
 
 def _placed_strips(placed: Iterable[Placed]) -> Record:
-    """Return the shapes of the strips of a model and, for each strip, the number of its shape and its place."""
+    """Return the shapes of a model's strips and, for each strip, the number of its shape and its position."""
     strips: dict[int, int] = {}
     shapes: list[Record] = []
     places = []
@@ -622,7 +625,7 @@ def _plates(solids: Sequence[object]) -> Iterator[FlatSolid]:
 
 
 def _matrix(frame: Frame) -> list[float]:
-    """Return the columns of the matrix (4, 4) of a frame, as graphics libraries expect."""
+    """Return the columns of a frame's matrix (4, 4), as graphics libraries expect."""
     rows = np.eye(4)
     rows[:3, :3], rows[:3, 3] = frame.axes.T, frame.origin
     return [round(float(x), 6) for x in rows.T.ravel()]
@@ -661,7 +664,7 @@ def _pair_spec(request: Mapping[str, Any]) -> FlexureSpec:
 
 
 def _edit(request: Mapping[str, Any]) -> Record:
-    """Add a control point, which does not change the shape, or remove a control point."""
+    """Add a control point without changing the shape, or remove a control point."""
     if "pair" in request["design"]:
         spec = _pair_spec(request)
         curve = spec.second if request.get("strip") else spec.first
@@ -674,7 +677,7 @@ def _edit(request: Mapping[str, Any]) -> Record:
 
 
 def with_point_near(curve: PlaneCurve, point: object) -> PlaneCurve:
-    """Insert a knot, and so a control point, at the point of a curve nearest to `point`. The shape is unchanged.
+    """Insert a knot, and so a control point, near a point of the curve, without changing the shape.
 
     Examples
     --------
@@ -749,7 +752,7 @@ def _open_saved(_: Mapping[str, Any], saved: FilePath | None) -> Record:
 
 
 def _save(request: Mapping[str, Any], saved: FilePath | None) -> Record:
-    """If another program has changed the file, the answer has the new contents."""
+    """Save the design. If another program has changed the file, return its new contents instead."""
     before, mark = "", file_mark(saved)
     if saved is not None and not request.get("copy"):
         if request.get("mark") != mark:
@@ -827,7 +830,7 @@ QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
 """Function that answers each kind of request."""
 
 WITH_FILES = (_read_dropped, _download)
-"""Functions that get a temporary folder, and read only from this folder."""
+"""Functions that get a temporary folder, and read only files in it."""
 
 OF_THE_FILE = (_open_saved, _save)
 """Functions that get the path of the studio's design file."""

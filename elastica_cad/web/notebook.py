@@ -1,4 +1,4 @@
-"""The studio in a notebook: the same page, whose requests are answered by the kernel of the notebook."""
+"""The studio in a notebook: the same page; the kernel of the notebook answers its requests."""
 
 import json
 from collections.abc import Mapping
@@ -24,12 +24,12 @@ MODULES = (
     "channel.js", "colors.js", "design.js", "drawing.js", "flat.js", "forms.js", "vendor/three.module.min.js",
     "space.js", "starts.js", "studio.js",
 )  # fmt: skip
-"""Script files of the page; a file comes after the files that it imports."""
+"""Script files of the page. A file comes after those that it imports."""
 
 
 @installed_modules()
 def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
-    """Return the studio as a widget of a notebook, in which a curve is drawn and used by later cells.
+    """Return the studio as a widget of a notebook, to draw a curve for later cells.
 
     It requires anywidget.
 
@@ -44,8 +44,8 @@ def studio(curve: PlaneCurve | None = None, **keys: Any) -> "AnyWidget":
     Returns
     -------
     AnyWidget
-        Widget, whose `value` is the drawn curve (PlaneCurve) and the request (StripSpec), and whose `design`
-        has the tables of a design file.
+        Widget. Its `value` is the drawn curve (PlaneCurve) and the request (StripSpec); its `design` has the
+        tables of a design file.
 
     Raises
     ------

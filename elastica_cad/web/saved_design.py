@@ -1,4 +1,4 @@
-"""Conversion between a design file and the tables that the page of the studio edits."""
+"""Conversion between a design file and the tables that the studio's page edits."""
 
 from collections.abc import Mapping
 from hashlib import sha256
@@ -20,10 +20,10 @@ from elastica_cad.geometry.plane_curve import PlaneCurve
 Tables = dict[str, Any]
 
 OF_MODELS = ("patterns", "interlock", "base", "rings", "frame", "fixtures", "stand", "extras", "revolution")
-"""Tables of a design that only models of several strips need."""
+"""Tables of a design that only models need."""
 
 STARTS = ("pavilion", "revolution")
-"""Designs of `elastica new` that need no other files; the page offers them as templates."""
+"""Designs of `elastica new` without other files. The page offers them as templates."""
 
 
 def open_design(path: Path) -> Tables:
@@ -95,7 +95,9 @@ def curve_table(curve: PlaneCurve) -> Tables:
 
 
 def compose_design(tables: Mapping[str, Any], before: str = "") -> str:
-    """Return the text of a design file with these tables. Comments of the previous text are preserved if possible.
+    """Return the text of a design file with these tables.
+
+    Comments of the text `before` are kept if possible.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Server of the page, which answers only requests of its own pages on this computer."""
+"""Server of the page. It answers only requests of its own pages on this computer."""
 
 import asyncio
 import hmac
@@ -49,9 +49,7 @@ NO_ENTRY = "This page is for the person who started it: open the address that `e
 
 @dataclass(frozen=True)
 class Entrance:
-    """Admission of requests that have the token, name this computer as host, and do not come from another
-    site.
-    """
+    """Checks requests: they must have the token, name this computer as host, and not come from another site."""
 
     port: int
     token: str = field(default_factory=lambda: secrets.token_urlsafe(24))
@@ -67,7 +65,7 @@ class Entrance:
         return f"elastica-studio-{self.port}"
 
     def refusal(self, connection: HTTPConnection) -> str:
-        """Return the reason why a request is refused, or "" if it is permitted."""
+        """Return why a request is refused, or "" if it is permitted."""
         host = connection.headers.get("host", "")
         if host not in (f"{HOST}:{self.port}", f"localhost:{self.port}"):
             return "This server answers to its own name only.\n"
@@ -81,16 +79,15 @@ class Entrance:
 
 
 class Guard:
-    """ASGI middleware that checks each request with `Entrance`.
-
-    It adds the security policy to each response.
+    """ASGI middleware that checks each request with `Entrance`, and adds the security policy to each
+    response.
     """
 
     def __init__(self, app: ASGIApp, entrance: Entrance) -> None:
         self.app, self.entrance = app, entrance
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass a permitted request to the application, and refuse any other request."""
+        """Pass a permitted request to the application. Refuse other requests."""
         if scope["type"] == "lifespan":
             await self.app(scope, receive, send)
             return
@@ -127,13 +124,13 @@ class Studio:
     ----------
     entrance : Entrance
     path : Path, optional
-        Design file that is opened, and that is saved if the user requests it.
+        Design file that is opened, and saved on request.
     """
 
     def __init__(self, entrance: Entrance, path: Path | None = None) -> None:
         self.path = path
         if path is not None and path.exists():
-            # an invalid design is refused in the terminal before the page opens
+            # reports an invalid design in the terminal, before the page opens
             open_design(path)
         file = None if path is None else path.name
         self._hello = page_words() | {
@@ -190,7 +187,7 @@ class Studio:
             await send(kind, content if path is None else _save_if_unchanged(path, content))
 
         saves = request.get("do") == "save" and not request.get("copy")
-        # a worker reads a request as a line; line feeds are only white space in JSON
+        # a worker reads a request as a line; in JSON, line feeds are only white space
         line = text.replace("\n", " ").encode()
         if not self._workers.request(page, head_of(request), line, written if saves else send):
             await send(b"text", refused_answer(request, InputError(TOO_MUCH)))
@@ -214,12 +211,12 @@ def _save_if_unchanged(path: Path, content: bytes) -> bytes:
 def bound_socket(port: int) -> socket.socket:
     """Return a listening socket for connections from this computer only. Port 0 selects any free port."""
     bound = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-    # without SO_REUSEADDR, recently closed connections would block the port for a minute
+    # otherwise, recently closed connections would block the port for a minute
     if os.name == "posix":
         bound.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         bound.bind((HOST, port))
-        bound.listen()  # a browser that connects before the server is ready has to wait
+        bound.listen()  # from now on, a browser waits until the server is ready
     except (OSError, OverflowError) as problem:
         bound.close()
         raise InputError(

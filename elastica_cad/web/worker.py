@@ -1,7 +1,7 @@
 """Worker process that answers requests of the page one after another. Each request is a line of JSON.
 
-An answer consists of its kind (`text` or `file`), its size in bytes, and its contents. A worker that needs
-too much memory returns an error.
+An answer consists of its kind (`text` or `file`), its size in bytes, and its contents. If it needs too much
+memory, the answer is an error.
 """
 
 import json
@@ -18,7 +18,7 @@ from elastica_cad.web.answers import Download, answer, refused
 from elastica_cad.words import Translated
 
 MOST_MEMORY = 3 * 2**30
-"""Largest address space of a worker, bytes. A CAD kernel needs a third of it."""
+"""Largest address space of a worker, bytes. A CAD kernel needs a third."""
 
 CATALOGUES = {"de": "de", "zh": "zh-CN"}
 """Catalogue of translations for each language of the page, except English."""
@@ -48,12 +48,12 @@ def head_of(question: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def refused_answer(question: Mapping[str, Any], problem: ElasticaError) -> bytes:
-    """Return the answer, an error, to a request that no worker can answer."""
+    """Return an error as the answer to a request that no worker can answer."""
     return json.dumps(head_of(question) | refused(problem)).encode()
 
 
 def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
-    """Return the kind and contents of the answer to a request. Errors are answered by their messages.
+    """Return the kind and contents of the answer to a request. An error is answered by its message.
 
     Parameters
     ----------
@@ -69,7 +69,7 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
         response = refused(problem)
     except MemoryError:
         response = refused(InputError("There is not enough memory. Request less, such as fewer strips."))
-    # an invalid request of an old page must not end the worker
+    # a wrong request of an old page must not end the worker
     except Exception:
         traceback.print_exc()
         response = refused(
@@ -82,7 +82,7 @@ def reply(line: bytes, saved: Path | None = None) -> tuple[bytes, bytes]:
 
 
 class _PageWords(Translated):
-    """Wording of messages, with the names of fields that the page displays."""
+    """Wording of messages, with fields named as on the page."""
 
     def __init__(self, language: str) -> None:
         super().__init__(CATALOGUES.get(language, "en"))
@@ -121,7 +121,7 @@ def main() -> None:
     _limit_memory()
     saved = Path(sys.argv[1]) if sys.argv[1:] else None
     out = sys.stdout.buffer
-    sys.stdout = sys.stderr  # keep the output of libraries separate from the answers
+    sys.stdout = sys.stderr  # keeps the output of libraries apart from the answers
     for line in sys.stdin.buffer:
         kind, content = reply(line, saved)
         out.write(b"%s %d\n" % (kind, len(content)) + content)

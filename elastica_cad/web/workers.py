@@ -1,6 +1,6 @@
 """Worker processes and the queue of requests.
 
-If several requests of the same kind from a page are waiting, only the newest is answered.
+Of several waiting requests of the same kind from a page, only the newest is answered.
 """
 
 import asyncio
@@ -16,22 +16,22 @@ from elastica_cad.web.worker import refused_answer
 WORKERS = 2
 
 LONGEST_S = {"file": 180.0, "model": 60.0, "sheets": 60.0, "bend": 30.0, "cures": 60.0}
-"""Time limits, s, of some kinds of requests. The time limit of other requests is `USUAL_S`."""
+"""Time limits, s, of some kinds of requests. The limit of all others is `USUAL_S`."""
 
 USUAL_S = 15.0
 
 MOST_WAITING = 12
-"""Largest number of different waiting requests from a page. The page of the studio sends fewer."""
+"""Largest number of different waiting requests from a page. The studio's page sends fewer."""
 
 Send = Callable[[bytes, bytes], Awaitable[None]]
-"""Type of functions that send an answer, given its kind and contents."""
+"""Function that sends the kind and contents of an answer."""
 
 
 class Workers:
     """Two worker processes, and a queue of requests.
 
-    Requests are answered in the order in which they arrive. A request that replaces a waiting request of the same
-    kind takes its position.
+    Requests are answered in the order of arrival. A request takes the place of a waiting request of the same
+    kind.
     """
 
     def __init__(self, saved: Path | None) -> None:
@@ -51,7 +51,7 @@ class Workers:
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
     def request(self, page: int, head: dict[str, Any], line: bytes, send: Send) -> bool:
-        """Queue a request, and drop a waiting request of the same kind from the same page.
+        """Queue a request in place of a waiting one of the same kind from the same page.
 
         Return False if too many other requests from the page are waiting.
         """
@@ -87,7 +87,7 @@ class Workers:
                     reason = f"took longer than {seconds:.0f} s" if late else "needed too much memory"
                     refusal = InputError(f"The request {reason}. Use fewer strips, samples or holes.")
                     kind, content = b"text", refused_answer(head, refusal)
-                # the page may be closed while its request is computed
+                # the page may have been closed meanwhile
                 with suppress(Exception):
                     await send(kind, content)
         finally:
@@ -96,13 +96,13 @@ class Workers:
 
 
 async def _nobody(_: bytes, __: bytes) -> None:
-    """Discard an answer for which no page is waiting."""
+    """Discard an answer, because its page was closed."""
 
 
 async def _start_worker(saved: Path | None) -> asyncio.subprocess.Process:
     command = [*python_command("elastica_cad.web.worker", "main"), *([str(saved)] if saved else [])]
     pipe = asyncio.subprocess.PIPE
-    # in a separate session, because Ctrl-C must not reach a worker, which the server ends
+    # in a separate session, because Ctrl-C must reach only the server, which ends the workers
     return await asyncio.create_subprocess_exec(*command, stdin=pipe, stdout=pipe, start_new_session=True)
 
 
