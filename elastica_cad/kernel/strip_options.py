@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class StripOptions(TypedDict, total=False):
     """Options of every function in addition to path, sheet and max_width: see `StripSpec`.
 
-    `gravity` may also be a vector of the CAD library: a direction in space.
+    `gravity` may also be a vector of the CAD library, which is a direction in space.
     """
 
     plane: Annotated[
