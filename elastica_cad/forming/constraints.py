@@ -376,12 +376,14 @@ class FollowedMarginLimit(MarginLimit):
     def disturbed(self, rod: MappedRod) -> DiscreteRod:
         """Return the rod with the stiffness dM/dkappa at the nodes in place of K."""
 
-        def felt() -> DiscreteRod:
+        def with_tangent_stiffness() -> DiscreteRod:
             K = self.section.tangent(rod.stiffness, _bend(rod, self.size), self.rest / self.size)
             return DiscreteRod(K, rod.angles, rod.force, rod.edge_length, rod.supports, rod.start)
 
-        rod_felt: DiscreteRod = rod.remembered((FollowedMarginLimit, id(self.section)), felt)
-        return rod_felt
+        tangent_rod: DiscreteRod = rod.remembered(
+            (FollowedMarginLimit, id(self.section)), with_tangent_stiffness
+        )
+        return tangent_rod
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
         """Convert derivatives by dM/dkappa to derivatives by K and M, by finite differences."""

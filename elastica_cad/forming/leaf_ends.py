@@ -111,7 +111,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
     best = min(stacks, key=lambda stack: stack.mean_deviation)
     if not best.section.steps.size and relaxed.gravity is None:
         # without ply ends the shape does not depend on the number of plies, so use the fewest
-        uncut = _Search(
+        full_length = _Search(
             relaxed,
             law,
             points,
@@ -120,7 +120,7 @@ def lay_leaves(relaxed: Rod, law: LeavesLaw, *, tangents: tuple[bool, bool] = (F
             tuple(range(1, law.fewest + 1)),
             tangents,
         )
-        best = uncut.answer() or best
+        best = full_length.answer() or best
     return best
 
 

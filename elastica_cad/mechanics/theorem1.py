@@ -771,9 +771,9 @@ def faint_places(
     excess: ExcessCurvature, largest: float, zeros: Sequence[CurvatureZero], share: float = FAINT_SHARE
 ) -> list[float]:
     """Return arc lengths, mm, of minima of |kappa - kappa_0| that are almost zero, but are not zeros."""
-    curve, felt = excess.curve, excess.survey
+    curve, change = excess.curve, excess.survey
     s = curve.survey.s
-    bent = np.abs(felt)
+    bent = np.abs(change)
     inside = bent[1:-1]
     dips = (inside <= bent[:-2]) & (inside <= bent[2:]) & (inside < _DIP_SHARE * largest)
     places = []
@@ -781,7 +781,7 @@ def faint_places(
         low, high = s[i - 1], s[i + 1]
         if any(low <= z.s_end and z.s <= high for z in zeros):
             continue
-        sign = np.sign(felt[i])
+        sign = np.sign(change[i])
 
         def depth(s: float, sign: float = sign) -> float:
             return float(sign * excess.at(curve.parameter(np.array(s))))

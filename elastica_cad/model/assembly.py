@@ -63,7 +63,7 @@ class AssemblyPart:
 def layer_names(name: str, strip: Strip) -> tuple[str, ...]:
     """Return the names of the sheets of a strip.
 
-    The name of a glued sheet ends in "backing" or in the name of the ply.
+    The name of a glued sheet ends with "backing" or with the name of the ply.
     """
     return tuple(f"{name} {layer.name}".rstrip() for layer in strip.layers)
 
@@ -160,10 +160,10 @@ class AssemblyStep:
     part : str
         Name of the cut piece.
     ends : (str, str)
-        Holders of end 1 and end 2. For a supported end without a holder: "hold at (x, y, z)", mm, with the
-        angle to the line between both ends. For other ends: "free".
+        Holders of end 1 and end 2. A supported end without a holder has the text "hold at (x, y, z)", mm,
+        with the angle to the line between both ends. Other ends are "free".
     holders : (tuple of str, tuple of str)
-        The same as separate, short texts: "ring-bottom" for a slot, "on ring-bottom" for a glued tab, "its block".
+        Short texts for both ends: "ring-bottom" for a slot, "on ring-bottom" for a glued tab, "its block".
     locks_into : tuple of str
         Earlier strips into whose slots this strip is pushed.
     """
@@ -224,7 +224,7 @@ def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple
 
 
 def _places_of_tabs(model: Model, holders: Iterable[Holder]) -> dict[str, dict[str, str]]:
-    """Return the places of each tab by name, each with a short text."""
+    """Return the places of each tab by the name of the tab, each with a short text."""
     places = defaultdict[str, dict[str, str]](dict)
     for tab, place, short in _held_places([*model.plates, *several("holders", holders, Holder, HOLDERS)]):
         places[tab][place] = short
@@ -242,7 +242,7 @@ def _instruction_without_holder(member: Placed, end: StripEnd) -> str:
 
 
 def _held_places(holders: Iterable[Holder]) -> Iterable[tuple[str, str, str]]:
-    """Yield the name of each held tab, the place in the holder, and a short text for this place."""
+    """Yield the name of each held tab, its place in the holder, and a short text for the place."""
     for holder in single_holders(holders):
         if isinstance(holder, BasePlate):
             yield from (

@@ -37,15 +37,15 @@ DECIMALS = {"mm": 2, "inch": 3, "percent": 3, "safety": 2}
 
 LETTER_MM, TICK_MM = 4.0, 3.0
 LINE_MM, LETTERS = 1.8 * LETTER_MM, 46
-"""Line distance (mm), and characters per line that fit on A4, of the text below a side view."""
+"""Line distance (mm) and characters per line, on A4, of the text below a side view."""
 
 
 def _bench_table(strip: Strip, stations: ArrayLike | None = None) -> dict[str, FloatArray]:
     """Return columns (n,) of size in mm and inch, strain and safety of a tapered strip at stations (n,), mm.
 
-    Stations are measured from the start of the free part. The distance from the tip of the tab at the
-    start has its own column. The default stations include the tips of both tabs. Safety is the strain
-    limit of the material divided by the strain, and infinite where the strip is not bent.
+    Stations are measured from the start of the free part; another column has the distance from the tip of the
+    tab. The default stations include the tips of both tabs. Safety is the strain limit of the material
+    divided by the strain, and infinite where the strip is not bent.
     """
     law, size = strip.layout.section, strip.layout.size
     if law is None or size is None:
@@ -105,7 +105,7 @@ def bench_drawing(strip: Strip, stations: ArrayLike | None = None) -> Drawing:
 
 def _label_lines(strip: Strip) -> list[str]:
     sheet, flat = strip.sheet, "thickness" in strip.tapered
-    # remove the sheet's thickness from its name, because the stock has another thickness
+    # remove the thickness of the sheet from its name, because the stock has another thickness
     stock = sheet.full_name.removesuffix(f" {sheet.thickness:g} mm")
     wide = f"{stock}, {strip.width.extremes[1]:g} mm wide: plane both faces alike"
     sizes = {f"{size:.2f}" for profile in strip.tapered.values() for size in profile.extremes}
@@ -119,7 +119,7 @@ def _label_lines(strip: Strip) -> list[str]:
 ENDS = Supports("pinned", "pinned")
 SEARCH_NODES, FINE_NODES = 401, 2401  # number of nodes in the search for the taper, and for the final curve
 LARGEST_CAMBER = 0.4  # largest camber, as a fraction of the chord; a deeper batten is a bow
-# largest fraction of the length that has the full size; the remaining length is needed for the taper
+# largest fraction of the length with full size; the remaining length is needed for the taper
 LARGEST_FULL_FRACTION = 0.8
 CAMBER_TOLERANCE = 1e-7  # accuracy of the camber and of its position, as a fraction of the chord
 MOST_STEPS = 30
@@ -197,7 +197,7 @@ class BattenSpec:
         try:
             taper, chord = self._taper()
         except NotConvergedError:
-            if self.lying is not None:  # the message already describes the effect of the batten's weight
+            if self.lying is not None:  # the message already describes the effect of the weight
                 raise
             raise self._place_out_of_reach(0.5 - self.place, self._untapered_chord, "") from None
         thin = self.stock.largest * np.exp(-abs(taper))
@@ -208,7 +208,7 @@ class BattenSpec:
     def _place_out_of_reach(self, side: float, chord: float, thin: str) -> InputError:
         most = float(np.log(self.stock.largest / self.stock.least)) * np.sign(side)
         within = 100 * self._place_for_taper(most, chord)
-        # rounded towards the middle, so that the position is possible
+        # round towards the middle, because the position must be possible
         nearest = (
             note("at least {percent:.3g}", percent=np.ceil(10 * within) / 10)
             if side > 0
@@ -342,7 +342,7 @@ class Batten:
 
 
 def _rod_between_hinges(spec: BattenSpec, taper: float, chord: float, nodes: int) -> Rod:
-    """Return the rod with the ratio exp(taper) of end size to start size, between hinges `chord` apart."""
+    """Return the rod between hinges, `chord` apart, with the ratio exp(taper) of its size at the end and start."""
     along = np.linspace(0.0, 1.0, nodes)
     tapered = 1 - spec.full
     share = along / tapered if taper > 0 else (along - spec.full) / tapered

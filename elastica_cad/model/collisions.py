@@ -41,12 +41,10 @@ EDGES_TOUCH_MM = 0.1
 NEWTON_STEPS = 3
 
 INSCRIBED_SQUARE = np.sqrt(0.5)
-"""Ratio of the side of an inscribed square, which replaces a round rod, to the diameter of the circle."""
+"""Ratio of an inscribed square, which replaces a round rod, to the diameter of the circle."""
 
 SLOT_EXTENSION = 4.0
-"""Distance by which a slot is extended beyond the edge of its strip, in slot widths, because its sides differ
-in length.
-"""
+"""Extension of a slot beyond the edge of its strip, in slot widths; the sides of a slot differ in length."""
 
 RIM_MM = 0.002
 """Largest distance, mm, between a slot and the polygon that represents it."""
@@ -55,7 +53,7 @@ SELF_PITCH_THICKNESSES = 0.25
 """Distance, in thicknesses, between samples along a strip that may touch itself."""
 
 MOST_SAMPLES = 20_000
-"""Largest number of samples along a strip that may touch itself. On a long strip the samples are farther apart."""
+"""Largest number of samples along a strip that may touch itself; on long strips, samples are farther apart."""
 
 Places = tuple[float, float]
 
@@ -81,7 +79,7 @@ class Collision:
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A bent strip without tabs: ruled middle surface, thickness (mm), and the strip with slots."""
+    """Bent strip without tabs: ruled middle surface, thickness (mm), and the strip with its slots."""
 
     ruled: RuledStrip
     thickness: float
@@ -129,7 +127,7 @@ class Body:
         return stations[k], share * reach[k], place[k], tangent[k]
 
     def stations_near(self, points: FloatArray, reach: float) -> tuple[IntArray, FloatArray]:
-        """Return which points (n, 2) may be within `reach` mm of the curve, and the nearest stations."""
+        """Return indices of points (n, 2) that may be within `reach` mm of the curve, and the nearest stations."""
         stations = self.ruled.stations
         line = self.ruled.in_plane(stations)[0]
         i, k = near_pairs(points, line, reach + float(np.diff(stations).max()))
@@ -155,7 +153,7 @@ class Body:
         )
         return [cut.points(RIM_MM) for cut in cuts]
 
-    def uncut(self, s: FloatArray, across: FloatArray) -> FloatArray:
+    def distance_from_slots(self, s: FloatArray, across: FloatArray) -> FloatArray:
         """Distances (n,), mm, of points of the flat pattern from the nearest slot; negative inside a slot."""
         away = np.full(s.size, np.inf)
         for rim in self._slot_polygons:
@@ -163,7 +161,7 @@ class Body:
             left, down = s[:, None] - x, across[:, None] - y
             where = np.clip((left * dx + down * dy) / (dx**2 + dy**2), 0.0, 1.0)
             off = np.hypot(where * dx - left, where * dy - down).min(axis=1)
-            # a ray from a point inside a polygon crosses the sides of the polygon an odd number of times
+            # a ray from a point inside a polygon crosses an odd number of sides
             beside = ((down >= 0) != (down >= dy)) & ((left * dy < down * dx) == (dy > 0))
             away = np.minimum(away, np.where(beside.sum(axis=1) % 2 == 1, -off, off))
         return away
@@ -173,12 +171,12 @@ def _evenly_spaced(low: float, high: float, pitch: float) -> FloatArray:
     return np.linspace(low, high, max(2, int(np.ceil((high - low) / pitch)) + 1))
 
 
-def deepest_collision(first: Body, second: Body, room: float = 0.0) -> Collision | None:
-    """Return the deepest overlap of two slotted strips that is at least `room` mm away from all slots.
+def deepest_collision(first: Body, second: Body, slot_distance: float = 0.0) -> Collision | None:
+    """Return the deepest overlap of two slotted strips at least `slot_distance` mm away from all slots.
 
     Return None if the overlap is at most `SHARED_MM`.
     """
-    return _deeper_overlap(first, second, room, SHARED_MM, is_flush=False)
+    return _deeper_overlap(first, second, slot_distance, SHARED_MM, is_flush=False)
 
 
 def _flush_overlap(first: Body, second: Body) -> Collision | None:
@@ -188,21 +186,24 @@ def _flush_overlap(first: Body, second: Body) -> Collision | None:
 
 
 def _deeper_overlap(
-    first: Body, second: Body, room: float, least: float, *, is_flush: bool
+    first: Body, second: Body, slot_distance: float, least: float, *, is_flush: bool
 ) -> Collision | None:
     """Return the deepest overlap of the samples of either strip with the other strip."""
     in_second, in_first = (
-        _deepest_sample(a, b, room, least, is_flush=is_flush) for a, b in ((first, second), (second, first))
+        _deepest_sample(a, b, slot_distance, least, is_flush=is_flush)
+        for a, b in ((first, second), (second, first))
     )
     if in_first is not None and (in_second is None or in_first.depth > in_second.depth):
         return Collision(in_first.places[::-1], in_first.depth, in_first.position)
     return in_second
 
 
-def _deepest_sample(a: Body, b: Body, room: float, least: float, *, is_flush: bool) -> Collision | None:
+def _deepest_sample(
+    a: Body, b: Body, slot_distance: float, least: float, *, is_flush: bool
+) -> Collision | None:
     """Return the point of strip `a` that is deepest inside strip `b`, or None if no depth exceeds `least`, mm.
 
-    Tested points are slightly below both faces of `a`. For flush strips they are on the middle surface.
+    Tested points are slightly below both faces of `a`, or on the middle surface of flush strips.
     """
     inset = least if is_flush else min(least / 2, a.thickness / 4, b.thickness / 4)
     heights = [0.0] if is_flush else [inset - a.thickness / 2, a.thickness / 2 - inset]
@@ -229,7 +230,9 @@ def _deepest_sample(a: Body, b: Body, room: float, least: float, *, is_flush: bo
     else:
         inner = np.flatnonzero(depth > least)
         for body, x, y in ((a, s, across), (b, foot, local[:, 2])):
-            depth[inner] = np.minimum(depth[inner], body.uncut(x[inner], y[inner]) - room + inset)
+            depth[inner] = np.minimum(
+                depth[inner], body.distance_from_slots(x[inner], y[inner]) - slot_distance + inset
+            )
     k = int(np.argmax(depth))
     if depth[k] <= least:
         return None
@@ -246,7 +249,7 @@ class _Overlap:
     beside_slots: Collision | None = None
 
     def message(self, more: str = "") -> str:
-        """Return a sentence on the overlap; `more` is the clause on other pairs of strips."""
+        """Return a sentence on the overlap; `more` is a clause on other pairs of strips."""
         (a, b), (s, r) = self.names, map(Length, self.places)
         if self.beside_slots is not None:
             return note(
@@ -322,16 +325,16 @@ def _overlaps(placed: Sequence[Placed], joints: Iterable[Joint]) -> list[_Overla
 def _clearances_of_slots(placed: Sequence[Placed], joints: Iterable[Joint]) -> dict[tuple[int, int], float]:
     """Return, for each slotted pair, the distance (mm) from the slots beyond which overlaps count.
 
-    Slots with `fit="paper"` are too narrow, so the region that an exact slot would remove is not checked.
+    Slots with `fit="paper"` are too narrow, so overlaps where an exact slot would be do not count.
     """
-    rooms: dict[tuple[int, int], float] = {}
+    distances: dict[tuple[int, int], float] = {}
     for joint in joints:
-        room = 0.0
+        slot_distance = 0.0
         if joint.fit == "paper":
             thick = max(strip_thickness(placed[i].strip) for i in joint.members)
-            room = float(slot_width(np.array(joint.angle[0]), own=thick, other=thick, clearance=0.0))
-        rooms[joint.members] = max(room, rooms.get(joint.members, 0.0))
-    return rooms
+            slot_distance = float(slot_width(np.array(joint.angle[0]), own=thick, other=thick, clearance=0.0))
+        distances[joint.members] = max(slot_distance, distances.get(joint.members, 0.0))
+    return distances
 
 
 def _crossing_without_slot(
@@ -357,9 +360,9 @@ def _has_slot_at(strips: tuple[Strip, Strip], first: FloatArray, second: FloatAr
 
 
 def _has_slot(strip: Strip, stations: FloatArray) -> bool:
-    room = strip_thickness(strip)
+    reach = strip_thickness(strip)
     return any(
-        stations.min() - slot.width - room < slot.at < stations.max() + slot.width + room
+        stations.min() - slot.width - reach < slot.at < stations.max() + slot.width + reach
         for slot in strip.slots
     )
 
@@ -378,7 +381,7 @@ def self_contact(strip: Strip) -> Places | None:
     True
     """
     rod, turned = strip.rod, turns_along(strip.rod.angle)
-    # a curve that meets itself turns by at least half a turn in between
+    # a curve turns by at least half a turn before it meets itself
     if np.ptp(rod.angle) < np.pi:
         return None
     size = strip.layout.size

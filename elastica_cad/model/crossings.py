@@ -1,11 +1,10 @@
 """Crossings in space of two bent strips, taken as ruled surfaces.
 
 The surfaces meet where gamma_a + v z_a = gamma_b + u z_b. The component along n = z_a x z_b is independent of
-u, v: <n, gamma_a(s_a)> = <n, gamma_b(s_b)>. The solutions are curves in the plane of (s_a, s_b), the level
-set of a height difference. The curves are divided into stretches on which their heights are monotone; each
-pair of stretches has one branch of the level set. The other components of the equation give v and u. If the
-rulings are parallel, the two plane curves cross at points, and a common ruling passes through each of
-them.
+u, v: <n, gamma_a(s_a)> = <n, gamma_b(s_b)>. The solutions are curves in the plane of (s_a, s_b): the level
+set 0 of the height difference along n. Both strips are divided into stretches of monotone height; each pair
+of stretches has one branch of the level set. The other components of the equation give v and u. If the
+rulings are parallel, the two plane curves cross at points, through each of which a common ruling passes.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -69,7 +68,7 @@ class RuledStrip:
         return self._spline.knots[2:-2:2]
 
     def half_width(self, s: FloatArray) -> FloatArray:
-        """Half the width (n,), mm, at arc lengths (n,)."""
+        """Return half the width (n,), mm, at arc lengths (n,)."""
         return self.width(s) / 2
 
     def motion(self, s: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -78,7 +77,7 @@ class RuledStrip:
         return self.frame.point(p), self.frame.direction(d)
 
     def normal(self, tangent: FloatArray) -> FloatArray:
-        """Unit normals (n, 3), to the left of the curve, for tangents (n, 2) in the plane of the curve."""
+        """Return unit normals (n, 3), to the left of the curve, for tangents (n, 2) in the plane of the curve."""
         return self.frame.direction(np.column_stack([-tangent[:, 1], tangent[:, 0]]))
 
     @cached_property
@@ -89,7 +88,7 @@ class RuledStrip:
         return np.array([[*low, -reach], [*high, reach]])
 
     def in_plane(self, s: FloatArray) -> InPlane:
-        """Points and unit tangents, in the plane of the curve, at arc lengths (n,)."""
+        """Return points and unit tangents, in the plane of the curve, at arc lengths (n,)."""
         return self._spline.value_and_slope(s)
 
     @property
@@ -97,12 +96,12 @@ class RuledStrip:
         return _spline_over_arc_length(self.curve, self.length)
 
 
-def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = None) -> BoolArray:
+def strips_may_meet(strips: Sequence[RuledStrip], extensions: FloatArray | None = None) -> BoolArray:
     """Return a matrix (n, n) that is False for each pair of strips whose bounding boxes do not overlap.
 
-    The boxes, enlarged by `rooms` (n,) mm, are compared in the frames of both strips.
+    The boxes, extended by `extensions` (n,) mm, are compared in the frames of both strips.
     """
-    rooms = np.zeros(len(strips)) if rooms is None else rooms
+    extensions = np.zeros(len(strips)) if extensions is None else extensions
     axes, origins, boxes = (
         np.array(rows).reshape(-1, *shape)
         for rows, shape in (
@@ -113,20 +112,22 @@ def strips_may_meet(strips: Sequence[RuledStrip], rooms: FloatArray | None = Non
     )
     centers = origins + (boxes.mean(axis=1)[:, None] @ axes)[:, 0]
     sizes = (boxes[:, 1] - boxes[:, 0]) / 2
-    rooms = rooms + _ROUNDING * (np.abs(centers).max(initial=0.0) + sizes.max(initial=0.0))
+    extensions = extensions + _ROUNDING * (np.abs(centers).max(initial=0.0) + sizes.max(initial=0.0))
     overlaps = np.empty((len(strips), len(strips)), dtype=bool)
-    for box_axes, box, room, sees, origin in zip(axes, boxes, rooms, overlaps, origins, strict=True):
+    for box_axes, box, extension, sees, origin in zip(
+        axes, boxes, extensions, overlaps, origins, strict=True
+    ):
         center = (centers - origin) @ box_axes.T
-        half = (np.abs(box_axes @ np.swapaxes(axes, 1, 2)) @ sizes[..., None])[..., 0] + (rooms + room)[
-            :, None
-        ]
+        half = (np.abs(box_axes @ np.swapaxes(axes, 1, 2)) @ sizes[..., None])[..., 0] + (
+            extensions + extension
+        )[:, None]
         sees[:] = np.all((box[0] <= center + half) & (box[1] >= center - half), axis=1)
     return np.asarray(overlaps & overlaps.T)
 
 
 @lru_cache(maxsize=_CACHED_SPLINES)
 def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
-    """Cubic Hermite spline of a curve over arc length, from 0 to `length`, with exact tangents at the nodes."""
+    """Return a cubic Hermite spline of a curve over arc length, from 0 to `length`, with exact tangents."""
     panels = curve.smooth_panels
     each = -(-STATIONS // (panels.size - 1))
     inner = (panels[:-1, None] + np.diff(panels)[:, None] * np.arange(each) / each).ravel()
@@ -142,7 +143,7 @@ ZERO = 1e-11
 """Largest absolute value of a function that counts as zero: the rounding error, mm, in a model of 10 m."""
 
 ZERO_STEPS = 80
-"""Largest number of steps; usually a few suffice, because a step gains more than one and a half digits."""
+"""Largest number of steps of the false position method; usually a few suffice."""
 
 
 def _bracketed_zeros(
@@ -178,7 +179,7 @@ PARALLEL_RAD = 2e-8
 """Largest angle, rad, between rulings that count as parallel: over 1 m, their distance changes by 20 nm."""
 
 HEIGHT_ERROR = 1e-13
-"""Newton's method ends if the two heights differ by less than this fraction of the length of the longer strip."""
+"""Newton's method ends if both heights differ by less than this fraction of the length of the longer strip."""
 
 MOST_NEWTON_STEPS = 30
 
@@ -188,7 +189,7 @@ SAME_HEIGHT = 1e-9
 LEVEL_SLOPE = 1e-12
 
 LEAST_SQUARED_SLOPE = 1e-14
-"""Squared slope of the heights below which the surfaces count as touching and Newton steps are limited."""
+"""Squared slope of the heights below which surfaces count as touching and Newton steps are limited."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -206,7 +207,7 @@ class IntersectionPoints:
 
 
 def margins(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> FloatArray:
-    """Distances (n, 4), mm, from the upper and lower edges of both strips, negative outside a strip."""
+    """Return distances (n, 4), mm, from the upper and lower edges of both strips, negative outside a strip."""
     w, x = strips[0].half_width(p.s_a), strips[1].half_width(p.s_b)
     return np.column_stack([w - p.v, w + p.v, x - p.u, x + p.u])
 
@@ -287,7 +288,7 @@ class _Heights:
 
     @cached_property
     def _height_coefficients(self) -> tuple[tuple[FloatArray, float], ...]:
-        """Derivatives of the height along x and y of the frame, and the height of the origin, for each strip."""
+        """Derivatives of the height along x and y of the frame, and height of its origin, for each strip."""
         origin = self.a.frame.origin
         return tuple(
             (strip.frame.axes[:2] @ self.up, float((strip.frame.origin - origin) @ self.up))
@@ -356,9 +357,9 @@ def _level_set(heights: _Heights) -> list[tuple[FloatArray, FloatArray]]:
                 level.extend(_branches_of_constant_height(s_a, c_a, s_b, c_b))
                 continue
             inside = np.concatenate([c_a, c_b])
-            room = SAME_HEIGHT * max(heights.a.length, heights.b.length)
-            inside = np.sort(inside[(inside > low + room) & (inside < high - room)])
-            c = np.concatenate([[low], inside[np.diff(inside, prepend=low) > room], [high]])
+            least = SAME_HEIGHT * max(heights.a.length, heights.b.length)
+            inside = np.sort(inside[(inside > low + least) & (inside < high - least)])
+            c = np.concatenate([[low], inside[np.diff(inside, prepend=low) > least], [high]])
             pieces.append((_arc_lengths_at(s_a, c_a, c), _arc_lengths_at(s_b, c_b, c)))
             ends.append([_extreme_at_end(k, c_a, m, c_b, bound) for bound in (low, high)])
     return [*level, *_joined(pieces, ends, len(first), len(second))]
@@ -405,14 +406,14 @@ def _arc_lengths_at(s: FloatArray, c: FloatArray, at: FloatArray) -> FloatArray:
 def _extreme_at_end(
     k: int, c_a: FloatArray, m: int, c_b: FloatArray, bound: float
 ) -> tuple[str, int, int] | None:
-    """Return the extreme that ends a piece at the height `bound`, or None if the level set ends there.
+    """Return the extreme of the height that ends a piece at `bound`, or None if the level set ends there.
 
-    The result is the strip with the extreme ("a" or "b"), the number of the stretch that begins there, and
-    the stretch of the other strip.
+    The extreme is given by its strip ("a" or "b"), the stretch that begins there, and the stretch of the
+    other strip.
     """
     as_a, as_b = bound in (c_a[0], c_a[-1]), bound in (c_b[0], c_b[-1])
     if as_a and as_b:
-        return None  # the level set ends, because the surfaces touch
+        return None  # the surfaces touch, so the level set ends
     if as_a:
         return "a", k if bound == c_a[0] else k + 1, m
     return "b", m if bound == c_b[0] else m + 1, k
@@ -433,7 +434,7 @@ def _joined(
     unused = set(range(len(pieces)))
 
     def pieces_beyond(i: int, key: tuple[str, int, int] | None) -> list[tuple[FloatArray, FloatArray]]:
-        """Return the pieces of the chain beyond the extreme `key` of piece i, in order along the chain."""
+        """Return the pieces of the chain beyond the extreme `key` of piece i, in order."""
         chain: list[tuple[FloatArray, FloatArray]] = []
         while key is not None:
             after = [j for j in homes.get(key, []) if j != i and j in unused]
@@ -462,10 +463,10 @@ NODE_PARTS = 4
 """Number of intervals between two nodes in which crossings of edges are searched."""
 
 ON_EDGE_MM = 1e-8
-"""If the end of a crossing is nearer to an edge than this distance, mm, it counts as on the edge."""
+"""Distance, mm, from an edge below which the end of a crossing counts as on the edge."""
 
 LENGTH_POINTS = 33
-"""Number of points of the polyline whose length is used as the length of a crossing; its error is 0.1 %."""
+"""Number of points of the polyline that gives the length of a crossing; the error is 0.1 %."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -505,7 +506,7 @@ class Crossing:
     end: float
 
     def at(self, x: FloatArray) -> CrossingPoints:
-        """Return the points at parameters x (n,): the crossing is from 0 to 1, and x may be outside this range."""
+        """Return the points at parameters x (n,), which are from 0 to 1 on the crossing, or outside this range."""
         a, b = self.strips
         p = self.locus.at(self.start + x * (self.end - self.start))
         (place, tangent), (_, other) = p.on_curves
@@ -539,7 +540,7 @@ class Crossing:
         k = int(np.searchsorted(along, along[-1] / 2)) - 1
         pace = float((x[k + 1] - x[k]) / (along[k + 1] - along[k]))
         middle, half = float(x[k]) + pace * (along[-1] / 2 - along[k]), along[-1] / 2 - along[k]
-        # two steps of the secant method are enough, because the length is smooth between nodes
+        # two secant steps are enough, because the length is smooth between nodes
         for _ in range(2):
             done = lengths_along(self.at(np.linspace(x[k], middle, 5)).position)[-1]
             middle += (half - done) * pace
@@ -556,7 +557,7 @@ class Crossing:
         return np.concatenate([[start], np.interp(np.linspace(low, high, count)[1:-1], along, x), [end]])
 
     @cached_property
-    def room(self) -> FloatArray:
+    def width_beyond(self) -> FloatArray:
         """Width, mm, of each strip (row) beyond the start and the end (columns) of the crossing."""
         m = margins(self.strips, self.locus.at(np.array([self.start, self.end])))
         return np.array([m[:, :2].min(axis=1), m[:, 2:].min(axis=1)])
@@ -567,7 +568,7 @@ class Crossing:
         `end` is 0 for the start of the crossing and 1 for its end, and `which` selects the strip, 0 or 1.
         Return None if the strip ends before its long edge is reached.
         """
-        if self.room[which, end] < ON_EDGE_MM:
+        if self.width_beyond[which, end] < ON_EDGE_MM:
             return float(end)
         origin, step = (self.start, -1) if end == 0 else (self.end, 1)
         nodes = self.locus.nodes
@@ -619,8 +620,8 @@ def _edge_crossings(
 ) -> FloatArray:
     """Return the parameter in each of n intervals at which the intersection curve crosses an edge.
 
-    `sides` (n,) selects the edge (column of `margins`), `between` has the ends of the intervals, and
-    `values` has the margins at these ends.
+    `sides` (n,) are columns of `margins`, `between` the ends of the intervals, and `values` the margins
+    there.
     """
     rows = np.arange(sides.size)
     return _bracketed_zeros(lambda q: margins(strips, locus.at(q))[rows, sides], *between, values=values)

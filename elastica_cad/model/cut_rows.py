@@ -39,20 +39,20 @@ BLOCK_COLUMNS = {
 """Columns of the printed table of blocks, with the format of each value."""
 
 ONLY_CUT, ONLY_PRINTED = ("thickness_mm", "cut_length_mm", "mass_g"), ("height_mm",)
-"""Columns that are empty for printed blocks, whose mass depends on the printer, and for pieces that are cut."""
+"""Columns that are empty for printed blocks, whose mass depends on the printer, and for cut pieces."""
 
 PRINTED = "printed"
-"""Text in place of the sheet in the rows of printed blocks."""
+"""Text that replaces the sheet in rows of printed blocks."""
 
 
 @dataclass(frozen=True)
 class CutListRow:
     """Row of the cut list; lengths in mm, masses in g, `cut_length` and `mass` of one piece.
 
-    `grain` is the direction of `length` relative to the grain; it is empty for a sheet without grain. `like`
-    is the name of the first piece with the same shape, possibly turned or flipped, and different
-    engraving. `color` is the colour of the piece in pictures and STEP files, as "#rrggbb". For a printed block,
-    `thickness` is the height; `cut_length` and `mass` are 0.
+    `grain` is the direction of `length` relative to the grain, empty without grain. `like` is the name of the
+    first piece with the same shape (possibly turned or flipped) and other engraving. `color` is the colour of
+    the piece in pictures and STEP files, as "#rrggbb". For a printed block, `thickness` is the height;
+    `cut_length` and `mass` are 0.
     """
 
     part: str
@@ -185,7 +185,7 @@ def _texts(
 
 
 def _is_sawn_cut(column: str, row: CutListRow) -> bool:
-    """Return True for the length of the cuts of a rod, which is only sawn to length."""
+    """Return True for the cut length of a rod, which is only sawn to length."""
     return column == "cut mm" and not row.cut_length
 
 
@@ -245,9 +245,9 @@ def _printed(blocks: Sequence[EndFixture]) -> Iterator[CutListRow]:
 
 
 def _equal_piece(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -> str:
-    """Return the name of an earlier piece with the same shape, or register this piece and return ""."""
+    """Return the name of an earlier piece with the same shape; otherwise remember this piece and return ""."""
     outer = piece.drawing.on(CUT_OUTER)
-    # the drawing alone does not determine the shape of these pieces
+    # for such a piece, the drawing does not determine the shape
     if len(outer) != 1 or piece.worked is not None:
         return ""
     shape = FlatShape((Layer(piece.sheet, outer[0], piece.drawing.on(CUT_INNER)),))
@@ -259,7 +259,7 @@ def _equal_piece(piece: Piece, shapes: DistinctShapes, first_names: list[str]) -
 
 
 def _table(rows: Sequence[Sequence[str]], *, right: Sequence[int], lines: Sequence[int]) -> str:
-    """Return rows as text, with a line above each row whose number is in `lines`."""
+    """Return rows as text, with a rule above each row whose number is in `lines`."""
     widths = [max(len(row[k]) for row in rows) for k in range(len(rows[0]))]
     texts = []
     for row in rows:

@@ -104,7 +104,7 @@ class PlacedTab:
 
     @property
     def edges(self) -> FloatArray:
-        """Origins (4, 3) of the tab's four long edges; all run along x of the frame."""
+        """Starting points (4, 3) of the four long edges of the tab, which run along x of the frame."""
         corners = [(0.0, i * self.width / 2, j * self.thickness / 2) for i in (-1, 1) for j in (-1, 1)]
         return self.frame.point(corners)
 
@@ -119,7 +119,7 @@ def place_tabs(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> lis
 
 
 def tabs_to_hold(placed: Sequence[Placed], ends: Sequence[StripEnd] = ENDS) -> list[PlacedTab]:
-    """Place the tabs of all strips in space, like `place_tabs`. Refuse strips whose ends fit no holder."""
+    """Return the tabs of all strips, like `place_tabs`; refuse strips whose ends fit no holder."""
     require_ends(ends)
     for member, name in zip(require_placed(placed), strip_names(placed), strict=True):
         _require_holdable(member.strip, name)
@@ -151,7 +151,7 @@ A 0.4 mm nozzle prints the width at a height of 4 mm; the depth is then two fine
 """
 
 MOST_EXTENDED_MM = 150.0
-"""Largest height, mm, by which blocks are extended to a floor below them. Few printers hold taller blocks."""
+"""Largest height, mm, by which blocks are extended to a floor; few printers make taller blocks."""
 
 LABEL_MM = 4.0
 """Height of the part number, mm, if the surface is large enough."""
@@ -160,7 +160,7 @@ LEVEL = 1e-6
 """Tolerance for heights (mm), and for components of unit vectors."""
 
 CUT_EXTENSION_MM = 1.0
-"""Distance, mm, by which cutting bodies of holes and pockets extend beyond the faces of the block."""
+"""Distance, mm, by which bodies that cut holes and pockets extend beyond the faces of the block."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -263,8 +263,8 @@ class EndFixture(EqualByValue):
     ) -> "EndFixture":
         """Return the fixture of a strip's "start" or "end"; `frame` is the plane of its curve, by default xy.
 
-        The pocket is shifted and rotated against the force and moment of the strip. So the tab is at its
-        designed position when it touches the walls of the pocket.
+        The pocket is shifted and rotated against the load of the strip, so that the tab touches the walls in
+        its designed position.
         """
         tab = PlacedTab.of(strip, end, frame)
         _require_holdable(strip)
@@ -273,8 +273,7 @@ class EndFixture(EqualByValue):
     def leaning(self, strip: Strip, end: StripEnd) -> "EndFixture":
         """Return the fixture with its pocket shifted and rotated against the load at the end of the strip.
 
-        A loaded tab bends between the walls. Its body is drawn straight, so it overlaps the walls
-        slightly.
+        A loaded tab bends between the walls. It is drawn straight, so it overlaps the walls slightly.
         """
         require_record(strip, Strip, "what is held", "a Strip")
         require_ends([end])
@@ -297,7 +296,7 @@ class EndFixture(EqualByValue):
             )  # fmt: skip
 
     def _rotated(self) -> Iterator[Refusal]:
-        """Report the angle of the pocket and its overlap with the straight body of the tab."""
+        """Yield a message with the angle of the pocket and its overlap with the straight tab."""
         depth = -float(self.seat.gaps(0.0, 0.0, 1).min())
         if depth <= 0:
             return
@@ -317,7 +316,7 @@ class EndFixture(EqualByValue):
 
     @property
     def across(self) -> float:
-        """Width of the block, across the strip, mm."""
+        """Width of the block across the strip, mm."""
         return self.tab.width + 2 * (self.clearance + self.wall)
 
     @property
@@ -338,7 +337,7 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def _profile(self) -> Frame:
-        """Frame of profiles: x points out of the strip, y away from the upper side, and z across the strip."""
+        """Frame of profiles: x points out of the strip, y away from its upper side, and z across it."""
         return Frame(self.tab.frame.origin, self.tab.frame.x_axis, self.tab.frame.z_axis)
 
     @cached_property
@@ -350,7 +349,7 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def _floor_directions(self) -> tuple[FloatArray, FloatArray, float]:
-        """Unit vectors (2,) normal to the floor and along it, and the height of the floor, in the profile."""
+        """Unit vectors (2,) normal to the floor and along it, and height of the floor, in the frame of profiles."""
         n = self.ground.z_axis
         up = np.array([n @ self._profile.x_axis, n @ self._profile.y_axis])
         up = up / np.hypot(*up)
@@ -406,7 +405,7 @@ class EndFixture(EqualByValue):
         shift, turn = self.lean
         cos, sin = np.cos(turn), np.sin(turn)
         corners = np.array([(front, -half), (back, -half), (back, half), (front, half)])
-        # the left side of the curve is the lower side of the strip, and in direction -y of the profile
+        # left of the curve is below the strip, in direction -y of the profile
         leaned = corners @ np.array([[cos, -sin], [sin, cos]]) - (0.0, shift)
         return self._prism(leaned, self.tab.width + 2 * self.clearance)
 
@@ -453,7 +452,7 @@ class EndFixture(EqualByValue):
 def engraved(strokes: Sequence[Path], height: float, side: Frame) -> list[FlatSolid]:
     """Return the grooves of letters of this height in a face whose normal is the z axis of `side`.
 
-    Every line or arc of a stroke is a separate groove with a flat bottom; grooves that meet overlap.
+    Each line or arc of a stroke is a groove with a flat bottom.
     """
     width, depth = (share * height for share in GROOVE_FRACTIONS)
     frame = side.shifted(z=-depth)
@@ -479,10 +478,9 @@ def end_fixtures(
 ) -> tuple[EndFixture, ...]:
     """Return blocks for these ends of every strip that has tabs; sizes as in `EndFixture`.
 
-    By default, blocks of strips in vertical planes have a horizontal floor below the lowest block. A block that
-    would be extended by more than `MOST_EXTENDED_MM` to this floor has a higher floor. If its tab points upwards,
-    its floor is perpendicular to the tab, because a floor below the block would cut the strip. Blocks of other
-    strips have such floors, too.
+    By default, blocks of strips in vertical planes have a horizontal floor below the lowest block. A block
+    more than `MOST_EXTENDED_MM` above this floor has a higher floor or, if its tab points upwards, a floor
+    perpendicular to the tab. Blocks of other strips have a floor perpendicular to the tab.
     """
     refuse_unknown(
         sizes, {field.name for field in fields(EndFixture)} - {"tab", "floor", "engrave"}, "a fixture"
@@ -523,7 +521,7 @@ def _polygon(corners: FloatArray) -> Path:
 
 
 TOUCHING_MM = 0.1
-"""Largest permitted overlap of blocks, mm. Such an overlap can be filed off."""
+"""Largest permitted overlap of blocks, mm; it can be filed off."""
 
 PITCH_MM = 0.5
 """Distance, mm, between sample points on strips and on edges of blocks that are tested for overlap."""
@@ -580,7 +578,7 @@ def _crossed_blocks(
 
     def crosses(its: Sequence["_Prism"]) -> bool:
         corners = np.concatenate([part.edges for part in its])
-        # only stations of the strip near the block can be inside it
+        # only stations near the block can be inside it
         near = (middle > corners.min(axis=0) - half.max()) & (middle < corners.max(axis=0) + half.max())
         places, wide = middle[near.all(axis=1)], half[near.all(axis=1)]
         points = places[:, None] + np.multiply.outer(wide, across)[..., None] * frame.z_axis
@@ -595,7 +593,7 @@ def _is_inside_any(points: FloatArray, parts: Sequence["_Prism"]) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Prism:
-    """Convex prism: sample points (n, 3) along the edges, and a point and a normal for each of the k faces."""
+    """Convex prism: points (n, 3) along its edges, and a point and a normal of each of its k faces."""
 
     edges: FloatArray
     faces: FloatArray
@@ -616,7 +614,7 @@ class _Prism:
         return cls(edges.reshape(-1, 3), np.concatenate([lower, upper[:1], lower[:1]]), outward)
 
     def near(self, points: FloatArray) -> FloatArray:
-        """Return those of the points (n, 3) that are within the bounding box of the prism."""
+        """Return the points (n, 3) that are within the bounding box of the prism."""
         inside = (points > self.edges.min(axis=0)) & (points < self.edges.max(axis=0))
         return np.asarray(points[inside.all(axis=1)])
 

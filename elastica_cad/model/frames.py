@@ -33,10 +33,10 @@ from elastica_cad.strip.uncuttable_parts import (
 )
 
 SHOULDER_MM = 5.0
-"""Width, mm, of the shoulder beside a rib's tongue; the shoulder rests against the rail."""
+"""Width, mm, of the shoulder beside the tongue of a rib, which rests against the rail."""
 
 SLOT_SPACING_MM = 3.0
-"""Least distance, mm, between slots of ribs and slots of tabs. Some sheets need a larger distance."""
+"""Least distance, mm, between slots of ribs and tabs; some sheets need more."""
 
 LABEL_MM = 6.0
 """Height of the name of a rib, mm, if the rib is large enough."""
@@ -46,15 +46,15 @@ MOST_RIBS = 200
 STEP_MM = 2.5
 """Step, mm, on each side of a tongue.
 
-The tongue is narrower in the rail near the strips. The step rests against this rail and keeps the distance
-to the outer rail.
+The tongue is narrower in the inner rail, against which the step rests, so that the step keeps the distance to
+the outer rail.
 """
 
 SIDE_TOLERANCE_MM = 1e-6
 """Rounding error, mm, of the distance between a side of the rib and a point on it."""
 
 PARALLEL_SINE = 0.1
-"""Sine of the angle between rails below which they count as parallel, with ribs perpendicular to a rail."""
+"""Sine of the angle between rails up to which they count as parallel, with ribs perpendicular to them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,8 +194,8 @@ def slotted_frame(
     rails = [_RailPlan.of(placed, end, sheet, options) for end in ENDS]
     outer = [] if gap is None else [_RailPlan.of(placed, end, sheet, options, behind) for end in ENDS]
     across = _normal_of_ribs(rails)
-    room = max(SLOT_SPACING_MM, limits_or_default(shop).bridge_for(sheet))
-    stations = _stations_of_ribs([*rails, *outer], across, ribs, sheet.thickness + 2 * (room + clearance))
+    space = max(SLOT_SPACING_MM, limits_or_default(shop).bridge_for(sheet))
+    stations = _stations_of_ribs([*rails, *outer], across, ribs, sheet.thickness + 2 * (space + clearance))
     plans = [
         _RibPlan(f"rib-{n}", station, across, tuple(rail.seat(station, across) for rail in rails))
         for n, station in enumerate(stations, start=1)
@@ -299,7 +299,7 @@ class _RibPlan:
             for base in bases:
                 drawn = None if drawn is None else _with_tongue(drawn, base, (behind, under), step)
             if drawn is not None and self_crossing(drawn, closed=True) is None:
-                # the label is on the part of the rib behind the tongue at the start
+                # put the label behind the tongue at the start
                 label = centred_text(self.name, a.at(0.0, half), min(LABEL_MM, 0.6 * depth), 1.6 * rest)
                 return Rib(self.name, sheet, frame, Path.polygon(drawn), label)
         raise InputError(
@@ -321,7 +321,7 @@ class _Corner:
 
 
 def _normal_of_ribs(rails: Sequence[_RailPlan]) -> FloatArray:
-    """Return the normal of the ribs, which is perpendicular to the normals of both rails."""
+    """Return the normal of the ribs, perpendicular to the normals of both rails."""
     a, b = rails
     normal = np.cross(a.frame.z_axis, b.frame.z_axis)
     if np.linalg.norm(normal) < PARALLEL_SINE:
@@ -330,15 +330,17 @@ def _normal_of_ribs(rails: Sequence[_RailPlan]) -> FloatArray:
     return normal if normal @ a.frame.x_axis >= 0 else -normal
 
 
-def _stations_of_ribs(rails: Sequence[_RailPlan], across: FloatArray, count: int, room: float) -> list[float]:
+def _stations_of_ribs(
+    rails: Sequence[_RailPlan], across: FloatArray, count: int, space: float
+) -> list[float]:
     """Return the stations of ribs before and behind all tabs, and in gaps between tabs."""
     reach = np.concatenate([rail.reach(across) for rail in rails])
     reach = reach[np.argsort(reach[:, 0])]
     first, last = float(reach[:, 0].min()), float(reach[:, 1].max())
     ends = np.maximum.accumulate(reach[:, 1])[:-1]
-    wide = reach[1:, 0] - ends >= room
+    wide = reach[1:, 0] - ends >= space
     gaps = (reach[1:, 0] + ends)[wide] / 2
-    chosen = [first - room / 2, last + room / 2]
+    chosen = [first - space / 2, last + space / 2]
     for wanted in np.linspace(first, last, count)[1:-1]:
         free = [float(gap) for gap in gaps if gap not in chosen]
         if free:
@@ -400,7 +402,8 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
         tab = slot.tab
         if tab is None:
             continue
-        # in `profile`, x is along the tab and y away from its upper side; the plate's back is <n, p> = low
+        # in `profile`, x is along the tab and y away from its upper side; points p with <n, p> = low are the
+        # back of the plate
         profile = Frame(tab.frame.origin, tab.frame.x_axis, tab.frame.z_axis)
         n = np.array([plate.frame.z_axis @ profile.x_axis, plate.frame.z_axis @ profile.y_axis])
         low = float((plate.frame.origin - profile.origin) @ plate.frame.z_axis) - thickness
@@ -426,7 +429,7 @@ def _feet(plate: BasePlate, size: float) -> Iterator[Rib]:
 
 
 def _distinctly_named(feet: Sequence[Rib]) -> Iterator[Rib]:
-    """Yield the feet with a different name for each shape, because equal strips have equal feet."""
+    """Yield the feet with one name for each shape, because equal strips have equal feet."""
     shapes: list[tuple[str, FloatArray]] = []
     places: list[int] = []
     for foot in feet:

@@ -19,7 +19,7 @@ from elastica_cad.strip.tab_seats import WALL_PLACES, TabSeat
 
 def _seat_between_walls(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> TabSeat:
     """Return the seat of a tab between the two walls (n, 2) of a slot, in the plane of the strip's curve."""
-    # use the points of a wall up to the tip of the tab, or the nearest point if all are beyond the tip
+    # use the points of a wall along the tab, or the nearest point if the tab does not reach the wall
     reached = [places[places[:, 0] <= max(tab.length, places[:, 0].min())] for places in walls]
     left, right = sorted(reached, key=lambda places: -float(places[:, 1].mean()))
     return TabSeat(left, right, tab.thickness, note("slot of {name}", name=plate.name))
@@ -28,9 +28,8 @@ def _seat_between_walls(walls: FloatArray, tab: PlacedTab, plate: BasePlate) -> 
 def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     """Return the number of each slot with a tab, the tab, and the two walls of the slot.
 
-    The walls are arrays (2, n, 2) of points in the plane of the curve: distance along the tab, and
-    distance to the left of the tab. At these points, vertical lines of the walls meet the plane. Wall 0 is
-    between the corners 0 and 1 of the slot.
+    The walls (2, n, 2) are points in the plane of the curve: distance along the tab, and to its left. Wall 0
+    is between the corners 0 and 1 of the slot.
     """
     through = [(k, slot.tab) for k, slot in enumerate(plate.slots) if slot.tab is not None]
     if not through:
@@ -41,12 +40,12 @@ def slot_walls(plate: BasePlate) -> list[tuple[int, PlacedTab, FloatArray]]:
     corners[..., 2] = depths
     frames = [tab.frame for _, tab in through]
     origins, axes = np.array([frame.origin for frame in frames]), np.array([frame.axes for frame in frames])
-    # coordinates along the tab, across the tab, and away from the upper side of the strip
+    # coordinates along the tab, across it, and away from the upper side of the strip
     local = (plate.frame.point(corners) - origins[:, None, None]) @ np.swapaxes(axes, 1, 2)[:, None]
     begin, finish = local[:, [0, 3]], local[:, [1, 2]]
     u = begin[..., 1] / (begin[..., 1] - finish[..., 1])
     met = begin + u[..., None] * (finish - begin)
-    # the z axis of the tab points away from the upper side of the strip, which is to the right of the curve
+    # the z axis of the tab points away from the upper side of the strip, to the right of the curve
     walls = met[..., [0, 2]] * (1.0, -1.0)
     return [(*which, wall) for which, wall in zip(through, walls, strict=True)]
 
@@ -87,7 +86,7 @@ def require_holders(holders: object) -> tuple[object, ...]:
 def plates_with_play(holders: Iterable[object]) -> Iterator[BasePlate]:
     """Yield the plates and the rails of frames whose tabs are not glued, so that they have play."""
     for holder in holders:
-        # frames are recognized by their attribute `rails`, because their module imports this module
+        # recognise frames by their `rails`, because their module imports this module
         for plate in getattr(holder, "rails", (holder,)):
             if isinstance(plate, BasePlate) and not plate.glued:
                 yield plate
@@ -135,7 +134,7 @@ def seat_of(seats: Mapping[Key, TabSeat], member: Placed, end: StripEnd) -> TabS
 
 
 NO_PLAY_MM, NO_PLAY_DEGREES = 1e-3, 1e-2
-"""Play in mm and degrees below which no play is reported."""
+"""Play, in mm and degrees, below which no play is reported."""
 
 
 def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
@@ -143,8 +142,8 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
     placed, holders, messages = require_placed(placed), require_holders(holders), []
     for name, held in seats_by_holder(placed, holders).items():
         turn = max(np.degrees(np.ptp(seat.turning)) for _, _, seat in held)
-        room = max(seat.room for _, _, seat in held)
-        if room < NO_PLAY_MM and turn < NO_PLAY_DEGREES:
+        shift = max(seat.room for _, _, seat in held)
+        if shift < NO_PLAY_MM and turn < NO_PLAY_DEGREES:
             messages.append(
                 note(
                     "{name} holds its tabs without clearance; the tabs bend a little between its edges",
@@ -152,7 +151,7 @@ def holder_plays(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[s
                 )
             )
         else:
-            across = 0.0 if room < NO_PLAY_MM else room
+            across = 0.0 if shift < NO_PLAY_MM else shift
             messages.append(note(
                 "{name} has a clearance of {across:.2g} across its tabs, which can turn by {turn:.2g} degrees",
                 name=name, across=Length(across), turn=turn,

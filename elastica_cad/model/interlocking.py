@@ -39,9 +39,9 @@ def _bent_slot_width(
 ) -> FloatArray:
     """Return the widths (n,), mm, of a slot in strip `ruled` that lets the faces of strip `other` through.
 
-    Half the width is on either side of the centre line. For flat sheets it is `slot_width` without clearance.
-    Bent sheets curve away from the line on which their middle surfaces meet, by (w / 2)^2 kappa / 2. So the
-    other strip is shifted by (w / 2)^2 kappa / 2 cot(phi), where w is the width of the slot.
+    For flat sheets it is `slot_width` without clearance. A bent sheet deviates from its tangent by (w / 2)^2
+    kappa / 2 at the sides of a slot of width w, which shifts the faces of the other strip by this times
+    cot(phi).
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def _bent_slot_width(
     # unknowns: distance across the slot, and distances along and across the other strip
     x = np.zeros((len(rows), 3))
     error = np.full(len(rows), np.inf)
-    # limit of the coordinates, because they would grow without limit if the faces do not meet
+    # limit of the coordinates, which grow without limit if the faces do not meet
     farthest = ruled.length + other.length
     for _ in range(MOST_NEWTON_STEPS):
         here = _points_at_height(ruled, rows + x[:, :1] * across, z[:, :1])
@@ -101,10 +101,10 @@ TOUCHING_RAD = np.radians(1.0)
 """Least angle between strips, rad, for slots: at smaller angles, slots are over 100 sheet thicknesses wide."""
 
 OTHER_SIDE_FRACTION = 0.5
-"""Fraction of the crossing by which slots must become shorter for the side that is not preferred."""
+"""Fraction of the crossing by which slots must become shorter for cutting from the side that is not preferred."""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
-"""Decimals to which positions (mm) and unit vectors of pairs are compared, because copies differ by rounding."""
+"""Decimals to which positions (mm) and unit vectors are compared, because copies differ by rounding."""
 
 PITCH_MM = 1.5
 """Largest distance, mm, between points along the centre line of a slot."""
@@ -178,9 +178,9 @@ def interlock(
     The crossings of the strips are computed exactly, as intersections of ruled surfaces. The width of a slot
     follows the angle between the strips along the crossing. Each strip is cut from the edge that the crossing
     reaches. If both edges are possible, the slot of the earlier strip opens towards `above`, and the later
-    strip is pushed on from that side. Both slots end exactly half way, without clearance, so that the strips
-    rest on each other and fix each other's position along their rulings. Tabs are not checked, so keep other
-    strips away from them. A crossing that reaches the end of a strip instead of an edge is an error.
+    strip is pushed on from there. Both slots end half way without clearance, so that the strips rest on each
+    other. Tabs are not checked, so keep other strips away from them. A crossing that reaches the end of a
+    strip instead of an edge is an error.
 
     Parameters
     ----------
@@ -224,11 +224,11 @@ _joined = WeakKeyDictionary()
 """Cache of the joints of each pair of placed strips with their options."""
 
 _slotted: WeakKeyDictionary[Placed, tuple[tuple[Slot, ...], Placed]] = WeakKeyDictionary()
-"""Cache of slotted strips. An unchanged strip stays the same object, so that its results are kept."""
+"""Cache of slotted strips; an unchanged strip stays the same object and keeps its results."""
 
 
 def _with_slots(placed: Placed, slots: tuple[Slot, ...], name: str, drawn: dict[Hashable, Strip]) -> Placed:
-    """Return the placed strip with additional slots and the layers of a strip in `drawn` with the same cut."""
+    """Return the placed strip with more slots, and with the layers of a strip in `drawn` that has the same cut."""
     known, slotted = _slotted.get(placed, (None, placed))
     if known != slots:
         strip = replace(placed.strip, slots=(*placed.strip.slots, *slots)) if slots else placed.strip
@@ -252,7 +252,7 @@ def _checked_pairs(count: int, pairs: Iterable[tuple[int, int]] | None) -> list[
 
 
 def place_between(first: Frame, second: Frame) -> tuple[float, ...]:
-    """Return the rounded placement of the second frame relative to the first, for comparing pairs of strips."""
+    """Return the rounded position of a frame relative to another frame, for comparing pairs of strips."""
     origin = np.round(first.local(second.origin), PLACE_DIGITS) + 0.0
     axes = np.round(second.axes[:2] @ first.axes.T, TURN_DIGITS) + 0.0
     return (*origin.tolist(), *axes.ravel().tolist())
@@ -267,7 +267,7 @@ class _Cutter:
     relief: Relief
     above: FloatArray | None
     crossed: dict[Hashable, tuple[list[Joint], Frame]] = field(default_factory=dict)
-    """Cache of joints with the frame of the earlier strip, common to equal pairs."""
+    """Cache of joints, with the frame of the earlier strip, for equal pairs of strips."""
 
     def joints(
         self, members: tuple[int, int], placed: tuple[Placed, Placed], ruled: tuple[RuledStrip, RuledStrip]
@@ -295,7 +295,7 @@ class _Cutter:
     def repeated(self, joint: Joint, members: tuple[int, int], frames: tuple[Frame, Frame]) -> Joint:
         """Return the joint moved to an equal pair of strips, with the indices `members`.
 
-        `frames` contains the frames of the earlier strip of the joint's pair and of the equal pair.
+        `frames` are the frames of the earlier strip in both pairs.
         """
         first, second = (
             replace(slot, mate=self.strips[mate].label)
@@ -339,7 +339,7 @@ class _Cutter:
         return Joint(members, (slots[0], slots[1]), (low, high), middle, self.fit)
 
     def _cut_ends(self, members: tuple[int, int], crossing: Crossing) -> tuple[int, int]:
-        """Return, for both strips, the end (0 or 1) of the crossing from which the strip is cut.
+        """Return the end (0 or 1) of the crossing from which each strip is cut.
 
         If both ends are possible, the slot of the earlier strip opens towards `above`, by default the
         direction of its rulings.

@@ -36,7 +36,7 @@ from elastica_cad.strip.strip import Placed, Strip, distinct_names, require_plac
 from elastica_cad.strip.uncuttable_parts import FabricationLimits
 
 LEAST_SPREAD = 0.2
-"""Least ratio of the spreads of slots, across to along their main direction, for a plate that does not tip."""
+"""Least ratio of the spread of slots across a plate to the spread along it, so that the plate does not tip."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +47,7 @@ class Stand:
     ----------
     holders : tuple of BasePlate, Rib or EndFixture
     sentence : str
-        Sentence with the kind of holders, and with the reason if plates cannot hold all tabs.
+        Sentence with the kind of holders, and the reason if plates cannot hold all tabs.
     """
 
     holders: tuple[BasePlate | Rib | EndFixture, ...]
@@ -128,11 +128,11 @@ def stand(
 def _stable_facing_plates(
     placed: Sequence[Placed], sheet: Sheet, options: RingOptions
 ) -> tuple[BasePlate, ...]:
-    """Return two facing plates for strips that are arranged around them."""
+    """Return two facing plates for strips around them; refuse plates that could tip."""
     plates = facing_plates(placed, sheet, options)
     for plate in plates:
         centers = np.array([slot.corners.mean(axis=0) for slot in plate.slots])
-        # singular values are the spreads along the principal directions
+        # the singular values are the spreads along the principal directions
         spreads = np.linalg.svd(centers - centers.mean(axis=0), compute_uv=False)
         if len(plate.slots) < 3 or spreads[1] < LEAST_SPREAD * spreads[0]:
             raise InputError("{name}: the slots are in one row, so the plate would tip", name=plate.name)
@@ -383,21 +383,21 @@ LARGEST_LOG_CHANGE = 0.15
 """Largest change of the logarithm of a width in a round of corrections."""
 
 LARGEST_WIDENING, REDUCED_CHANGE = 1.1, 0.7
-"""Largest factor by which a strip is widened in a round, and factor on its largest change if more is needed.
+"""Largest factor by which a strip is widened in a round, and factor on `LARGEST_LOG_CHANGE` if it needs more.
 
-A much wider strip does not help, because the shoulders beside its tabs are wider too.
+A much wider strip would have wider shoulders beside its tabs.
 """
 
 ROUNDS, MOST_ROUNDS = 2, 10
-"""Usual and largest number of rounds. Lost joints need more than the usual number."""
+"""Usual number of rounds, and largest number if joints are lost."""
 
 
 def interlock_compensated(model: Model, which: Container[str], **options: Any) -> Model:
     """Return the interlocked model, with widths that compensate the slots.
 
-    A strip that becomes too narrow to reach its neighbours is widened by a constant factor, which does not
-    change its shape and is reported. If the factor would be large, the slots are compensated less. The
-    remaining error of each strip is its `held_deviation`.
+    A strip that becomes too narrow to reach its neighbours is widened by a constant factor, which is reported
+    and does not change its shape. Instead of a large factor, the slots are compensated less. `held_deviation`
+    is the remaining error of a strip.
 
     Parameters
     ----------
@@ -411,7 +411,7 @@ def interlock_compensated(model: Model, which: Container[str], **options: Any) -
     first = locked = model.interlock(**options)
     wider, largest, rounds = [1.0] * len(model.strips), [LARGEST_LOG_CHANGE] * len(model.strips), ROUNDS
     for _ in range(MOST_ROUNDS):
-        # cut the slots again, because slots of the previous round may not reach the new edges
+        # cut the slots again, because old slots may not reach the new edges
         known: dict[Any, Strip] = {}
         strips = list(model.strips)
         for k, (drawn, cut) in enumerate(zip(model.strips, locked.strips, strict=True)):

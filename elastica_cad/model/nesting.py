@@ -24,7 +24,7 @@ _TIE_DECIMALS = 6
 """Decimals, mm, to which sizes are compared, so that rounding errors do not change the order."""
 
 LEAST_GAP_MM = 0.01
-"""Least distance, mm, between tool paths, because touching loops cannot be offset by the kerf."""
+"""Least distance, mm, between tool paths; touching loops cannot be offset by the kerf."""
 
 
 @dataclass(frozen=True)
@@ -126,8 +126,8 @@ def nest_pieces(
 ) -> tuple[NestedSheet, ...]:
     """Arrange pieces in rows on as few sheets as possible, separately for each material.
 
-    Rows are parallel to one side of the sheet, so chosen that they need fewer sheets, or less of the last
-    sheet. Pieces without grain may be rotated by 90 degrees. The grain of a sheet is along its width, and
+    Rows are parallel to the side of the sheet with which they need fewer sheets, or less of the last sheet.
+    Pieces without grain may be rotated by 90 degrees. The grain of a sheet is along its width, and
     `Sheet.grain` sets the direction of pieces with grain.
 
     Parameters
@@ -171,7 +171,7 @@ def nest_pieces(
 
 
 def saw_rods(pieces: Iterable[Piece], stock: float, saw: float = 2.0) -> tuple[tuple[Sawn, ...], ...]:
-    """Return the lengths to saw from each rod: the longest piece first, from the first rod with enough length left.
+    """Return the lengths to saw from each rod: longest pieces first, each from the first rod that is long enough.
 
     A piece that is longer than the stock is joined from whole rods and a shorter length.
 
@@ -217,16 +217,16 @@ def widened_by(sheet: Sheet, kerf: float | None) -> float:
 def _nested_group(
     sheet: Sheet, pieces: Sequence[Piece], size: tuple[float, float], margin: float, name: str
 ) -> list[NestedSheet]:
-    """Return all sheets of a material, with rows along the side of the sheet that gives the better result."""
+    """Return all sheets of a material, with rows along the better side of the sheet."""
     best: tuple[tuple[float, float], bool, list[_Place]] | None = None
     for upright in (False, True):
-        room = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
-        boxes = [_boxes(i, piece, margin, room, upright) for i, piece in enumerate(pieces)]
+        usable = (size[1] - margin, size[0] - margin) if upright else (size[0] - margin, size[1] - margin)
+        boxes = [_boxes(i, piece, margin, usable, upright) for i, piece in enumerate(pieces)]
         if not all(boxes):
             continue
-        places = _pack(boxes, pieces, room)
+        places = _pack(boxes, pieces, usable)
         count = max(place.sheet for place in places)
-        last = _rounded(max(place.y + place.box.wide for place in places if place.sheet == count) * room[0])
+        last = _rounded(max(place.y + place.box.wide for place in places if place.sheet == count) * usable[0])
         if best is None or (count, last) < best[0]:
             best = ((count, last), upright, places)
     if best is None:
@@ -246,32 +246,32 @@ def _nested_group(
     ]
 
 
-def _boxes(index: int, piece: Piece, margin: float, room: tuple[float, float], upright: bool) -> list[_Box]:
+def _boxes(index: int, piece: Piece, margin: float, usable: tuple[float, float], upright: bool) -> list[_Box]:
     """Return a box for each orientation in which the piece fits on the sheet."""
     x, y = (side + margin for side in piece.size)
     boxes = []
-    # the grain of the sheet is along x
+    # the grain of a sheet is along x
     turns = {"along": (False,), "across": (True,)}.get(piece.sheet.grain, (False, True))
     for turned in turns:
         long, wide = (y, x) if turned != upright else (x, y)
-        if long <= room[0] + FIT_TOLERANCE_MM and wide <= room[1] + FIT_TOLERANCE_MM:
+        if long <= usable[0] + FIT_TOLERANCE_MM and wide <= usable[1] + FIT_TOLERANCE_MM:
             boxes.append(_Box(index, long, wide, turned))
     return sorted(boxes, key=lambda box: _rounded(box.wide))
 
 
-def _pack(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float, float]) -> list[_Place]:
+def _pack(boxes: list[list[_Box]], pieces: Sequence[Piece], usable: tuple[float, float]) -> list[_Place]:
     """Return the places of boxes by decreasing width, each in the row of best fit or in a new row."""
     queue = [ways for ways, piece in zip(boxes, pieces, strict=True) for _ in range(piece.count)]
     queue.sort(key=lambda ways: (-_rounded(ways[0].wide), -_rounded(ways[0].long)))
     shortest = min(box.long for ways in boxes for box in ways)
     rows: list[_Row] = []  # rows with space for the shortest box
-    ends: list[float] = []  # end of the last row of each sheet, mm
+    ends: list[float] = []  # end of the last row on each sheet, mm
     places: list[_Place] = []
     for ways in queue:
         fits = [
             (
                 _rounded(row.wide - box.wide),
-                _rounded(room[0] - row.taken - box.long),
+                _rounded(usable[0] - row.taken - box.long),
                 row.sheet,
                 row.start,
                 row,
@@ -279,21 +279,22 @@ def _pack(boxes: list[list[_Box]], pieces: Sequence[Piece], room: tuple[float, f
             )
             for row in rows
             for box in ways
-            if box.wide <= row.wide + FIT_TOLERANCE_MM and row.taken + box.long <= room[0] + FIT_TOLERANCE_MM
+            if box.wide <= row.wide + FIT_TOLERANCE_MM
+            and row.taken + box.long <= usable[0] + FIT_TOLERANCE_MM
         ]
         if fits:
             *_, row, box = min(fits, key=lambda fit: fit[:4])
         else:
             box = ways[0]
-            roomy = (i for i, end in enumerate(ends) if end + box.wide <= room[1] + FIT_TOLERANCE_MM)
-            number = next(roomy, len(ends))
+            open_sheets = (i for i, end in enumerate(ends) if end + box.wide <= usable[1] + FIT_TOLERANCE_MM)
+            number = next(open_sheets, len(ends))
             ends += [0.0] * (number == len(ends))
             row = _Row(number, ends[number], box.wide)
             rows.append(row)
             ends[number] += box.wide
         places.append(_Place(box, row.sheet, row.taken, row.start))
         row.taken += box.long
-        if row.taken + shortest > room[0] + FIT_TOLERANCE_MM:
+        if row.taken + shortest > usable[0] + FIT_TOLERANCE_MM:
             rows.remove(row)
     return places
 
@@ -311,7 +312,7 @@ def _drawing(
     upright: bool,
     name: str,
 ) -> NestedSheet:
-    room = size[1] - margin if upright else size[0] - margin
+    usable = size[1] - margin if upright else size[0] - margin
     laid = []
     for place in sorted(places, key=lambda place: place.box.piece):
         piece = pieces[place.box.piece]
@@ -326,14 +327,14 @@ def _drawing(
         sheet=sheet,
         sheet_size=size,
         pieces=tuple(pieces[place.box.piece].name for place in sorted(places, key=lambda p: p.box.piece)),
-        used=rows * room,
+        used=rows * usable,
         filled=sum(place.box.long * place.box.wide for place in places),
         share=sum(pieces[place.box.piece].area for place in places) / (size[0] * size[1]),
     )
 
 
 def _placement(piece: Piece, turned: bool, x: float, y: float) -> np.ndarray:
-    """Return the map that optionally rotates a piece by 90 degrees, with its lower left corner at (x, y)."""
+    """Return the matrix that places the lower left corner of a piece at (x, y), with an optional quarter turn."""
     (x0, y0), (_, y1) = piece.bounds
     if turned:
         return np.array([[0.0, -1.0, x + y1], [1.0, 0.0, y - x0], [0.0, 0.0, 1.0]])

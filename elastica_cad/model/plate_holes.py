@@ -106,7 +106,7 @@ class PlateHoles:
 
 
 def _openings_beside_bar(center: FloatArray, outer: float, hub: float, half: float) -> tuple[Path, ...]:
-    """Return both parts of a round opening beside a bar along x with a hub, unless the hub fills it.
+    """Return both parts of a round opening beside a bar along x with a hub; none if the hub fills the opening.
 
     `half` is half of the width of the bar, mm; `outer` and `hub` are radii, mm.
     """

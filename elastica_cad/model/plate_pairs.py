@@ -42,13 +42,13 @@ from elastica_cad.strip.tab_seats import Lean, TabSeat, lean_against
 from elastica_cad.strip.uncuttable_parts import accept_faults, find_strip_faults
 
 LEAN_ROUNDS = 6
-"""Largest number of rounds in which slots are moved; three are usually enough."""
+"""Largest number of rounds in which slots are moved; three usually suffice."""
 
 LEAST_RELATIVE_DIFFERENCE = 1e-6
-"""A strip is reversed only if this shortens the distances between its ends and its neighbour's by this fraction."""
+"""Relative decrease of the distances between the ends of neighbours, above which a strip is reversed."""
 
 SETTLED_MM = 0.03
-"""Largest movement of slots, mm, in the last round of moving them. Each round reduces the movement to a tenth."""
+"""Largest movement of slots, mm, in the last round; each round reduces it to a tenth."""
 
 
 def plate_pair(
@@ -63,8 +63,7 @@ def plate_pair(
 
     In a single slot with vertical walls, an inclined tab can rock. A second slot, `gap` mm below and offset
     by gap cot(phi), fixes the angle phi of the tab. Slots are moved slightly against the load of their tabs,
-    because loaded tabs move within their play and bend between the plates. The bodies of tabs are drawn
-    straight, so they overlap the plates slightly.
+    which shift within their play and bend. Tabs are drawn straight, so they overlap the plates slightly.
 
     Parameters
     ----------
@@ -128,7 +127,7 @@ def ring_pair(
 def _add_second(
     placed: Sequence[Placed], first: Plate, options: PlateOptions, gap: float
 ) -> tuple[Plate, Plate]:
-    """Return the plate and a plate of the same type, `gap` mm behind it, with slots moved against the loads."""
+    """Return the plate, and a plate `gap` mm behind it, with slots that are moved against the loads."""
     tabs = [slot.tab for slot in first.slots if slot.tab is not None]
     short = [tab for tab in tabs if tab.length < needed_length(tab, first, gap)]
     if short:
@@ -153,7 +152,7 @@ def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
 def _cures_of_short_tabs(
     placed: Sequence[Placed], first: BasePlate, tabs: Sequence[PlacedTab], gap: float
 ) -> str:
-    """Return the tested suggestions for tabs that do not reach through the second plate."""
+    """Return tested suggestions for tabs that do not reach through the second plate."""
     length = max(needed_length(tab, first, gap) for tab in tabs)
     width = fitting_width(placed, [first], gap, length)
     reach = min(-float(first.frame.local(tab.tip)[2]) for tab in tabs)
@@ -176,10 +175,10 @@ TESTED_WIDTHS = (1.0, 0.9, 0.8, 0.7, 0.6, 0.5)
 def fitting_width(
     placed: Sequence[Placed], plates: Sequence[BasePlate], gap: float, length: float, *, keep: bool = True
 ) -> float | None:
-    """Return the largest tested width of tabs, mm, with which two plates can replace each plate, or None.
+    """Return the largest tested width of tabs, mm, for which two plates can replace each plate, or None.
 
-    All tabs get the given length and this width. With `keep`, the present widths of the tabs are tested first;
-    the result is infinite if two plates can hold these tabs.
+    All tabs get the given length. With `keep`, the present widths are tested first; the result is then
+    infinite if they fit.
     """
     narrowest = min(slot.tab.width for plate in plates for slot in plate.slots if slot.tab is not None)
     for fraction in TESTED_WIDTHS:
@@ -217,9 +216,9 @@ def _require_makeable(strips: Iterable[Strip], options: PlateOptions | None) -> 
 
 
 def pair_with_tabs(placed: Sequence[Placed], first: Plate, gap: float) -> tuple[Plate, ...]:
-    """Return two plates in place of one for the tabs of `placed`, or an empty tuple if they cannot be made.
+    """Return two plates that replace a plate and hold the tabs of `placed`, or () if they cannot be made.
 
-    The tabs are at the positions of the tabs in `first`, but can have another length or width.
+    The tabs have the positions of the tabs in `first`, but may have another size.
     """
     options = first.options
     if options is None:
@@ -243,8 +242,8 @@ def pair_with_tabs(placed: Sequence[Placed], first: Plate, gap: float) -> tuple[
 def lean_pair(placed: Sequence[Placed], plates: tuple[Plate, Plate]) -> tuple[Plate, Plate]:
     """Return the plates with moved slots, so that every loaded tab is in its designed position.
 
-    The movement compensates play and the bending of tabs. The load is computed for the strip as cut, with its
-    slots and corrected widths. Each plate is made again around its moved slots.
+    The movement compensates play and bending of the tabs, under the load of the strip as cut. Each plate is
+    made again around its moved slots.
     """
     for _ in range(LEAN_ROUNDS):
         leans = _displacements(placed, tab_seats(plates))
@@ -265,7 +264,7 @@ def _around_moved(plate: Plate) -> Plate:
 
 
 def _displacements(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> dict[Key, Lean]:
-    """Return the shift and rotation of the holder of each tab, by the position of the tab."""
+    """Return the shift and rotation that each holder needs, by the position of its tab."""
     leans, known = dict[Key, Lean](), dict[Hashable, Lean]()
     for member in placed:
         cut = cut_key(member.strip)
@@ -284,7 +283,7 @@ def _displacements(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> di
 def _moved_slots(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
     """Return the slots of a plate, moved within the plate by the shift and rotation for each tab."""
     slots, walls = list(plate.slots), slot_walls(plate)
-    # slots move in the direction to the left of the curve, -z of the tab, projected on the plate
+    # slots move to the left of the curve, in direction -z of the tab, projected on the plate
     ways = np.array([(tab.frame.x_axis, -tab.frame.z_axis) for _, tab, _ in walls]).reshape(-1, 2, 3)
     for (k, tab, wall), (into, left) in zip(walls, (ways @ plate.frame.axes.T)[..., :2], strict=True):
         if (lean := leans.get(tab.key)) is not None:
@@ -300,7 +299,7 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
     moves = []
     for wall in walls:
         place, slope = lean.touched(wall)
-        # a bent tab is inclined at the plate, so its wall moves both across and along the tab
+        # a bent tab is inclined at the plate, so its wall moves across and along the tab
         across = left - slope * into
         moves.append((lean.shift + lean.turn * place) / float(across @ left) * left)
     first, second = moves
@@ -308,7 +307,7 @@ def _moved_slot(slot: TabSlot, walls: FloatArray, into: FloatArray, left: FloatA
 
 
 LEVEL_GAIN_MM = 0.5
-"""Least decrease of the range of heights of the tabs, mm, for a plane oblique to their mean direction."""
+"""Least decrease of the range of heights of the tabs, mm, for which the plane may be oblique to the tabs."""
 
 
 def end_plates(
@@ -321,8 +320,7 @@ def end_plates(
 ) -> tuple[BasePlate, ...]:
     """Return a plate for the tabs at each end of the strips, in the best plane for these tabs.
 
-    The first strip defines start and end. For a strip drawn in the opposite direction, start and end are
-    exchanged.
+    The first strip defines start and end; strips drawn in the opposite direction are reversed.
 
     Parameters
     ----------
@@ -330,7 +328,7 @@ def end_plates(
     sheet : Sheet or its name
         Sheet of the plates.
     together : bool
-        Make one plate for all these ends instead of one plate for each end.
+        Make one plate for all ends instead of one for each end.
     gap : float, optional
         If given, two plates at this distance, mm, replace each single plate and hold inclined tabs at their
         angle. The name of each second plate ends in -outer.
@@ -373,11 +371,11 @@ def end_plates(
 
 
 UPRIGHT_COSINE = 0.9
-"""Least cosine between the mean direction of tabs and the vertical for a lower and an upper plate."""
+"""Least cosine between the mean direction of tabs and the vertical, for plates named bottom and top."""
 
 
 def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
-    """Return the tabs at the start and at the end, where strip 0 defines which end is the start."""
+    """Return the tabs at the start and at the end; strip 0 defines the start."""
     tabs = tabs_to_hold(placed)
     pairs = [*zip(tabs[::2], tabs[1::2], strict=True)]
     opposite = _opposite(np.array([[tab.frame.origin for tab in pair] for pair in pairs]))
@@ -386,7 +384,7 @@ def _tabs_at_ends(placed: Sequence[Placed]) -> dict[StripEnd, list[PlacedTab]]:
 
 
 def _names_of_ends(name: str, tabs_at: Mapping[StripEnd, Sequence[PlacedTab]]) -> dict[StripEnd, str]:
-    """Return the names of the plates at both ends: bottom and top if the tabs point up and down."""
+    """Return the names of the plates at both ends: bottom and top if the tabs point down and up."""
     outs = [np.mean([tab.frame.x_axis for tab in tabs_at[end]], axis=0) for end in ENDS]
     heights = [float(np.mean([tab.frame.origin[2] for tab in tabs_at[end]])) for end in ENDS]
     upright = all(abs(out[2]) >= UPRIGHT_COSINE * np.linalg.norm(out) for out in outs)
@@ -394,10 +392,9 @@ def _names_of_ends(name: str, tabs_at: Mapping[StripEnd, Sequence[PlacedTab]]) -
 
 
 def _opposite(ends: FloatArray) -> BoolArray:
-    """Return True for each strip directed opposite to strip 0, from starts and ends (n, 2, 3).
+    """Return flags (n,) of strips in the opposite direction to strip 0, from starts and ends (n, 2, 3).
 
-    Each strip is compared with the nearest strip of known direction, and corresponding ends are near each
-    other.
+    Each strip is compared with the nearest strip of known direction; equal ends are near each other.
     """
     apart = np.linalg.norm(ends[:, None, :, None] - ends[None, :, None, :], axis=-1)
     alike, turned = apart[:, :, 0, 0] + apart[:, :, 1, 1], apart[:, :, 0, 1] + apart[:, :, 1, 0]
@@ -436,7 +433,7 @@ def _plate(tabs: Sequence[PlacedTab], sheet: Sheet, options: PlateOptions) -> Ba
 def through_slots(
     tabs: Sequence[PlacedTab], frame: Frame, sheet: Sheet, options: PlateOptions
 ) -> list[TabSlot]:
-    """Return a slot for every tab, or raise InputError for a tab that ends before the middle of the plate."""
+    """Return a slot for every tab; refuse a tab that ends before the middle of the plate."""
     for tab in tabs:
         tip = float(frame.local(tab.tip)[2])
         if tab.length <= 0 or tip > -0.5 * sheet.thickness:
@@ -453,7 +450,7 @@ def through_slots(
 def tab_plane(tabs: Sequence[PlacedTab], name: str) -> Frame:
     """Return the best plane for the tabs.
 
-    It passes through the lowest origin of a tab; its z axis is opposite to the direction of the tabs.
+    It passes through the lowest start of a tab; its z axis points against the tabs.
     """
     if not tabs:
         raise InputError(

@@ -50,7 +50,7 @@ LABEL_MM = 4.0
 """Height of engraved names, mm, if the plate is large enough."""
 
 FLAT_MM = 0.01
-"""Largest distance, mm, of holes from the polylines with which their overlap is tested."""
+"""Largest distance, mm, of holes from the polylines that represent them in tests of overlap."""
 
 BELOW_MM = 1e-6
 """Least depth, mm, of the tip of a tab below the upper face of its plate."""
@@ -109,9 +109,9 @@ Options = TypeVar("Options", bound=PlateOptions)
 def options_by_name(
     record: type[Options], options: Mapping[str, Any], what: str, without: Container[str] = ()
 ) -> Options:
-    """Make the record of options given by name.
+    """Return the record of options given by name.
 
-    Refuse unknown names; in the message, `what` is the name of the object.
+    Refuse unknown names; messages call the object `what`.
 
     Examples
     --------
@@ -204,7 +204,7 @@ class BasePlate:
         return [loop.points(FLAT_MM) for loop in (*opening, *self.holes)]
 
     def checked(self, options: PlateOptions, *, moved: bool = False) -> Self:
-        """Return the plate with its warnings. The width of slots that were moved against a load is not checked."""
+        """Return the plate with its warnings; slots `moved` against a load may have any width."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
         require_flag(moved, "moved")
         _refuse_meetings(self.slots, self.name)
@@ -246,7 +246,7 @@ class BasePlate:
         return Piece(self.name, self.drawing, self.sheet)
 
     def _engraved_name(self) -> tuple[Text, ...]:
-        """Return the engraved name between opening and slots, to distinguish the rings of a pair."""
+        """Return the name, engraved between opening and slots; only plates with openings or holes have it."""
         loops = [self.opening, *self.holes] if self.opening is not None else [*self.holes]
         if not loops:
             return ()
@@ -281,9 +281,7 @@ class BasePlate:
 
 
 def _distance_to(loop: FloatArray, base: FloatArray, up: FloatArray) -> float:
-    """Return the distance, mm, between a hole (n, 2) and a text on the line `base` (2, 2), or a negative number
-    if they overlap.
-    """
+    """Return the distance, mm, of a hole (n, 2) from a text on the line `base` (2, 2); negative for an overlap."""
     low = base[0] + np.linspace(0.0, 1.0, 9)[:, None] * (base[1] - base[0])
     points = np.concatenate([low, low + up])
     far = float(np.linalg.norm(points[:, None] - loop, axis=2).min())
@@ -389,7 +387,7 @@ def _with_holes(
 def _round_rim_and_opening(
     loops: Sequence[FloatArray], center: FloatArray, border: float
 ) -> tuple[Path, Path | None]:
-    """Return a round rim and a round opening, `border` mm from all slots; the opening is None if it is too small.
+    """Return a round rim and a round opening, `border` mm from all slots; a too small opening is None.
 
     Each loop holds the four corners of a slot.
     """
@@ -399,9 +397,9 @@ def _round_rim_and_opening(
 
 
 def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tuple[float, float]:
-    """Return the radii of a circle inside and a circle outside of all loops of four corners.
+    """Return the radii of the circles inside and outside all slots, each given by four corners.
 
-    The circles have the centre `center`, and their distance from the loops is `border` mm.
+    The circles about `center` are `border` mm away from the slots.
     """
     points = np.concatenate([(loop + np.roll(loop, shift, axis=0)) / 2 for loop in loops for shift in (0, 1)])
     away = np.hypot(*(points - center).T)
@@ -409,7 +407,7 @@ def around(loops: Sequence[FloatArray], center: FloatArray, border: float) -> tu
 
 
 def _passes_through(tab: PlacedTab, ground: Frame) -> bool:
-    """Return True if the tab starts on or above the upper face of a plate and ends below this face."""
+    """Return True if the tab starts on or above the upper face of a plate and ends below it."""
     (_, _, start), (_, _, tip) = ground.local([tab.frame.origin, tab.tip])
     return bool(start > -tab.thickness and tip < -BELOW_MM)
 
@@ -460,9 +458,9 @@ def _refuse_meetings(slots: Sequence[TabSlot], name: str) -> None:
 
 
 def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[str]) -> None:
-    """Raise InputError if a hole meets another cut of the plate or the edge.
+    """Refuse a hole that meets another cut of the plate or the edge.
 
-    `called` are the names of the slots and the opening, `drilled` are the names of the holes.
+    `called` are the names of the slots and the opening, `drilled` the names of the holes.
     """
     loops, names = [path.closed_points(FLAT_MM) for path in plate._inner_loops], (*called, *drilled)
     edge = plate.outline.closed_points(FLAT_MM)
@@ -475,7 +473,7 @@ def _refuse_overlaps(plate: BasePlate, called: Sequence[str], drilled: Sequence[
 
 
 def _refuse_holes_in_seats(name: str, holes: Sequence[Path], seats: Sequence[FloatArray]) -> None:
-    """Raise InputError if a hole meets the area (four corners) where a tab is glued to the plate."""
+    """Refuse a hole in the area (four corners) where a tab is glued to the plate."""
     for hole in holes:
         loop = hole.closed_points(FLAT_MM)
         if any(_overlap(loop, np.concatenate([seat, seat[:1]])) for seat in seats):
@@ -558,7 +556,7 @@ class Ring(BasePlate):
     seats : tuple of Path
         Engraved outlines of tabs on the face. The holes for their bolts are the first `holes`.
     seated : tuple of str
-        Names of these tabs.
+        Names of the tabs in `seats`.
     """
 
     seats: tuple[Path, ...] = ()
@@ -631,8 +629,7 @@ def ring_plate(
     sheet : Sheet or its name
         Sheet of the ring.
     middle : float
-        Height of the middle of the model, mm. A ring with flat tabs is on the side of the tabs that is away
-        from it.
+        Height of the middle of the model, mm. Flat tabs are between it and their ring.
     **options
         Fields of `RingOptions` without shape and ends: border, play, clearance, slot_width, name, shop,
         ignore_limits.
@@ -705,7 +702,7 @@ def _seat_corners(tab: PlacedTab, frame: Frame) -> FloatArray:
 
 
 def _refuse_meeting_seats(seats: Sequence[FloatArray], count: int, name: str) -> None:
-    """Raise InputError if a tab extends beyond its sector of 1 / `count` turns."""
+    """Refuse tabs that extend beyond their sectors of 1 / `count` turns."""
     seat = seats[0]
     out = seat.mean(axis=0)
     out = out / max(float(np.hypot(*out)), 1e-300)

@@ -36,7 +36,7 @@ WIDTH_MM = 1e-5
 """Largest error of a width, mm."""
 
 SLOPE_TOLERANCE = 1e-12
-"""Difference between the slopes of bounds below which the bounds belong to equal planes and do not cross."""
+"""Difference between the slopes of two bounds below which they belong to the same plane and do not cross."""
 
 END_MM = 1e-9
 """Distance, mm, from an end below which a kink of the width counts as being at the end."""
@@ -58,9 +58,9 @@ def touching_widths(
 ) -> tuple[Profile, ...]:
     """Return widths with which neighbouring strips meet at the planes that bisect the angles between them.
 
-    Half the width is the distance from the curve, along the ruling, to the nearer bisector plane. Before
-    that, each plane is moved towards the curve by the gap. The Flower Pot and the Shell of the paper (section
-    9) have such widths.
+    Half the width is the distance from the curve, along the ruling, to the nearer bisector plane, which is
+    first moved towards the curve by the gap. The Flower Pot and the Shell of the paper (section 9) have such
+    widths.
 
     Parameters
     ----------
@@ -112,7 +112,7 @@ def _bisector_bound(
     gap: float,
     names: tuple[str, str],
 ) -> _Bound:
-    """Return the plane midway between both strips, moved by `gap`, in the coordinates of the placed curve."""
+    """Return the plane midway between both strips, moved by `gap`, in the coordinates of the first strip."""
     frame, opposite = placed_curve[1], other[1]
     middles = [f.point(c.sample(33).position.mean(axis=0)) for c, f in (placed_curve, other)]
     z, r = frame.z_axis, opposite.z_axis
@@ -318,8 +318,7 @@ class _Request:
     def _tabs(self, meridian: Meridian) -> tuple[Tab, Tab]:
         """Return straight tabs, narrower than the space between the planes to both neighbours.
 
-        If a tab would be too narrow for the workshop, as at a pole, the tab has the width of the strip's
-        end.
+        A tab that would be too narrow for the workshop, as at a pole, is as wide as the end of the strip.
         """
         ends = meridian.curve.sample(2)
         outward = ends.angle + np.array([np.pi, 0.0])
@@ -334,7 +333,7 @@ class _Request:
         near = np.minimum(ends.position[:, 0], ends.position[:, 0] + lengths * np.cos(outward))
         gap = TAB_GAP_MM
         if self.rings is not None:
-            # a bridge is measured along the sides of its slots, at half the angle between the slots
+            # bridges are measured along the sides of the slots, at half the angle between slots
             gap = (
                 2 * PLAY
                 + BRIDGE_ALLOWANCE

@@ -38,8 +38,8 @@ FEET_MM = 10.0
 def rocking_tabs(placed: Sequence[Placed], holders: Iterable[object]) -> tuple[str, ...]:
     """Return a sentence for each holder in which tabs can rock.
 
-    It states the tab with the largest rotation, the shape of its strip, and a suggestion. Suggestions are
-    tested with the plates that hold the strips.
+    It names the tab with the largest rotation, the shape of its strip, and a suggestion that was tested with
+    the plates.
     """
     placed, holders, messages = require_placed(placed), require_holders(holders), []
     names = dict(zip(map(id, placed), distinct_names(placed), strict=True))
@@ -66,7 +66,7 @@ def _tipping_angles(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float
         PlacedTab.of(member.strip, k, member.frame).frame for k in sorted(ENDS, key=lambda k: k != end)
     )
     right, left = np.abs(np.degrees(seat.turning))
-    # if the tab rotates to the left of the curve, the strip tips to the right, in the direction of the z axis
+    # if the tab turns to the left of the curve, the strip tips to the right, in direction z
     lies_right = (other.origin - here.origin) @ here.z_axis > 0
     return (left, right) if lies_right else (right, left)
 
@@ -111,7 +111,7 @@ def _suggestions(
 
 
 def _feet_fit(plates: Sequence[BasePlate]) -> bool:
-    """Return True if feet can be glued to the tabs of plates; the rings of a surface of revolution have no feet."""
+    """Return True if feet can be glued to the tabs of the plates; rings have no feet."""
     try:
         add_feet(plates, FEET_MM)
     except InputError:
@@ -140,7 +140,7 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
     ]
     held = [slot.tab for plate in plates for slot in plate.slots if slot.tab is not None]
     keys = {tab.key for tab in held}
-    if len(keys) < len(held):  # tabs that two plates hold already
+    if len(keys) < len(held):  # two plates already hold some tabs
         return ""
     ends = {
         PlacedTab.of(member.strip, end, member.frame).key: (member, k)
@@ -160,7 +160,7 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
 
 
 def _pair_text(gap: float, length: float, width: float) -> str:
-    """Return the suggestion of two plates with tabs of a length and, if finite, a width."""
+    """Return the suggestion of two plates with tabs of a given length and, if it is finite, width."""
     tab = {"length": length} | ({} if width == np.inf else {"width": width})
     changes = (Change("two_plates", {"gap": gap, "tab": tab}),)
     if width == np.inf:
