@@ -45,7 +45,8 @@ NAMES = {
     "A rod with a cord": ("bow", "model.Bow", "plot.bow"),
     "Sheets": ("Sheet", "sheet_names", "load_sheets"),
     "Models": ("Model", "Placed", "save_model", "revolution", "revolve", "meridian", "meridian_through",
-               "touching_widths", "model.EndFixture", "model.LeafStack", "model.PlateHoles"),
+               "touching_widths", "model.EndFixture", "model.LeafStack", "model.PlateHoles",
+               "model.add_spacers"),
     "Two drawn curves, one strip": (
         "matched_pair", "check_pair", "two_state_rod", "TwoStateRod", "PairLimits", "pairs.FlexureSpec", "Flexure",
     ),

@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from elastica_cad.design.revolution_table import RevolutionTable
     from elastica_cad.formats.mesh_files import SurfaceReader
     from elastica_cad.forming.section_lines import SectionCurve
+    from elastica_cad.model.frames import Rib
     from elastica_cad.model.plates import Ring
 
 DESIGN_SCHEMA = 1
@@ -137,7 +138,7 @@ class Design:
                 done(entry.label)
         if refused:
             raise _merged_error(refused)
-        plates: tuple[Ring, ...] = ()
+        plates: tuple[Ring | Rib, ...] = ()
         if self.revolution is not None:
             surface = self.revolution.model(self.name)
             placed, plates = [*surface.placed, *placed], surface.plates

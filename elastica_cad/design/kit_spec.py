@@ -189,6 +189,7 @@ class HolderSpec:
         from elastica_cad.model.model import stand
         from elastica_cad.model.plate_pairs import end_plates, plate_pair
         from elastica_cad.model.plates import base_plate
+        from elastica_cad.model.spacers import add_spacers
 
         named = zip(model.placed, strip_names(model.placed), strict=True)
         placed = [strip for strip, name in named if any(fnmatchcase(name, text) for text in self.strips)]
@@ -207,7 +208,12 @@ class HolderSpec:
             chosen = stand(placed, self.sheet, name=called, shop=shop, ignore_limits=ignore_limits)
             return chosen.holders, f"{model.name}: {chosen.sentence}"
         options = {**self.options, "shop": shop, "ignore_limits": ignore_limits}
-        feet = options.pop("feet", None)
+        feet, spacers = options.pop("feet", None), options.pop("spacers", None)
+        if feet is not None and spacers is not None:
+            raise InputError(
+                "{place}: spacers and feet are in the same place. Leave out {feet} or {spacers}.",
+                place=self.where, feet=FieldName("feet"), spacers=FieldName("spacers"),
+            )  # fmt: skip
         ribs: tuple[Rib, ...] = ()
         plates: tuple[BasePlate, ...]
         if self.kind == "frame":
@@ -219,6 +225,8 @@ class HolderSpec:
             plates = plate_pair(placed, self.sheet, **options)
         else:
             plates = (base_plate(placed, self.sheet, **options),)
+        if spacers is not None:
+            plates, ribs = add_spacers(placed, plates, spacers)
         return (*(plates if feet is None else add_feet(plates, feet)), *ribs), ""
 
 

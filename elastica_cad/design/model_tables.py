@@ -17,6 +17,7 @@ from elastica_cad.model.interlocking import interlock as slots_at_crossings
 from elastica_cad.model.model import mirror, repeat, rotate
 from elastica_cad.model.nesting import Nesting
 from elastica_cad.model.plates import PlateOptions, RingOptions
+from elastica_cad.model.spacers import Spacers
 from elastica_cad.strip.outline import StripEnd
 
 Pair: TypeAlias = tuple[float, float]
@@ -74,6 +75,7 @@ class Base(_Plates):
     gap: Annotated[
         float | None, Option("Distance between two plates that hold inclined tabs.", "mm", least=0)
     ] = None
+    spacers: Spacers = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -85,6 +87,7 @@ class Rings(_Plates):
     gap: Annotated[
         float | None, Option("Distance between two plates that hold inclined tabs.", "mm", above=0)
     ] = None
+    spacers: Spacers = None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -17,6 +17,7 @@ from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.model import Model
 from elastica_cad.model.plate_holes import PlateHoles
 from elastica_cad.model.revolution_model import revolve
+from elastica_cad.model.spacers import Spacers
 from elastica_cad.refusals import Length, note
 from elastica_cad.strip.outline import Tab
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
@@ -60,6 +61,7 @@ class RevolutionTable:
     ] = None
     rings: Annotated[Sheet | None, Option("Sheet of the rings at both ends.")] = None
     gap: Annotated[float | None, Option("Distance between two rings at each end.", "mm", least=0)] = None
+    spacers: Spacers = None
     holes: Annotated[PlateHoles | None, Option("Holes of the rings for a lamp holder and screws.")] = None
     ends: Annotated[
         tuple[Tab, Tab] | None,
@@ -120,6 +122,7 @@ class RevolutionTable:
             ends=self.ends,
             rings=self.rings,
             gap=self.gap,
+            spacers=self.spacers,
             holes=self.holes,
             name=name,
             shop=self.shop,

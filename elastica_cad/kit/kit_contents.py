@@ -30,7 +30,7 @@ from elastica_cad.refusals import FieldName, Length, Listed, note, sentences
 from elastica_cad.strip.held_shape import HeldShape
 from elastica_cad.strip.makeable_strip import Splice, joined_within, spliced
 from elastica_cad.strip.outline import StripEnd
-from elastica_cad.strip.pieces import EqualStrips, Piece, strip_pieces
+from elastica_cad.strip.pieces import EqualStrips, Piece, count_pieces, strip_pieces
 from elastica_cad.strip.strip import Strip, distinct_names
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.suggestions import thinner_for_all
@@ -115,16 +115,19 @@ def kit_contents(
     holders = list[Holder]()
     joined = _spliced(model, spec, requests)
     strips = strip_pieces(model.parts, numbered=_numbers_ends(model, spec))
-    pieces = (*_parts_to_cut(strips, joined), *(plate.piece for plate in model.plates), *spec.extras(model))
+    pieces = (
+        *_parts_to_cut(strips, joined),
+        *count_pieces(plate.piece for plate in model.plates),
+        *spec.extras(model),
+    )
     nests = _nest(pieces, spec.nesting, spec, f"{model.name}-nest")
     shared = dict[tuple[str, Sheet | None, Nesting], list[tuple[str, tuple[Piece, ...]]]]()
     for request in spec.holders:
         new_holders, sentence = request.made(model, spec.shop, ignore_limits=spec.ignore_limits)
         plates = [holder for holder in new_holders if not isinstance(holder, EndFixture)]
-        often = Counter(plate.name for plate in plates)  # gussets of equal strips have the same name
-        once = {plate.name: plate.piece for plate in reversed(plates)}
         cut = tuple(
-            replace(once[name], name=f"{model.name}-{name}", count=count) for name, count in often.items()
+            replace(piece, name=f"{model.name}-{piece.name}")
+            for piece in count_pieces(plate.piece for plate in plates)
         )
         shared.setdefault((request.kind, request.sheet, request.nesting), []).append((request.name, cut))
         pieces, holders = (*pieces, *cut), [*holders, *new_holders]

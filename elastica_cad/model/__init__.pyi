@@ -31,6 +31,7 @@ from elastica_cad.model.plates import (
     ring_plate as ring_plate,
     RingOptions as RingOptions,
 )
+from elastica_cad.model.spacers import add_spacers as add_spacers
 from elastica_cad.model.rocking import rocking_tabs as rocking_tabs
 from elastica_cad.model.revolution_model import (
     revolution as revolution,

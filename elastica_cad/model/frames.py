@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import Annotated
+from typing import Annotated, Self
 
 import numpy as np
 
@@ -82,7 +82,7 @@ class Rib:
     label: Text
     warnings: tuple[str, ...] = ()
 
-    def checked(self, options: PlateOptions) -> "Rib":
+    def checked(self, options: PlateOptions) -> Self:
         """Return the rib with its warnings."""
         require_record(options, PlateOptions, "options", "a PlateOptions")
         faults = find_plate_faults(self.name, self.sheet, self.outline, (), options.shop)

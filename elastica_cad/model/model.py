@@ -28,6 +28,7 @@ from elastica_cad.strip.makeable_strip import compensate_widths
 from elastica_cad.strip.pieces import (
     EqualStrips,
     Piece,
+    count_pieces,
     cut_key,
     group_equal_strips,
     strip_pieces,
@@ -220,15 +221,15 @@ class Model:
         Messages about the design, one sentence each.
     joints : tuple of Joint
         Joints cut by `interlock`.
-    plates : tuple of Ring
-        Rings and caps of a surface of revolution, at their positions.
+    plates : tuple of Ring or Rib
+        Rings, caps and spacers of a surface of revolution, at their positions.
     """
 
     placed: Takes[tuple[Placed, ...], Placed | Sequence[Placed]] = required()  # noqa: RUF009
     name: str = "model"
     reports: tuple[str, ...] = ()
     joints: tuple[Joint, ...] = ()
-    plates: tuple[Ring, ...] = ()
+    plates: tuple[Ring | Rib, ...] = ()
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "placed", require_placed(self.placed))
@@ -313,7 +314,7 @@ class Model:
     @property
     def pieces(self) -> tuple[Piece, ...]:
         """Pieces to be cut: the strips in `parts`, with a piece for each layer of a laminate, then the plates."""
-        return (*strip_pieces(self.parts), *(plate.piece for plate in self.plates))
+        return (*strip_pieces(self.parts), *count_pieces(plate.piece for plate in self.plates))
 
     def fixtures(self, *, floor: Frame | None = None, **sizes: Any) -> tuple[EndFixture, ...]:
         """Return printed blocks for both ends of every strip; `sizes` are fields of `EndFixture`."""

@@ -8,7 +8,7 @@ import numpy as np
 
 from elastica_cad._types import ArrayLike, FloatArray
 from elastica_cad._values import is_whole, require_flag, require_number, require_record
-from elastica_cad.defaults import PLAY, RING_TAB_LENGTH
+from elastica_cad.defaults import BORDER, PLAY, RING_TAB_LENGTH
 from elastica_cad.errors import InputError
 from elastica_cad.forming.meridians import Meridian
 from elastica_cad.forming.meridians import meridian as make_meridian
@@ -17,10 +17,12 @@ from elastica_cad.geometry.plane_curve import PlaneCurve, line_crossings
 from elastica_cad.geometry.profile import Profile
 from elastica_cad.mechanics.sheets import Sheet
 from elastica_cad.model.fixtures import tabs_to_hold
+from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
 from elastica_cad.model.plate_holes import PlateHoles, refuse_other_ends
 from elastica_cad.model.plate_pairs import ring_pair
 from elastica_cad.model.plates import FLATTEST_RAD, Ring, end_names, ring_plate, slot_reach
+from elastica_cad.model.spacers import add_spacers, border_with_spacers
 from elastica_cad.refusals import Length
 from elastica_cad.strip.makeable_strip import refuse_broken
 from elastica_cad.strip.outline import ENDS, Tab, pair_of_tabs
@@ -213,6 +215,7 @@ def revolve(
     ends: tuple[Tab, Tab] | None = None,
     rings: Sheet | str | None = None,
     gap: float | None = None,
+    spacers: int | None = None,
     holes: PlateHoles | None = None,
     name: str = "revolution",
     shop: FabricationLimits = DEFAULT_LIMITS,
@@ -238,6 +241,8 @@ def revolve(
     gap : float, optional
         If given, two rings at this distance, mm, replace each single slotted ring and hold the tabs at their
         angle; see `ring_pair`.
+    spacers : int, optional
+        Number of spacers between the two rings of each pair; see `add_spacers`. The rings are as wide as they need.
     holes : PlateHoles, optional
         Holes of the rings for a lamp holder and screws.
     name : str
@@ -263,7 +268,7 @@ def revolve(
     ends = None if ends is None else pair_of_tabs(ends)
     if gap is not None:
         require_number(gap, "gap", "mm")
-    request = _Request(strips, sheet, ends, rings, gap, holes, shop, ignore_limits)
+    request = _Request(strips, sheet, ends, rings, gap, spacers, holes, shop, ignore_limits)
     try:
         placed, plates, reports = request.made(meridian)
     except InputError as problem:
@@ -282,11 +287,12 @@ class _Request:
     ends: tuple[Tab, Tab] | None
     rings: Sheet | None
     gap: float | None
+    spacers: int | None
     holes: PlateHoles | None
     shop: FabricationLimits
     ignore_limits: bool
 
-    def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring, ...], tuple[str, ...]]:
+    def made(self, meridian: Meridian) -> tuple[tuple[Placed, ...], tuple[Ring | Rib, ...], tuple[str, ...]]:
         """Return all strips about the axis, rings, and warnings about strips that cannot be cut."""
         width = 2 * float(np.tan(np.pi / self.strips)) * float(meridian.distance.extremes[1])
         strip = Strip(meridian.rod, self.sheet, max_width=width, ends=self.ends or self._tabs(meridian))
@@ -309,11 +315,18 @@ class _Request:
         plates: list[Ring] = []
         for end in ENDS:
             tabs, called = tabs_to_hold(placed, [end]), names[end]
+            if self.spacers is not None and self.gap is not None:
+                rise = max(abs(float(tabs[0].frame.x_axis[2])), np.sin(FLATTEST_RAD))
+                offset = (self.gap + self.rings.thickness) * float(np.sqrt(1 / rise**2 - 1))
+                options["border"] = max(BORDER, border_with_spacers(self.rings, self.shop, offset))
             if self.gap is None:
                 plates.append(ring_plate(tabs, self.rings, name=called, **options))
             else:
                 plates += ring_pair(placed, tabs, self.rings, gap=self.gap, name=called, **options)
-        return placed, tuple(plates), warnings
+        if self.spacers is None:
+            return placed, tuple(plates), warnings
+        rings, spacers = add_spacers(placed, plates, self.spacers)
+        return placed, (*rings, *spacers), warnings
 
     def _tabs(self, meridian: Meridian) -> tuple[Tab, Tab]:
         """Return straight tabs, narrower than the space between the planes to both neighbours.

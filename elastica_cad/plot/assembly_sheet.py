@@ -26,6 +26,7 @@ from elastica_cad.model.fixtures import EndFixture, place_tabs
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate, RingOptions
+from elastica_cad.model.spacers import Spacer, pairs_of_plates, spacer_name
 from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_pages
 from elastica_cad.plot.model_pictures import holder_patches, lit, look_from, rule_strip, screen_of
 from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements
@@ -122,7 +123,7 @@ def save_assembly_sheet(
 def _pages(
     model: Model, holders: Sequence[Holder], steps: Sequence[AssemblyStep], cut_list: CutList | None
 ) -> Iterator[Any]:
-    pairs = tuple(_plate_pairs(holders))
+    pairs = tuple(pairs_of_plates(_plates(holders)))
     view = View.of(model, holders, {id(second) for _, second, _ in pairs})
     tables = [table for table in _tables(model, holders, pairs, steps, cut_list) if table.rows]
     # choose the orientation with the larger picture; text is below the picture if it fits
@@ -162,20 +163,6 @@ def _page(title: str, paper: FloatArray) -> Any:
     return figure
 
 
-def _plate_pairs(holders: Sequence[Holder]) -> Iterator[tuple[BasePlate, BasePlate, float]]:
-    """Yield pairs of plates that hold the same tabs, the one nearer to the strips first, and their gap, mm."""
-    plates = _plates(holders)
-    for i, first in enumerate(plates):
-        for second in plates[i + 1 :]:
-            distance = float((first.frame.origin - second.frame.origin) @ first.frame.z_axis)
-            if _tabs_of(first) & _tabs_of(second) and distance > first.sheet.thickness:
-                yield first, second, distance - first.sheet.thickness
-
-
-def _tabs_of(plate: BasePlate) -> set[object]:
-    return {slot.tab.key for slot in plate.slots if slot.tab is not None}
-
-
 def _tables(
     model: Model,
     holders: Sequence[Holder],
@@ -211,12 +198,23 @@ def _tables(
 def _plate_sentences(
     holders: Sequence[Holder], pairs: Sequence[tuple[BasePlate, BasePlate, float]]
 ) -> Iterator[str]:
+    singles, stacked = [*single_holders(holders)], set[int]()
+    spacers = Counter(holder.name for holder in singles if isinstance(holder, Spacer))
     for first, second, gap in pairs:
-        yield f"Stack {second.name}, spacers {gap:.3g} mm high, and {first.name}."
-    singles = [*single_holders(holders)]
-    rails = [plate.name for plate in _plates(singles) if any(slot.tab is None for slot in plate.slots)]
+        name = spacer_name(first)
+        if name in spacers:
+            stacked |= {id(first), id(second)}
+            yield (f"Glue the tongues of {spacers[name]} x {name} into the slots of {second.name}, then of "
+                   f"{first.name}. The spacers keep these plates {gap:.3g} mm apart.")  # fmt: skip
+        else:
+            yield f"Stack {second.name}, spacers {gap:.3g} mm high, and {first.name}."
+    rails = [
+        plate.name
+        for plate in _plates(singles)
+        if id(plate) not in stacked and any(slot.tab is None for slot in plate.slots)
+    ]
     if rails:
-        ribs = [holder.name for holder in singles if isinstance(holder, Rib)]
+        ribs = [holder.name for holder in singles if type(holder) is Rib]
         yield f"Push the tongues of {_range(ribs)} into {_joined(rails)}."
 
 
@@ -278,8 +276,8 @@ def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
     """Yield a row for each plate and rib: its middle, and the distance from the previous one's."""
     middles = list[FloatArray]()
     for holder in single_holders(holders):
-        # sentences give the positions of rings
-        if isinstance(holder, EndFixture) or (
+        # sentences state the positions of rings, and slots those of spacers
+        if isinstance(holder, EndFixture | Spacer) or (
             isinstance(holder, BasePlate) and (holder.glued or isinstance(holder.options, RingOptions))
         ):
             continue
@@ -593,6 +591,8 @@ def _loops(plate: BasePlate | Rib) -> Iterator[tuple[FloatArray, FloatArray, str
 def _shift_away(holder: SingleHolder, distance: float) -> FloatArray:
     if isinstance(holder, EndFixture):
         return 0.5 * distance * holder.tab.frame.x_axis
+    if isinstance(holder, Spacer):
+        return -(1 + BEHIND) / 2 * distance * holder.frame.y_axis
     if isinstance(holder, Rib):
         return np.array([0.0, 0.0, -1.6 * distance])
     return -distance * holder.frame.z_axis

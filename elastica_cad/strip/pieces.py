@@ -356,6 +356,15 @@ def distinct(names: Iterable[str]) -> list[str]:
     return unique
 
 
+def count_pieces(pieces: Iterable[Piece]) -> tuple[Piece, ...]:
+    """Return the first piece of each name with its quantity, because equal holders have equal names."""
+    first: dict[str, Piece] = {}
+    for piece in pieces:
+        known = first.get(piece.name)
+        first[piece.name] = piece if known is None else replace(known, count=known.count + piece.count)
+    return tuple(first.values())
+
+
 def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tuple[Piece, ...]:
     """Return a piece with its quantity for each layer of each group of equal strips.
 

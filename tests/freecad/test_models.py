@@ -439,6 +439,27 @@ def test_rings_are_cut_with_their_lamp(document, lamp):
     assert "make the tab" in rings.getStatusString()
 
 
+def test_spacers_are_cut_with_their_rings(document, lamp):
+    rings = new(baseplate.create_rings, document, lamp)
+    change(rings, Ends="end", Gap=4, Spacers=3)
+    assert rings.State == ["Up-to-date"], rings.getStatusString()
+    pieces = [cut.piece for cut in cuts_of([rings])]
+    assert [(piece.name, piece.count) for piece in pieces] == [
+        ("Rings", 1),
+        ("Rings-outer", 1),
+        ("Rings-spacer", 3),
+    ]
+    inner, outer, *spacers = rings.Shape.Solids
+    assert len(spacers) == 3
+    heights = [(solid.BoundBox.ZMin, solid.BoundBox.ZMax) for solid in (inner, outer)]
+    for spacer in spacers:
+        assert spacer.common(inner.fuse(outer)).Volume < 1e-6
+        box = spacer.BoundBox
+        assert (box.ZMin, box.ZMax) == pytest.approx((min(heights)[0], max(heights)[1]))
+    change(rings, Gap=0)
+    assert "Set Gap" in rings.getStatusString()
+
+
 def test_rings_are_drilled_for_a_lamp_holder(document, lamp):
     rings = new(baseplate.create_rings, document, lamp)
     plain = [cut.piece.size for cut in cuts_of([rings])]

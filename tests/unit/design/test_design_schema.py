@@ -195,6 +195,7 @@ play = 0.4
 clearance = 0.1
 border = 9
 gap = 10
+spacers = 3
 slot_width = 1
 [[base]]
 sheet = "mdf-3"
@@ -214,6 +215,7 @@ play = 0.4
 clearance = 0.1
 border = 9
 gap = 10
+spacers = 3
 feet = 9
 [frame]
 strips = "S*"
@@ -246,7 +248,7 @@ thickness = 3
 sheet_size = [600, 400]
 margin = 3
 """,
-    'schema = 1\n[revolution]\nsheet = "card-200gsm"\nthickness = 0.3\nstrips = 12\ngap = 9\n'
+    'schema = 1\n[revolution]\nsheet = "card-200gsm"\nthickness = 0.3\nstrips = 12\ngap = 9\nspacers = 3\n'
     "rings = 'card-200gsm'\nends = { length = 9 }\nholes = { bulb = 40 }\n"
     "shop = { least_width = 1 }\nignore_limits = true\na = 0.2\nb = [0, 0.01]\nstart = [60, 0]\n"
     "angle = 1.2\nlength = 90\nring = 10\n",

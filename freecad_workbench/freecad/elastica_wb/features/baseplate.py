@@ -18,9 +18,11 @@ from freecad.elastica_wb.host.sheet_store import sheet_called
 from elastica_cad.declared import Field, declared
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import sheet_color
+from elastica_cad.model.frames import Rib
 from elastica_cad.model.plate_holes import PlateHoles
 from elastica_cad.model.plate_pairs import end_plates
 from elastica_cad.model.plates import BasePlate, PlateOptions, RingOptions
+from elastica_cad.model.spacers import add_spacers
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.solids import FlatSolid
 
@@ -81,6 +83,7 @@ class RingsFeature(Feature):
             "Rings",
             "Distance between two rings that hold inclined tabs at their angle; 0 for one ring at each end",
         ),
+        declared_property(declared(add_spacers)[0], "Rings", "Spacers"),
         *(declared_property(field, "Rings", name) for name, field in RING_SIZES.items()),
         *(declared_property(field, "Holes", name) for name, field in HOLE_SIZES.items()),
         REPORTS,
@@ -114,13 +117,17 @@ def _with_color_of_sheet(obj: Any) -> Any:
     return obj
 
 
-def plates_of(obj: Any) -> tuple[BasePlate, ...]:
-    """Return the records of the plates that a base plate or rings show."""
+def plates_of(obj: Any) -> tuple[BasePlate | Rib, ...]:
+    """Return the records of the plates that a base plate or rings show, and of their spacers."""
     model, sheet = source_model(obj.Sources), sheet_called(obj.Sheet, obj.SheetData)
     if is_rings(obj):
         ends = ENDS if obj.Ends == HELD_ENDS[0] else (obj.Ends,)
         options = {**values_of(obj, RING_SIZES), "holes": _holes(obj, HOLE_SIZES), "name": obj.Label}
-        return end_plates(model.placed, sheet, gap=obj.Gap.Value or None, ends=ends, **options)
+        plates = end_plates(model.placed, sheet, gap=obj.Gap.Value or None, ends=ends, **options)
+        if not obj.Spacers:
+            return plates
+        plates, spacers = add_spacers(model.placed, plates, obj.Spacers)
+        return (*plates, *spacers)
     options = {**values_of(obj, SIZES), "holes": _holes(obj, PLATE_HOLE_SIZES), "name": obj.Label}
     return (model.base_plate(sheet, frame=frame_of(obj.getGlobalPlacement()), **options),)
 

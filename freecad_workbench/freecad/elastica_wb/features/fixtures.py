@@ -23,6 +23,7 @@ from freecad.elastica_wb.solving.strip_cache import remembered
 from elastica_cad.declared import declared
 from elastica_cad.errors import InputError
 from elastica_cad.model.fixtures import FIXTURE_COLOR, EndFixture, place_tabs
+from elastica_cad.model.frames import Rib
 from elastica_cad.model.held_tabs import holder_plays
 from elastica_cad.model.model import Model
 from elastica_cad.model.plates import BasePlate
@@ -95,8 +96,8 @@ def create(document: Any, sources: list[Any]) -> Any:
     return obj
 
 
-def report_holders(obj: Any, model: Model, holders: Iterable[EndFixture | BasePlate]) -> None:
-    """Write the play of tabs in their holders, and the warnings of holders, into the results."""
+def report_holders(obj: Any, model: Model, holders: Iterable[EndFixture | BasePlate | Rib]) -> None:
+    """Write the warnings of holders, and the shift and rotation of tabs in the holders, into the results."""
     warnings = one_of_each(text for holder in holders for text in holder.warnings)
     put(obj, Reports=[*holder_plays(model.placed, holders), *warnings])
 

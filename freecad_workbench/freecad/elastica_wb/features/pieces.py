@@ -22,7 +22,7 @@ from freecad.elastica_wb.host.objects import is_flat, is_flexure, is_model, is_p
 from freecad.elastica_wb.solving.verdicts import pre_bend_messages
 
 from elastica_cad.errors import InputError
-from elastica_cad.strip.pieces import Piece, distinct
+from elastica_cad.strip.pieces import Piece, count_pieces, distinct
 from elastica_cad.strip.strip import Strip
 
 CHANGED = {
@@ -111,7 +111,7 @@ def _cuts(obj: Any) -> list[Cut]:
         strips = [part.strip for part in model.parts for _ in part.strip.layers]
         return [Cut(*fields) for fields in zip_longest(model.pieces, strips)]
     if is_plate(obj):
-        return [Cut(plate.piece) for plate in plates_of(obj)]
+        return [Cut(piece) for piece in count_pieces(plate.piece for plate in plates_of(obj))]
     if is_flexure(obj):
         part = flexure_of(obj)
         drawings = drawings_of(part, obj.EngravedText or obj.Label)
