@@ -364,7 +364,7 @@ class FollowedMarginLimit(MarginLimit):
     ----------
     section : SectionScale
     rest : float or (n+1,) array
-        kappa_0 times the length of the target.
+        Natural curvature times the length of the target.
     size : float
         Length of the target, the unit of length of the search, mm.
     """
@@ -438,7 +438,7 @@ def _nodal_rows(
 
 
 def _bend(rod: MappedRod, size: float) -> FloatArray:
-    """Return kappa - kappa_0 (n+1,), 1/mm, of a rod whose unit of length is `size`, mm."""
+    """Return the change of curvature (n+1,), 1/mm, of a rod whose unit of length is `size`, mm."""
     return np.asarray(rod.moments / rod.stiffness / size)
 
 

@@ -269,7 +269,6 @@ def _offsets(target: TargetCurve, rod: MappedRod) -> tuple[FloatArray, FloatArra
 
 
 def _across(normal: FloatArray, sensitivities: Sensitivities) -> FloatArray:
-    """Return the derivatives (n+1, p) of the displacements of the nodes along `normal`."""
     d = sensitivities.position
     return np.asarray(normal[:, 0, None] * d[:, 0] + normal[:, 1, None] * d[:, 1])
 

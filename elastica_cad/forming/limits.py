@@ -142,7 +142,7 @@ class Limits:
         strip that bends as a plate, the margin depends on the widths, and the largest width may be a few
         percent less than its limit.
     curvature : float, optional
-        Largest magnitude of kappa - kappa_0, 1/mm.
+        Largest change of curvature by bending, 1/mm.
     sheet : Sheet, optional
         Sheet whose strain limit bounds the change of curvature by 2 strain / thickness.
     strain : float, optional
@@ -238,7 +238,7 @@ class Limits:
 
     @property
     def largest_curvature(self) -> float | None:
-        """Largest magnitude of kappa - kappa_0 that `curvature`, `sheet` and `strain` allow, 1/mm."""
+        """Largest change of curvature that `curvature`, `sheet` and `strain` allow, 1/mm."""
         limits = [] if self.curvature is None else [self.curvature]
         if self.sheet is not None:
             strain = self.sheet.max_strain if self.strain is None else self.strain

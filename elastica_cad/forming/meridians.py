@@ -342,7 +342,6 @@ def _nearest(
 
 
 def _least_step(system: FloatArray, right: FloatArray) -> FloatArray:
-    """Return the solution of least norm of linear equations (m, n) with m <= n."""
     try:
         if system.shape[0] == system.shape[1]:
             return np.asarray(np.linalg.solve(system, right))

@@ -192,7 +192,7 @@ class NearestTask:
 
     @property
     def rest(self) -> float | FloatArray:
-        """Rest curvature kappa_0 times the length of the target.
+        """Natural curvature times the length of the target.
 
         For a pre-bent strip it is an array (nodes,), stretched to the length of the rod.
         """
@@ -264,13 +264,13 @@ class NearestTask:
 
 
 def _nodal_bend(target: TargetCurve, rest: NaturalCurvature, nodes: int) -> FloatArray:
-    """Return kappa - kappa_0 of the target at the nodes (nodes,), 1/mm."""
+    """Return the change of curvature (nodes,), 1/mm, of a strip bent into the target."""
     kappa = np.interp(even_steps(nodes), even_steps(target.curvature.size), target.curvature)
     return np.asarray((kappa - _nodal_rest(rest, nodes, target.size)) / target.size)
 
 
 def _nodal_rest(rest: NaturalCurvature, nodes: int, size: float) -> float | FloatArray:
-    """Return kappa_0 times `size`, as an array (nodes,) for a pre-bent strip."""
+    """Return the natural curvature times `size`: a number, or an array (nodes,) for a pre-bent strip."""
     if isinstance(rest, RestCurvature):
         return size * rest.at(np.linspace(0.0, rest.length, nodes))
     return size * rest
@@ -301,9 +301,9 @@ class SearchPoint:
     off: float
 
     def seen_from(self, target: TargetCurve, unknowns: Unknowns) -> FloatArray | None:
-        """Return the unknowns of this rod in the units of another target.
+        """Return the unknowns of this rod in the units of another target, or None.
 
-        Return None if the unknowns differ from `unknowns`.
+        None means that the target has other `unknowns`.
         """
         u = self.unknowns
         if unknowns != u:
@@ -337,7 +337,6 @@ def _inflection_line(request: RodSpec, keep: Keep) -> tuple[FloatArray, FloatArr
 
 
 def _node_weights(weights: Weights, nodes: int, size: float) -> FloatArray:
-    """Return the weights at the nodes, scaled to the mean 1."""
     if weights is None:
         return np.ones(nodes)
     values = values_along(weights, even_steps(nodes), size, "weights")

@@ -125,7 +125,7 @@ class SectionScale:
     def grown(self, stiffness: FloatArray, bend: FloatArray, limits: Limits) -> Self:
         """Return the relation with the largest scale that the limits and the strain allow.
 
-        `stiffness` (n,) is K at the nodes, and `bend` (n,) is kappa - kappa_0 there, 1/mm.
+        `stiffness` (n,) is K at the nodes, and `bend` (n,) the change of curvature there, 1/mm.
         """
         from scipy.optimize import brentq
 
@@ -146,7 +146,7 @@ class SectionScale:
     def bearing(self, bend: FloatArray, limits: Limits) -> Self | None:
         """Return the relation with a scale that is reduced until the sections withstand `bend`.
 
-        `bend` (n,) is kappa - kappa_0, 1/mm.
+        `bend` (n,) is the change of curvature, 1/mm.
 
         Return None if the scale need not or cannot be reduced.
         """
@@ -161,8 +161,8 @@ class SectionScale:
     def settled(self, bend: FloatArray, stiffness: FloatArray, rest: float | FloatArray) -> Self:
         """Return the relation scaled so that the largest section of the rod is the largest allowed section.
 
-        K at the nodes is `stiffness` (n,), kappa - kappa_0 is `bend` (n,), and kappa_0 is `rest`, 1/mm. If the
-        scale does not change, the result is this object.
+        At the nodes, `stiffness` (n,) is K, `bend` (n,) the change of curvature, and `rest` the natural
+        curvature, 1/mm. If the scale does not change, the result is this object.
         """
         law = self.law.bent(bend, rest)
         least, largest = law.limits
@@ -175,7 +175,7 @@ class SectionScale:
     def largest(self, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
         """Return E I (n,), N mm2, of the largest section.
 
-        `bend` (n,) is kappa - kappa_0, and `rest` is kappa_0, 1/mm.
+        `bend` (n,) is the change of curvature, and `rest` the natural curvature, 1/mm.
         """
         most = np.full(bend.size, self.law.limits[1])
         return self.law.bent(bend, rest).bending_stiffness(most)
@@ -203,7 +203,7 @@ class SectionScale:
     def tangent(self, stiffness: FloatArray, bend: FloatArray, rest: float | FloatArray) -> FloatArray:
         """Return dM/dkappa (..., n) in the unit of K (..., n).
 
-        `bend` (..., n) is kappa - kappa_0, and `rest` is kappa_0, 1/mm.
+        `bend` (..., n) is the change of curvature, and `rest` the natural curvature, 1/mm.
         """
         law = self.law.bent(bend, rest)
         curl = law.curl(law.parameter(self.scale * stiffness))
@@ -357,7 +357,7 @@ class StripGrid:
         Function that returns the weight per length q (n+1,) in units of `e`, and its derivative, for K (n+1,). By
         default q = K.
     natural_curvature : float or (n+1,) array
-        Rest curvature kappa_0 times the unit of length.
+        Natural curvature times the unit of length.
     supports : Supports
     """
 

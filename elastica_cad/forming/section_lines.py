@@ -87,7 +87,7 @@ class SectionLine:
         n, p = np.asarray(normal, dtype=float), np.asarray(point, dtype=float)
         if n.shape != (3,) or p.shape != (3,) or not np.any(n) or not np.all(np.isfinite([n, p])):
             raise InputError(
-                "a spine needs a point and a normal of three numbers each, and the normal must not be zero"
+                "a splitting plane needs a point and a normal of three numbers each; the normal must not be zero"
             )
         height = (self.places - p) @ (n / np.linalg.norm(n))
         height = np.where(np.abs(height) <= IN_PLANE * np.abs(self.places).max(), 0.0, height)
@@ -169,7 +169,6 @@ class PlaneSection:
 
 
 def _inner_turns(points: FloatArray) -> FloatArray:
-    """Return the changes of direction (n - 2,), rad, at the inner points of a polyline (n, 2)."""
     step = np.diff(points, axis=0)
     return np.abs(turn_between(step[:-1], step[1:]))
 

@@ -391,7 +391,6 @@ class Iterate(Generic[Point]):
         return np.where(rows.one_sided, np.maximum(-value, 0.0), np.abs(value))
 
     def _cost(self, broken: FloatArray, penalties: FloatArray) -> float:
-        """Return the sum of the violations `broken` of all constraint rows, each times its penalty."""
         return float(penalties[self.local.rows.constraint] @ broken)
 
 
@@ -796,7 +795,6 @@ def _multipliers(
     values: Sequence[FloatArray],
     solved: tuple[ConstraintRows, QuadraticSolution] | None,
 ) -> tuple[tuple[FloatArray, ...], FloatArray, FloatArray]:
-    """Return the multipliers of the constraints and bounds from the last quadratic program."""
     out = [np.zeros_like(v) for v in values]
     if solved is None:
         return tuple(out), np.zeros(program.scale.size), np.zeros(program.scale.size)

@@ -290,7 +290,6 @@ class _Problem:
         return csr_matrix((numbers.ravel(), columns.ravel(), starts), shape=(len(numbers), self.held.size))
 
     def _values(self, points: FloatArray, derivative: int) -> FloatArray:
-        """Return the derivatives (n, 2) of the curve at the samples."""
         return np.asarray(np.einsum("nk,nkd->nd", self.basis[derivative], points[self.support]))
 
     def _normal_equations(self, rows: Any, target: FloatArray) -> tuple[Any, FloatArray]:

@@ -300,7 +300,6 @@ class RationalPieces:
 
     @cached_property
     def _origins(self) -> FloatArray:
-        """Middle control points (p, 2) of the pieces, mm."""
         middle = self.control_points[self.spans.first + self.spans.degree // 2]
         return np.asarray(middle[:, :2] / middle[:, 2:])
 
@@ -375,7 +374,6 @@ class KnotSides:
 
 
 def _side(turning: TangentAngle, t: FloatArray, derivatives: list[FloatArray], *, left: bool) -> FloatArray:
-    """Return angle, curvature and its slope (3, n) on one side of parameters t (n,), from the derivatives there."""
     _, d1, d2, d3 = derivatives
     return np.array([turning.at(t, d1, left=left), curvature(d1, d2), curvature_slope(d1, d2, d3)])
 

@@ -140,7 +140,6 @@ def _distances_by_sampling(p: FloatArray, curve: PlaneCurve, low: FloatArray, hi
 
 
 def _chord_tolerance(spline: Spline) -> float:
-    """Return the largest distance, mm, between a spline and the chords from which Newton's method starts."""
     return 1e-3 * max(1.0, spline.length / 100)
 
 

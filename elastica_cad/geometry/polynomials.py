@@ -330,11 +330,9 @@ Each step reduces the error to about its third power.
 """
 
 _REACH = 0.15  # largest distance in panel coordinates from a sample to the local extreme next to it
-_NEAR_SHARE = (
-    # distance from the largest or smallest value, as a fraction of the range, within which extremes are
-    # computed
-    0.05
-)
+# distance from the largest or smallest value, as a fraction of the range, within which extremes are
+# computed
+_NEAR_SHARE = 0.05
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(ORDER)
 _DEGREES = np.arange(ORDER)

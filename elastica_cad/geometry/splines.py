@@ -204,7 +204,7 @@ def _spans(written: bytes, degree: int) -> Spans:
     span = (knots[degree + 1 : -degree] > knots[degree : -degree - 1]).nonzero()[0] + degree
     near = knots[span + np.arange(1 - degree, degree + 1)[:, None]]
     ends, size = near[degree - 1 : degree + 1], degree + 1
-    # the last axis of these arrays is the knot spans
+    # the last axis of these arrays counts the knot spans
     points = np.broadcast_to(np.eye(size)[:, None, :, None], (size, 1, size, 1))
     for level in range(1, size):
         low, high = near[level - 1 : degree], near[degree : degree + size - level]
@@ -413,10 +413,8 @@ _ENOUGH_FOR_NOISE = 100
 _MOST_INTERPOLATED = 1000
 """Largest number of points that are interpolated by a dense linear system."""
 
-_STRIDE_SHARE = (
-    # largest move of a parameter, as a fraction of the distance to the next, if moves change the order
-    0.4
-)
+# largest move of a parameter, as a fraction of the distance to the next, if moves change the order
+_STRIDE_SHARE = 0.4
 # penalty without visible effect, which determines coefficients without data
 _LEAST_PENALTY = 1e-11
 # factor by which the root mean square distance may increase in exchange for a smoother curve

@@ -20,7 +20,7 @@ ANYWAY = 1e-9
 SURE = np.radians(5.0)
 """Largest angle of a corner that is removed by default, rad, even if rounding explains larger angles."""
 
-# a control point is on a line if it is closer than this fraction of the squared chord
+# distance of a control point from a chord, as a fraction of the chord, up to which it is on the chord
 _STRAIGHT = 1e-12
 _CLOSED = 1e-9  # ends closer than this fraction of the size coincide
 _SHORT = 1e-12  # control points closer than this fraction of the longest handle coincide

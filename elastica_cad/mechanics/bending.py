@@ -767,7 +767,6 @@ def _end_force(force: ArrayLike | None, supports: Supports, present: Rod) -> Flo
 
 
 def _end_moments(moment: float | tuple[float, float] | None, supports: Supports, present: Rod) -> FloatArray:
-    """Return the counterclockwise moments on the ends with a free angle."""
     before, now = present.supports.ends, supports.ends
     free = [not end.angle for end in now]
     moments = np.zeros(2)

@@ -24,7 +24,7 @@ FIRST_LOAD, LAST_EVEN_LOAD, LOAD_GROWTH = (
     0.25,
     8.0,
     1.3,
-)  # steps of force * length^2 / stiffness: 0.25, then growing by 1.3 above 8; buckling is at 2.5
+)  # first step, last value of equal steps, and growth, of force * length^2 / stiffness; buckling is at 2.5
 SAMPLES = 901  # number of nodes; the error of their positions is 1e-6 of the length of the strip
 
 
@@ -193,7 +193,6 @@ def _bent_by_loads(
     side: int,
     mode: int,
 ) -> Rod:
-    """Increase a large force in steps."""
     load = np.zeros(2) if force is None else _plane_point(force)
     if load is None:
         raise InputError(f"force must be two numbers, 1/mm2, got {force!r}")

@@ -215,7 +215,6 @@ def _ends_with_small_curvature(excess: ExcessCurvature, check: EquilibriumCheck)
 def _free_ends_near_zeros(
     excess: ExcessCurvature, check: EquilibriumCheck, supports: Supports
 ) -> Iterable[float]:
-    """Yield the parameters of ends that are free to turn and almost unbent."""
     unbent = {z.t for z in check.zeros if z.kind == "end"}
     for t, support in zip(check.curve.domain, supports.ends, strict=True):
         if support.angle or t in unbent:
@@ -487,7 +486,7 @@ def _place_of_extreme_ratio(
 
 
 def _at_zeros(excess: ExcessCurvature, t: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return unit tangents (k, 2) and slopes (k,) of kappa - kappa_0 at its zeros (one-sided at an end)."""
+    """Return unit tangents (k, 2) and slopes (k,) of the excess curvature at its zeros (one-sided at an end)."""
     _, d1, d2, d3 = excess.curve.derivatives(t, 3)
     slope = curvature_slope(d1, d2, d3) - excess.rest_at(t, 1, left=bool(t[-1] >= excess.curve.domain[1]))
     return d1 / np.hypot(d1[:, :1], d1[:, 1:]), slope

@@ -245,7 +245,6 @@ class LaminatedSection:
         return self.base.thickness, self.backing.thickness, self.thickness / 2
 
     def _stiffness(self, w1: FloatArray, w2: FloatArray) -> FloatArray:
-        """Return E I (n,), N mm2, without a check of the widths (n,), mm."""
         A1, A2 = self._axial_stiffness(w1, w2)
         h1, h2, d = self._heights
         return np.asarray((A1 * h1**2 + A2 * h2**2) / 12 + d**2 * A1 * A2 / (A1 + A2))

@@ -148,7 +148,6 @@ class _AlongArc:
 
     @property
     def largest(self) -> float:
-        """Approximate maximum of the stiffness."""
         return float(self.series.in_every_panel(_CELL_ENDS).max())
 
     def noise(self, steps: Sequence[float]) -> float:

@@ -189,7 +189,7 @@ def _continue_on_tails(stiffness: FloatArray, panels: Panels) -> None:
 
 
 def vanishing_at_zeros(panels: Panels, edge_moment: FloatArray) -> FloatArray:
-    """Return the moments at the ends of panels, with exact zeros where kappa - kappa_0 is zero.
+    """Return the moments at the ends of panels, with exact zeros where the excess curvature is zero.
 
     The rounding errors at these zeros would be large relative to the moment next to a zero. The errors
     are interpolated linearly between the zeros and subtracted.
@@ -266,7 +266,8 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
 
 _SLOPES_AT_NODES = VANDER @ SLOPES
 
-_SETTLED = 1e-9  # largest relative excess of K over its bounds in the program of least ratio
+# largest relative amount by which K may exceed its bounds in the linear program of least ratio
+_SETTLED = 1e-9
 
 _SAME = 4 * float(np.finfo(float).eps)
 """Relative difference up to which two solutions of a linear program count as equal."""
@@ -859,7 +860,7 @@ class ConditionedRows:
         The result is None if no stiffness within these limits is in equilibrium.
         """
         family = self.at_compliance(1 / most).family
-        # minimise the largest value of 1 + (1 - K) / size, to maximise the least K; K is at most 1
+        # maximise the least K, where K is at most 1: minimise the largest 1 + (1 - K) / size
         size = max(1.0, self.load_stiffness / (LARGEST_LOAD * most))
         turned = StiffnessFamily(
             self.panels,

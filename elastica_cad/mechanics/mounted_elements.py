@@ -296,7 +296,6 @@ def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementFor
 
 
 def _positions(shape: "PlaneCurve | ShapeOfRod", s: FloatArray) -> FloatArray:
-    """Return the positions (k, 2) at arc lengths s (k,), mm."""
     if isinstance(shape, ShapeOfRod):
         return np.array([shape.at(float(place)) for place in s])
     return shape.at(s).position

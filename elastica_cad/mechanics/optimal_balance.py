@@ -267,7 +267,6 @@ def _searched_compliance(load: WeightedPanels, weight: Weight) -> float:
 
 
 def _ratio_at(load: WeightedPanels, tau: float) -> float:
-    """Return the least stiffness ratio, or infinity if no stiffness carries the weight."""
     try:
         problem = load.against(tau)
         optimum = problem.ratio(problem.at_compliance(tau))
@@ -501,7 +500,7 @@ def _best_numbers_near(
     """
     rows, _ = family.dense
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
-    # moves @ (parameters - here) has the length of the root mean square change of the values
+    # the norm of moves @ (parameters - here) is the root mean square change of the values
     moves = sizes[:, None] * ways / np.sqrt(len(rows))
     for limit_of_change in reach * np.array([1.0, 4.0, 16.0, 64.0]):
         side = (

@@ -33,10 +33,8 @@ from elastica_cad.refusals import Length
 
 MAX_PANELS = 4000  # largest number of panels; a function that needs more panels cannot be resolved
 RESOLVED = 1e-11  # relative size of the last Legendre coefficients below which a function is resolved
-NOISE = (
-    # relative size of the last Legendre coefficients up to which they may be rounding errors
-    1e-6
-)
+# relative size of the last Legendre coefficients up to which they may be rounding errors
+NOISE = 1e-6
 
 APART_SHARE = 0.25  # distance up to which two cuts are merged, as a fraction of the width of a panel
 
@@ -124,23 +122,23 @@ def cut_into_panels(
 ) -> Panels:
     """Return panels on which the curve, and moments divided by its curvature, are polynomials within rounding.
 
-    A panel is cut into 2, 4 or 8 parts until the last Legendre coefficients of two functions of the parameter t are
-    negligible. These functions are the speed, and (t - zero) / (kappa - kappa_0) for the nearest zero of the
-    curvature kappa minus the natural curvature kappa_0. The moment is zero there too, so panels near this zero
-    need no grading.
+    A panel is cut into 2, 4 or 8 parts until the last Legendre coefficients of two functions of the parameter
+    t are negligible. These functions are the speed, and (t - zero) / excess for the nearest zero of the
+    excess curvature (curvature minus natural curvature). The moment is zero there too, so panels need not
+    become smaller towards the zero.
 
     Parameters
     ----------
     zeros : sequence of float
-        Parameters at which kappa - kappa_0 is zero; they become ends of panels.
+        Parameters at which the excess curvature is zero; they become ends of panels.
     cuts : sequence of float
         Further parameters that become ends of panels, such as the parameters of point masses.
     law : MaterialLaw, optional
-        Material law whose effective curvature replaces kappa - kappa_0; add cuts where it is not smooth.
+        Material law whose effective curvature replaces the excess curvature; add cuts where it is not smooth.
     orders : sequence of int, optional
-        Orders of the zeros: 2 if kappa - kappa_0 does not change its sign there; by default 1.
+        Orders of the zeros: 2 if the excess curvature does not change its sign there; by default 1.
     flats : sequence of (float, float)
-        Parameters between which kappa - kappa_0 is zero. They are at the ends of the curve.
+        Parameters between which the excess curvature is zero, at the ends of the curve.
     """
     excess = ExcessCurvature(curve, natural_curvature)
     low, high = curve.domain

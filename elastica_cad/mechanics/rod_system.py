@@ -23,9 +23,8 @@ from elastica_cad.mechanics.mounted_elements import ElementEquations, MountedEle
 from elastica_cad.mechanics.rod import Rod
 
 ROUNDING = float(np.finfo(float).eps)
-ROUNDED_IMBALANCE = (
-    1e-12  # value that replaces an imbalance below its rounding error, relative to the moments
-)
+# value that replaces an imbalance below its rounding error, relative to the moments
+ROUNDED_IMBALANCE = 1e-12
 
 
 class Step(NamedTuple):

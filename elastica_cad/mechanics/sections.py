@@ -507,7 +507,7 @@ class WidthLaw:
         *,
         natural_curvature: float = 0.0,
     ) -> tuple[LayerStrain, ...]:
-        """Return the surface strain h/2 |kappa - kappa_0|, which does not depend on the width."""
+        """Return the surface strain, half the thickness times the absolute change of curvature, for any width."""
         return PlainSection(self.sheet).strains(curvature, natural_curvature=natural_curvature)
 
     @property

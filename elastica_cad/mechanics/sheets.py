@@ -80,7 +80,6 @@ def plausible_number(value: object, key: str, where: str, name: str | None = Non
 
 
 def _advise_key(key: str) -> str:
-    """Return advice that names the known key nearest to an unknown key."""
     keys = sheet_keys()
     for match, entry in keys.items():
         stem = entry.name

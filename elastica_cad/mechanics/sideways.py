@@ -227,11 +227,9 @@ RIBBON_SLENDERNESS = 6.0
 
 # error of an eigenvalue, as a fraction of the largest entry of the matrix
 _POLE_SHARE = 64 * float(np.finfo(float).eps)
-_SIGN_SHARE = (
-    # distance from an eigenvalue, as a fraction of the gap to the next, within which the margin counts as
-    # this eigenvalue
-    1e-9
-)
+# distance from an eigenvalue, as a fraction of the gap to the next, within which the margin counts as
+# this eigenvalue
+_SIGN_SHARE = 1e-9
 
 
 @dataclass(frozen=True)

@@ -121,14 +121,14 @@ def determinant_gradient(
     z = stability_determinant(rod)
     X, p = z.fields, z.fields.shape[1] - 1
 
-    # backward differentiation: determinants and integrals
+    # propagate the derivatives back through the determinants and integrals
     G = weights[:, None, None] * _cofactors(_stability_matrices(X, z.integrals))
     suffix = np.cumsum(G[:0:-1, 1:, :], axis=0)[::-1]  # a term of an integral affects all following edges
     per_field = G[:, 0, :].copy()
     per_field[:-1] += np.einsum("kp,kpm->km", rows.T, suffix)
     per_row = np.einsum("kpm,km->kp", suffix, X[1:-1])
 
-    # backward differentiation: recursion
+    # propagate the derivatives back through the recursion
     adjoint = np.zeros((n + 2, 1 + p))
     adjoint[1:-1] = _solve_recursion(rod, per_field, transposed=True)[1:]
     per_spring = np.einsum("km,km->k", np.diff(adjoint, axis=0), np.diff(X, axis=0))
@@ -140,7 +140,7 @@ def determinant_gradient(
     per_angle = per_pull * lengths * rod.shear - lengths * np.einsum("kp,kp->k", per_row, T[:, held])
     per_force = (per_pull * lengths)[:, None] * T
 
-    # backward differentiation: equilibrium, whose Jacobian is symmetric
+    # propagate the derivatives back through the equations of equilibrium, whose Jacobian is symmetric
     y, _ = solve_bordered(*rod.hessian, rows, right=per_angle, below=per_force[:, held].sum(axis=0))
     per_force -= (lengths * y)[:, None] * left_of(T)
     gradient = per_spring / rod.node_lengths - moments / rod.stiffness * np.diff(y, prepend=0.0, append=0.0)

@@ -424,7 +424,6 @@ def lengths(s: Iterable[float]) -> Listed:
 
 
 def _shown_on(curve: PlaneCurve, point: FloatArray) -> str:
-    """Return the coordinates of a point (2,) as the drawing program displays them."""
     return (curve.provenance or Provenance()).shown(point)
 
 
@@ -488,7 +487,6 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
 
 
 def _seam_message(curve: PlaneCurve) -> str:
-    """Return the message about a closed curve whose only corner is where it starts and ends."""
     provenance = curve.provenance
     start = curve.evaluate(np.array(curve.domain[0]))
     if provenance is not None:
@@ -581,8 +579,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
     points = np.concatenate([first.control_points, second.control_points[1:]])
     weights = None
     if first.weights is not None and second.weights is not None:
-        # multiply all weights of the second part by one factor, which does not change it, to continue the
-        # first part
+        # scale the weights of the second part, which does not change it, so that they continue the first part
         onward = second.weights * (first.weights[-1] / second.weights[0])
         weights = np.concatenate([first.weights, onward[1:]])
     return PlaneCurve(knots, points, p, weights).drawn_as(provenance and provenance.of_part())
@@ -665,7 +662,7 @@ def examine_curvature(
     *,
     tails: Sequence[int] = (),
 ) -> EquilibriumCheck:
-    """Check the curvature of a curve for zeros of kappa - kappa_0, jumps, straight pieces and kinks.
+    """Check the excess curvature (curvature minus natural curvature): zeros, jumps, straight pieces, kinks.
 
     `tails` are the ends (0 start, 1 end) at which a straight piece carries no moment up to an element.
     """
@@ -738,7 +735,7 @@ def _with_bent_start(excess: ExcessCurvature, largest: float) -> tuple[ExcessCur
 
 
 def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tuple[CurvatureZero, ...]:
-    """Return the zeros of kappa - kappa_0; zeros near an end, also beyond the end, are moved to the end."""
+    """Return the zeros of the excess curvature; zeros near an end, or just beyond it, are moved to the end."""
     curve = excess.curve
     low, high = curve.domain
     length, near = curve.length, AT_END_SHARE * curve.length
@@ -770,7 +767,7 @@ def _zeros_of(excess: ExcessCurvature, supports: Supports, largest: float) -> tu
 def faint_places(
     excess: ExcessCurvature, largest: float, zeros: Sequence[CurvatureZero], share: float = FAINT_SHARE
 ) -> list[float]:
-    """Return arc lengths, mm, of minima of |kappa - kappa_0| that are almost zero, but are not zeros."""
+    """Return arc lengths, mm, of minima at which the absolute excess curvature is almost zero, but not zero."""
     curve, change = excess.curve, excess.survey
     s = curve.survey.s
     bent = np.abs(change)
@@ -903,7 +900,7 @@ def _faulty_joints(
 
 
 def _is_gentle(excess: ExcessCurvature, t: float, largest: float, *, left: bool) -> bool:
-    """Return True if kappa - kappa_0 and its slope are almost zero at t; the bent piece is then impossible too."""
+    """Return True if excess curvature and slope are almost zero at t; the bent piece is then impossible too."""
     at = np.array(t)
     kappa = abs(float(excess.at(at, left=left)))
     slope = abs(float(excess.slope_at(at, left=left)))

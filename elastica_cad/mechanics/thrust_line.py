@@ -70,8 +70,9 @@ def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray
 def _curved_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
     """Return the parts (n, 2) inside a box of the thrust line of a rod with weight, divided at the elements.
 
-    The moment of the section force is 0 on the line M + <b, x - gamma> = 0. These lines touch the curve
-    gamma - M / <b, e> e, where e is the direction of gravity, because b changes along R^t e only.
+    At the point gamma of the rod, the internal force acts along the line M + <b, x - gamma> = 0, with the
+    moment M and the force b after a quarter turn. Weight changes only the component of the force along
+    gravity e, so all these lines touch the curve gamma - M / <b, e> e.
     """
     assert rod.gravity is not None
     e = np.array(rod.gravity.direction)

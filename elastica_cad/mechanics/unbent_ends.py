@@ -180,7 +180,6 @@ def _with_knots_near(curve: PlaneCurve, ends: FloatArray) -> PlaneCurve:
 
 
 def _with_tail(curve: PlaneCurve, tail: FreeTail) -> PlaneCurve:
-    """Return the curve with a straight piece before its start or after its end."""
     curve = clamp_ends(curve)
     p, t = curve.degree, curve.domain[tail.end]
     velocity = np.asarray(curve.evaluate(np.array(t), 1))

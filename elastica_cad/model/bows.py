@@ -87,7 +87,7 @@ class Bow:
         return max(largest_deviation(self.drawn, bent), largest_deviation(bent, self.drawn))
 
     def shortened(self, shares: Sequence[float] = SHORTER) -> Travel:
-        """Return the states of the bow for a cord shortened by these fractions, in increasing order."""
+        """Return the states of the bow for a cord that is shortened by these fractions, which are sorted."""
         rod = self.strip.rod
         for share in numbers(shares, "shares").tolist():
             if not 0 <= share < 1:

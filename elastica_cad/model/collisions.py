@@ -147,7 +147,6 @@ class Body:
 
     @cached_property
     def _slot_polygons(self) -> list[FloatArray]:
-        """Polygons (k, 2) that represent the slots in the flat pattern."""
         cuts = (
             slot_cut(slot, self.strip.width, beyond=SLOT_EXTENSION * slot.width) for slot in self.strip.slots
         )

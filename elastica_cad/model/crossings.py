@@ -273,7 +273,6 @@ class _Heights:
 
     @cached_property
     def up(self) -> FloatArray:
-        """Unit vector along n."""
         return self.n / np.linalg.norm(self.n)
 
     def along(self, strip: RuledStrip, s: FloatArray) -> tuple[FloatArray, FloatArray]:

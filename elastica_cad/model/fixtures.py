@@ -342,7 +342,6 @@ class EndFixture(EqualByValue):
 
     @cached_property
     def _block_corners(self) -> FloatArray:
-        """Corners (4, 2) of the block around the pocket, in the frame of the profiles."""
         half = self.tab.thickness / 2 + self.clearance + self.wall
         back = self.tab.length + self.clearance + self.wall
         return np.array([(0.0, -half), (back, -half), (back, half), (0.0, half)])
@@ -614,7 +613,6 @@ class _Prism:
         return cls(edges.reshape(-1, 3), np.concatenate([lower, upper[:1], lower[:1]]), outward)
 
     def near(self, points: FloatArray) -> FloatArray:
-        """Return the points (n, 3) that are within the bounding box of the prism."""
         inside = (points > self.edges.min(axis=0)) & (points < self.edges.max(axis=0))
         return np.asarray(points[inside.all(axis=1)])
 

@@ -315,13 +315,11 @@ class _Corner:
         self.inward = seat.along if (other.point - seat.point) @ seat.along >= 0 else -seat.along
 
     def at(self, inward: float, behind: float) -> FloatArray:
-        """Return the point (2,) in the frame of the rib."""
         point = self.seat.point + inward * self.inward - behind * self.seat.normal
         return self.frame.local(point)[:2]
 
 
 def _normal_of_ribs(rails: Sequence[_RailPlan]) -> FloatArray:
-    """Return the normal of the ribs, perpendicular to the normals of both rails."""
     a, b = rails
     normal = np.cross(a.frame.z_axis, b.frame.z_axis)
     if np.linalg.norm(normal) < PARALLEL_SINE:

@@ -272,7 +272,6 @@ class _Cutter:
     def joints(
         self, members: tuple[int, int], placed: tuple[Placed, Placed], ruled: tuple[RuledStrip, RuledStrip]
     ) -> tuple[Joint, ...]:
-        """Return all joints of two strips."""
         above = None if self.above is None else tuple(self.above.tolist())
         request = members, [self.names[i] for i in members], self.clearance, self.fit, self.relief, above
         known = _joined.setdefault(placed[0], WeakKeyDictionary())
@@ -408,7 +407,6 @@ def _turned(pair: tuple[Member, Member], which: int) -> tuple[Member, Member]:
 
 
 def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
-    """Return messages on small angles between strips and on the order of assembly."""
     shallow: dict[tuple[int, int], list[Joint]] = {}
     for joint in joints:
         if joint.angle[0] < SHALLOW_RAD:
@@ -431,7 +429,6 @@ def _messages(names: Sequence[str], joints: list[Joint]) -> tuple[str, ...]:
 
 
 def _order_message(names: Sequence[str], joints: list[Joint]) -> str:
-    """Return the message on the order of assembly and on strips that must be threaded in."""
     sides: dict[int, set[str]] = {}
     for joint in joints:
         sides.setdefault(joint.members[1], set()).add(joint.slots[1].side)

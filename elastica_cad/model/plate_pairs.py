@@ -152,7 +152,6 @@ def _plate_behind(first: Plate, options: PlateOptions, gap: float) -> Plate:
 def _cures_of_short_tabs(
     placed: Sequence[Placed], first: BasePlate, tabs: Sequence[PlacedTab], gap: float
 ) -> str:
-    """Return tested suggestions for tabs that do not reach through the second plate."""
     length = max(needed_length(tab, first, gap) for tab in tabs)
     width = fitting_width(placed, [first], gap, length)
     reach = min(-float(first.frame.local(tab.tip)[2]) for tab in tabs)
@@ -281,7 +280,6 @@ def _displacements(placed: Sequence[Placed], seats: Mapping[Key, TabSeat]) -> di
 
 
 def _moved_slots(plate: Plate, leans: Mapping[Key, Lean]) -> tuple[TabSlot, ...]:
-    """Return the slots of a plate, moved within the plate by the shift and rotation for each tab."""
     slots, walls = list(plate.slots), slot_walls(plate)
     # slots move to the left of the curve, in direction -z of the tab, projected on the plate
     ways = np.array([(tab.frame.x_axis, -tab.frame.z_axis) for _, tab, _ in walls]).reshape(-1, 2, 3)

@@ -193,13 +193,11 @@ class BasePlate:
 
     @property
     def _inner_loops(self) -> tuple[Path, ...]:
-        """All loops inside the outline: slots, opening and holes."""
         opening = () if self.opening is None else (self.opening,)
         return (*(slot.path for slot in self.slots), *opening, *self.holes)
 
     @cached_property
     def _hole_points(self) -> list[FloatArray]:
-        """Points (n, 2) on the opening and on each hole, mm."""
         opening = () if self.opening is None else (self.opening,)
         return [loop.points(FLAT_MM) for loop in (*opening, *self.holes)]
 
@@ -378,7 +376,6 @@ def _mean_center(loops: Sequence[FloatArray]) -> FloatArray:
 def _with_holes(
     options: PlateOptions, center: FloatArray, opening: Path | None
 ) -> tuple[Path | None, tuple[Path, ...]]:
-    """Return the opening and the holes of a plate with the requested holes."""
     if options.holes is None or not options.holes.is_in(options.name):
         return opening, ()
     return options.holes.cut(center, opening, options.border)
@@ -695,7 +692,6 @@ def _level_frame(height: float, *, up: bool) -> Frame:
 
 
 def _seat_corners(tab: PlacedTab, frame: Frame) -> FloatArray:
-    """Return the corners (4, 2), in the frame of the ring, of a tab that is flat on the ring."""
     half = tab.width / 2
     corners = [(0.0, -half, 0.0), (tab.length, -half, 0.0), (tab.length, half, 0.0), (0.0, half, 0.0)]
     return frame.local(tab.frame.point(corners))[:, :2]

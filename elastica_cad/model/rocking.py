@@ -72,7 +72,6 @@ def _tipping_angles(member: Placed, end: StripEnd, seat: TabSeat) -> tuple[float
 
 
 def _deviation_sentence(member: Placed, seats: dict[tuple[float, ...], TabSeat]) -> str:
-    """Return a sentence on how a strip in its seats differs from its design."""
     try:
         largest = member.strip.held(*(seat_of(seats, member, end) for end in ENDS)).deviation
     except NotConvergedError:
@@ -91,7 +90,6 @@ def _suggestions(
     holders: Sequence[object],
     two_plates: Callable[[], str],
 ) -> str:
-    """Return the tested suggestions for holding a tab at its angle: two plates, end fixtures or feet."""
     here = PlacedTab.of(member.strip, end, member.frame)
     plates = [
         plate
@@ -160,7 +158,6 @@ def _two_plates(placed: Sequence[Placed], holders: Sequence[object]) -> str:
 
 
 def _pair_text(gap: float, length: float, width: float) -> str:
-    """Return the suggestion of two plates with tabs of a given length and, if it is finite, width."""
     tab = {"length": length} | ({} if width == np.inf else {"width": width})
     changes = (Change("two_plates", {"gap": gap, "tab": tab}),)
     if width == np.inf:

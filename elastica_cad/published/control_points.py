@@ -210,16 +210,14 @@ _ROW_PENALTY = 10.0  # penalty of a step condition that cannot be satisfied, abo
 # accuracy of a step, relative to the penalty, at which half a mean square distance of 1e-8 still has an
 # effect
 _ACCURACY = 1e-12
-_MARGIN_UNIT = 50.0  # error of the margin that counts as 1
+_MARGIN_UNIT = 50.0  # violation of the margin that counts as 1
 _COARSE = 3.0  # a step to more than this multiple of the present or permitted ratio is refused
 _RATIO_PART, _MARGIN_PART = 0.9, 6.0  # targets of one step: factor of the ratio, and increase of the margin
 # initial, largest and smallest radius of the trust region, as a fraction of the curve's length
 _RADIUS, _LARGEST_RADIUS, _SMALLEST_RADIUS = 0.01, 0.05, 1e-7
 _SETTLED = 1e-3  # predicted gain of a step, as a fraction of the distance, below which the search ends
-_RESOLUTION = (
-    # least gain of a step, in the unit of the distance; a smaller gain is a rounding error
-    1e-12
-)
+# least gain of a step, in the unit of the distance; a smaller gain is a rounding error
+_RESOLUTION = 1e-12
 _INSIDE = 1e-5  # relative distance from the bounds, so that they hold between the samples too
 _ENFORCED = 1e-11
 """Largest error of a satisfied constraint, as a fraction of the length of the curve or in rad."""
@@ -352,7 +350,6 @@ def _route_step(state: EquilibriumCurve, half_square: float, bounds: Bounds) -> 
 
 
 def _half_square(changes: CurveChanges, target: PlaneCurve) -> float:
-    """Return half the mean square distance, relative to the square of the length."""
     return 0.5 * float((changes.offsets(target) ** 2).sum()) / changes.state.curve.length**2
 
 
