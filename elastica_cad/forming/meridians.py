@@ -191,7 +191,6 @@ class _Equations:
         return FoundMeridian(float(constants[0]), constants[1:], points, lengths, tangents @ self.series.T)
 
     def off(self, unknown: FloatArray, points: FloatArray) -> FloatArray:
-        """Return the residuals (m,) of the equations."""
         angles, lengths, (a, b1, b2) = self.parts(unknown)
         half = lengths[:, None] / 2
         x = points[:-1, :1] + half * (np.cos(angles) @ self.integral.T)

@@ -160,7 +160,6 @@ class _Cut:
         return piece, held, self.tolerance * self.curve.length / piece.length
 
     def choices(self, first: float, last: float, known: float) -> FloatArray:
-        """Return a few possible positions between two limits, including `known`."""
         if self.places is None:
             return np.unique(np.append(np.linspace(first, last, _CHOICES), known))
         inside = self.places[(self.places >= first) & (self.places <= last)]

@@ -580,7 +580,6 @@ class _Walk(Generic[Point]):
             pass
 
     def end(self) -> Point:
-        """Return the point in equilibrium at the end of the search."""
         program = self.here.program
         point = close_iterate(self.here, self.active) or program.close(self.here.local.point)
         return point or program.fallback()

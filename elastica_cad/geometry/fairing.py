@@ -75,7 +75,6 @@ def smooth_through(points: FloatArray, tolerance: float) -> PlaneCurve:
 
 
 def _distance_from_sides(curve: PlaneCurve, vertices: FloatArray) -> float:
-    """Return the largest distance, mm, of points of a curve from the sides at the same fraction of the length."""
     places = lengths_along(vertices)
     count = _SAMPLES_PER_SIDE * len(places)
     positions = curve.sample(count).position
@@ -271,7 +270,6 @@ class _Problem:
 
     @staticmethod
     def _choice(places: IntArray) -> Any:
-        """Return the sparse matrix (2 m, k) from the unknowns to the control points."""
         from scipy.sparse import csr_matrix
 
         sought = np.flatnonzero(places >= 0)

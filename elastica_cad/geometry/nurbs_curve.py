@@ -268,7 +268,6 @@ class RationalPieces:
         return cut_into_tangent_cones(hodograph(self.bezier), self.edges)
 
     def _series_to(self, order: int) -> FloatArray:
-        """Return the coefficients of all derivatives up to `order`, side by side."""
         if order not in self._known:
             self._known[order] = np.concatenate([self._series(k) for k in range(order + 1)], axis=2)
         return self._known[order]

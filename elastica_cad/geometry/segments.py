@@ -446,7 +446,6 @@ def _halve_chords(
 
 
 def _chord_errors(begins: FloatArray, ends: FloatArray, probes: FloatArray) -> FloatArray:
-    """Return the largest distances (n,) of samples `probes` (n, k, 2) from chords."""
     chord, off = ends - begins, probes - begins[:, None, :]
     size = (chord**2).sum(axis=1)[:, None]
     # beyond an end of the chord, as in hairpins, measure from this end

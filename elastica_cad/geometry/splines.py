@@ -712,7 +712,6 @@ class _Problem:
         return np.asarray(t + np.clip(step, -reach[:-1], reach[1:]))
 
     def distance(self, control: FloatArray, t: FloatArray) -> FloatArray:
-        """Return the distances (n,), mm, of the points from the points of the curve at parameters t (n,)."""
         gap = self._gap(control, t)
         return np.asarray(np.hypot(gap[:, 0], gap[:, 1]))
 

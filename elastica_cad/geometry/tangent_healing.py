@@ -164,7 +164,6 @@ def _turn(knots: FloatArray, points: FloatArray, degree: int, node: int, roundin
 
 
 def _closes(knots: FloatArray, points: FloatArray, degree: int, weights: FloatArray | None) -> bool:
-    """Return True if a clamped spline of several pieces is closed."""
     clamped = knots[0] == knots[degree] and knots[-1] == knots[-degree - 1]
     even = weights is None or weights[0] == weights[-1]
     size = float(np.hypot(*np.ptp(points, axis=0)))

@@ -331,7 +331,7 @@ def _arched(elements: Sequence[ElementForce], rod: Rod, side: int | None) -> Flo
 
 
 ROUNDS = 12
-"""Largest number of times that an element becomes slack or taut, per one-sided element (tie or one-sided rail)."""
+"""Largest number of changes between slack and taut, per one-sided element (tie or one-sided rail)."""
 
 
 def _bent_on_elements(

@@ -540,7 +540,6 @@ class Rod:
         return f"<Rod of {self.length:.4g} mm, ratio {self.ratio:.4g}, {self.s.size} nodes{carries}>"
 
     def _repr_svg_(self) -> str:
-        """Return an SVG picture of the curve, inside a band whose width is proportional to the stiffness."""
         across = np.column_stack([-np.sin(self.angle), np.cos(self.angle)])
         half = BAND_SHARE * self.length * (self.stiffness / self.stiffness.max())[:, None] * across
         band = np.concatenate([self.position + half, (self.position - half)[::-1]])

@@ -24,7 +24,7 @@ from elastica_cad.strip.strip_spec import make_strip
 from elastica_cad.strip.travel import Travel, bend_strip
 
 ENDS = Supports("pinned", "pinned")
-"""Supports equivalent to a cord, which also fix the direction of the line between the ends."""
+"""Supports that act like a cord; they also fix the direction of the line between the ends."""
 
 FINE_NODES = 2401
 """Number of nodes of a bow of constant section; the force in its cord is accurate to 2e-7."""

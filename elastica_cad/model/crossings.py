@@ -127,7 +127,6 @@ def strips_may_meet(strips: Sequence[RuledStrip], extensions: FloatArray | None 
 
 @lru_cache(maxsize=_CACHED_SPLINES)
 def _spline_over_arc_length(curve: PlaneCurve, length: float) -> SplineFunction:
-    """Return a cubic Hermite spline of a curve over arc length, from 0 to `length`, with exact tangents."""
     panels = curve.smooth_panels
     each = -(-STATIONS // (panels.size - 1))
     inner = (panels[:-1, None] + np.diff(panels)[:, None] * np.arange(each) / each).ravel()

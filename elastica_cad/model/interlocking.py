@@ -101,7 +101,7 @@ TOUCHING_RAD = np.radians(1.0)
 """Least angle between strips, rad, for slots: at smaller angles, slots are over 100 sheet thicknesses wide."""
 
 OTHER_SIDE_FRACTION = 0.5
-"""Fraction of the crossing by which slots must become shorter for cutting from the side that is not preferred."""
+"""Slots open to the side that is not preferred if this makes them shorter by this fraction of the crossing."""
 
 PLACE_DIGITS, TURN_DIGITS = 9, 12
 """Decimals to which positions (mm) and unit vectors are compared, because copies differ by rounding."""
