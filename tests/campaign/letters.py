@@ -1,7 +1,7 @@
 """Every English template as random letters: a test that fails then, and is not of wording, found a reader of words.
 
-A plugin of pytest: `make campaign-letters`. A test asserts wording where the statement that fails holds a text, or
-a variable whose value a regular expression read from one.
+A plugin of pytest: `make campaign-letters`. A test asserts wording where the statement that fails holds a text, a
+variable with words as its value, or one whose value a regular expression read.
 """
 
 import ast
@@ -49,12 +49,16 @@ def _asserts_wording(found) -> bool:
     own = [entry for entry in found.traceback if TESTS in Path(entry.path).parents]
     raised = Path(found.traceback[-1].path)
     return PACKAGE not in raised.parents and any(
-        TEXT.search(str(entry.statement)) or _holds_match(entry) for entry in own[-1:]
+        TEXT.search(str(entry.statement)) or _uses_text(entry) for entry in own[-1:]
     )
 
 
-def _holds_match(entry) -> bool:
-    """Return True if the statement uses a variable whose value a regular expression gave, directly or by others."""
+def _uses_text(entry) -> bool:
+    """Return True if the statement uses a variable that holds words, or a value that a regular expression read."""
+    used = set(re.findall(r"\w+", str(entry.statement)))
+    values = (value for name, value in entry.frame.f_locals.items() if name in used)
+    if any(isinstance(value, str) and re.search("[a-z].* .*[a-z]", value) for value in values):
+        return True
     function = ast.parse(textwrap.dedent(inspect.getsource(entry.frame.code.raw)))
     settings = [node for node in ast.walk(function) if isinstance(node, ast.Assign | ast.AugAssign | ast.For)]
     matched: set[str] = set()
@@ -64,4 +68,4 @@ def _holds_match(entry) -> bool:
             targets = node.targets if isinstance(node, ast.Assign) else [node.target]
             names = (name for target in targets for name in ast.walk(target))
             matched |= {name.id for name in names if isinstance(name, ast.Name)}
-    return bool(matched & set(re.findall(r"\w+", str(entry.statement))))
+    return bool(matched & used)

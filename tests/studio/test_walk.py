@@ -184,6 +184,7 @@ def test_a_dragged_point_stops_at_the_border_of_what_can_be_made(server, tmp_pat
             k, way = int(rng.integers(2, 9)), rng.normal(size=2) * 60
             place = studio.point(k)
             studio.press(place, *(way * part for part in np.linspace(0.1, 1, 10)))
+            studio.until(lambda: not studio.all(".plane > [aria-busy=true]"))
             studio.until(lambda: studio.text(".numbers").count("…") == 0)
             assert studio.verdict().startswith("It can be made")
             stopped += np.hypot(*(studio.point(k) - place - way)) > 3

@@ -249,15 +249,17 @@ class Studio {
 
   // Keep it possible: the point follows the answers, which stop it at the border of what can be made.
   async lead(k, point) {
-    this.wanted = point;
+    this.wanted = { k, point };
     if (this.leading) return;
     this.leading = true;
-    let turn = 0; // direction in which the next answer searches
+    this.drawing.svg.setAttribute("aria-busy", "true");
+    let turn = 0, last = k; // direction in which the next answer searches, and the point that it is for
     const strain = Math.max(...this.answer.shares) <= 1; // the strain limit is a border only from below
     while (this.wanted) {
       const { design, strip, wanted } = this, { spline } = this.curve(), length = this.length ?? this.answer?.path?.length;
       this.wanted = null;
-      const moved = movePoint(this.curve(design), k, wanted), from = moved.map((j) => spline[j]);
+      if (wanted.k !== last) [turn, last] = [0, wanted.k];
+      const moved = movePoint(this.curve(design), wanted.k, wanted.point), from = moved.map((j) => spline[j]);
       const answer = await this.channel.ask({ do: "strip", design, strip, length, live: true, hold: { point: moved, from, step: 1 / this.drawing.view.scale, turn, strain } });
       turn = answer?.turn ?? 0;
       if (turn) this.wanted ??= wanted;
@@ -273,6 +275,7 @@ class Studio {
       if (answer.point) this.wanted ??= wanted; // the border may be farther on
     }
     this.leading = false;
+    this.drawing.svg.setAttribute("aria-busy", "false");
     if (this.drawing.grabbed == null) this.released();
   }
 
