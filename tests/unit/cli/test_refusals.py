@@ -126,7 +126,7 @@ def desk(tmp_path_factory):
 SUGGESTED = [
     ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 12 -o out", 2, "--max-width 15."),
     ("strip wide.dxf --sheet birch-plywood-0.8 --max-width 4000 -o out", 2, "--max-width"),
-    ("strip wide.dxf --sheet birch-plywood-2 --max-width 30 -o out", 1, "--thickness 0.8"),
+    ("strip wide.dxf --sheet birch-plywood-2 --max-width 30 -o out", 1, "--sheet birch-plywood-0.8"),
     ("strip slight.svg --sheet birch-plywood-0.8 --max-width 30 -o out", 2, "--smooth 0.2"),
     ("strip corner.svg --sheet card-200gsm --max-width 12 -o out", 2, "--set curve.split_corners=true"),
     ("check slight.svg", 2, "-o out --smooth 0.2"),
