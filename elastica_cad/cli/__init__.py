@@ -54,7 +54,6 @@ def main(arguments: list[str] | None = None) -> None:
 
 
 def _run(arguments: list[str] | None, process: "DrawingProcess | None") -> int:
-    """Return the exit code of the command line."""
     elastica = _command()
     import click
 

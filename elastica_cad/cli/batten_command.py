@@ -253,7 +253,6 @@ def _report_batten(result: Batten, table: dict[str, FloatArray]) -> None:
 
 
 def _camber_text(depth: float, place: float, chord: float) -> str:
-    """Return the camber and its place, in mm and as percentages of the chord."""
     return (
         f"{depth * chord:.1f} mm ({100 * depth:.4g} % of the chord) at {place * chord:.1f} mm "
         f"({100 * place:.4g} %) along the chord"

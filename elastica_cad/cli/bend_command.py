@@ -443,7 +443,9 @@ def _warnings_on_stretch(shape: Rod) -> Iterator[str]:
 
 
 def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[str]:
-    """Yield a warning if the bar of a rail is above a straight strip, because its point is below it."""
+    """Yield a warning if the point of a rail is below a straight strip, because its bar is then above the
+    strip.
+    """
     at, direction = getattr(action.element, "at", None), bar_direction(action, shape)
     gravity = shape.gravity
     if rod.shape is not None or not isinstance(at, tuple) or direction is None or gravity is None:

@@ -201,7 +201,6 @@ def _instead_of(problem: click.NoSuchOption) -> str:
 
 
 def _instruction_for_missing(param: click.Parameter | None) -> str:
-    """Return an instruction for a missing parameter, or "" if click lists the choices."""
     if isinstance(param, click.Option) and param.metavar and param.help:
         return f"give {param.opts[0]} {param.metavar}. {param.help.rstrip('.')}"
     return FILES.get(param.name or "", "") if isinstance(param, click.Argument) else ""

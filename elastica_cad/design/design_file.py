@@ -364,7 +364,7 @@ def _with_copies_apart(entries: Sequence[StripEntry]) -> list[StripEntry]:
 
 
 def _require_labels(used_labels: Container[str], entries: Sequence[StripEntry], where: str) -> None:
-    """Raise InputError if two strips have the same label. Copies of a part from one table may."""
+    """Raise InputError if two strips have the same label, unless they are copies of a part from one table."""
     known = dict[str, StripEntry]()
     for entry in entries:
         first = known.setdefault(entry.label, entry)
@@ -392,7 +392,6 @@ def _only_sections(table: Table) -> Table:
 
 
 def _pattern(table: Table, reader: Reader) -> tuple[str, dict[str, Any]]:
-    """Return the kind (mirror, rotate or repeat) and the options of a pattern."""
     table.only(*_PATTERNS)
     if len(table.data) != 1:
         raise InputError(

@@ -417,7 +417,6 @@ def _part_between(run: Run, first: _Place, last: _Place) -> Run:
 
 
 def _on_run(points: FloatArray, run: Run, tolerance: float) -> BoolArray:
-    """Return a mask (n,) of the points (n, d) that are within `tolerance` mm of the run."""
     is_near = np.zeros(len(points), dtype=bool)
     for edge in run:
         low, high = edge.points.min(axis=0) - tolerance, edge.points.max(axis=0) + tolerance
@@ -670,7 +669,6 @@ def _with_handles(edge: Edge) -> list[Edge]:
 
 
 def _fitted_if_polyline(edge: Edge, fit_tolerance: float) -> Edge:
-    """Return the edge, or a curve fitted to it if it is a polyline."""
     if edge.degree > 1 or len(edge.points) == 2:
         return edge
     curve = curve_from_points(edge.points, tolerance=fit_tolerance, sides=True)

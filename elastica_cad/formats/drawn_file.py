@@ -521,7 +521,6 @@ def collect_curves(
 
 
 def _joining_notes(joined: JoinedRuns, tolerance: float) -> list[str]:
-    """Return messages about overlapping shapes, and about gaps that were closed."""
     notes: list[str] = []
     for kind, text in _OVERLAPS.items():
         pairs = dict.fromkeys(

@@ -107,7 +107,6 @@ def _obj_with_positive_indices(data: bytes) -> BytesIO:
 
 
 def _with_positive_indices(corner: bytes, counts: Sequence[int]) -> bytes:
-    """Return the indices v/vt/vn of a corner, with negative indices made positive."""
     indices = corner.split(b"/")
     return b"/".join(
         b"%d" % (count + 1 + int(index)) if index.startswith(b"-") else index

@@ -48,7 +48,6 @@ def drawing_plane(run: Sequence[Edge], tolerance: float = 0.0) -> Frame:
 
 
 def _plane_axes(points: FloatArray, tolerance: float) -> FloatArray:
-    """Return the x and y axes (2, 3) of the plane through the points; see `drawing_plane`."""
     if np.ptp(points[:, 2]) <= tolerance:
         return np.eye(2, 3)
     centred = points - points.mean(axis=0)

@@ -425,7 +425,6 @@ def _first_data(rows: list[Row]) -> int:
 
 
 def _looks_like_number(cell: str) -> bool:
-    """Return True if the cell is a number in any notation, with or without a unit."""
     return any(form.fullmatch(cell) for form in (_NUMBER, _GROUPED, _UNIT_BEHIND)) or is_in_inches(cell)
 
 

@@ -313,7 +313,6 @@ def _is_painted(values: Mapping[str, str], what: str) -> bool:
 
 
 def _may_be_clipped(runs: Sequence[Run], box: Box | None, transform: str) -> bool:
-    """Return True if a clip path or mask may hide a part of a shape."""
     from svgelements import Matrix
 
     if box is None:
@@ -355,7 +354,6 @@ def _subpaths(segments: Any) -> Iterator[Run]:
 
 
 def _with_polylines(run: Sequence[Edge]) -> Run:
-    """Return a run of straight edges as a single polyline; other runs are unchanged."""
     if len(run) > 1 and all(edge.degree == 1 for edge in run):
         return (Edge.polyline(np.concatenate([run[0].points[:1], *(edge.points[1:] for edge in run)])),)
     return tuple(run)

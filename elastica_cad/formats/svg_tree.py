@@ -746,7 +746,6 @@ _AREAS = ("clip-path", "mask")
 
 
 def _id_in_url(text: str) -> str:
-    """Return the id in `url(#id)`, or ""."""
     match = re.match(r"""url\(\s*["']?#([^"')]*)""", text)
     return match[1].strip() if match else ""
 

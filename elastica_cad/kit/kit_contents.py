@@ -297,7 +297,6 @@ def _rods_to_buy(pieces: Sequence[Piece], spec: KitSpec) -> Iterator[Stock]:
 
 
 def _rod_notes(pieces: Sequence[Piece], spec: KitSpec) -> list[str]:
-    """Return a note on rods longer than the stock."""
     rods = [piece for piece in pieces if piece.is_rod]
     long = [piece.name for piece in rods if piece.size[0] > spec.shop.stock_for(piece.sheet)[0]]
     if not long:
@@ -333,7 +332,6 @@ END_NAMES: Mapping[StripEnd, str] = {"start": note("start (1)"), "end": note("en
 
 
 def _unheld_messages(model: Model, unheld: Mapping[int, tuple[StripEnd, ...]]) -> list[str]:
-    """Return a note on strips with an end that no plate, ring or block holds."""
     if not unheld:
         return []
     names = distinct_names(model.placed)

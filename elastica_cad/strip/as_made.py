@@ -239,7 +239,8 @@ class Curl:
 
 
 def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
-    """Return the dependence of the nodes' stiffness on their curvature, or None if the widths do not curl.
+    """Return the dependence of the nodes' stiffness on their curvature, or None if the strip does not curl
+    across.
 
     Plates over joints are ignored.
     """
@@ -301,7 +302,10 @@ def _with_factors(built: Rod, factors: Sequence[FloatArray]) -> Rod:
 def _lengths_added_by_slots(
     slots: Sequence[Slot], width: Profile, corner: float
 ) -> list[tuple[float, float]]:
-    """Return (position, added length) of each slot, mm. The slot bends like this added length of strip."""
+    """Return (position, added length) of each slot, mm.
+
+    A slot adds as much bend as the added length of strip.
+    """
     places = []
     for slot in slots:
         points, widths = slot.center_line(width)

@@ -414,7 +414,6 @@ def _text_box(text: Text, distance: float = TEXT_DISTANCE_MM) -> FloatArray:
 
 
 def _on_free_part(box: FloatArray, width: Profile) -> bool:
-    """Return True if a box (4, 2) is inside the bent part of a strip."""
     x = np.linspace(box[:, 0].min(), box[:, 0].max(), 9)
     if x[0] < 0 or x[-1] > width.length:
         return False
