@@ -37,7 +37,8 @@ HOLE_ASIDE = 0.1
 SAME_POINT = 1e-13
 # least turn, degrees, at a corner: of a curve through points, and of a polyline that no smooth curve follows
 LARGEST_TURN, LEAST_TURN = 50.0, 5.0
-_SMOOTH_COSINE = np.cos(np.radians(1.0))  # ends with a smaller turn are tangent
+# ends whose directions differ by a smaller angle (1 degree) are tangent
+_SMOOTH_COSINE = np.cos(np.radians(1.0))
 _STRAIGHT_SIDE_TOLERANCES = 20.0  # a polyline side longer than this, in tolerances, is meant to be straight
 # largest error of an end point, in units of the coordinate rounding; rounded angles add to it
 _DIGIT = 1.1 * np.sqrt(2.0)

@@ -96,7 +96,7 @@ def encode_svg(
     tolerance: float = 0.02,
     layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
-    """Return the bytes of an SVG file in mm, which are reproducible.
+    """Return the bytes of an SVG file in mm. Equal drawings give equal bytes.
 
     Each layer is a group, in the order of machining, and each loop is a <path>. On the sheet, y points
     upward. Arcs and polynomial splines up to degree 3 are exact.

@@ -359,7 +359,7 @@ class DrawnFile:
         with name_source(self.path):
             return CurveList(
                 [curve.curve for curve in good or self.curves[:1]], self
-            )  # with no valid curve, this raises the error of curve 1
+            )  # with no valid curve, reading curve 1 raises its error
 
 
 class CurveList(list[PlaneCurve]):

@@ -47,7 +47,7 @@ FLAT_HELIX = 1e-6  # a HELIX with a smaller ratio of height to radius is a flat 
 _PLACES = re.compile(rb"^[ \t]*(?:1[0-8]|2[0-8]|40)[ \t]*\r?\n[ \t]*([-+0-9.eE]+)[ \t]*\r?$", re.MULTILINE)
 _UNDECODED = re.compile("[\udc80-\udcff]")
 _SECTION = re.compile(rb"^[ \t]*2[ \t]*\r?\n[ \t]*(BLOCKS|ENTITIES)[ \t]*\r?$", re.MULTILINE)
-_MOST_NUMBERS = 20_000  # largest number of coordinates that are searched for their decimals
+_MOST_NUMBERS = 20_000  # largest number of coordinates whose decimals are counted
 _MOST_COUNTED = 10**9  # inserted entities are counted up to this number
 
 
@@ -116,7 +116,7 @@ _INSUNITS = {
 """Millimetres in each unit number of $INSUNITS; 0 is "no unit"."""
 
 _NAMES = {1: "in", 2: "ft", 4: "mm", 5: "cm", 6: "m"}
-"""Names of the usual unit numbers of $INSUNITS."""
+"""Names of the usual units, by their numbers in $INSUNITS."""
 
 _OWN_UNIT = b"all lengths in mm"
 """Comment at the top of R12 files that this package writes, because R12 has no $INSUNITS."""
@@ -439,7 +439,7 @@ def _spline(entity: Any) -> Edge:
     if knots.size and backwards.max() <= 1e-9 * np.ptp(knots):
         knots = knots + backwards
     if weights is not None and len(weights) != len(points):
-        # `Edge` refuses the weights
+        # `Edge` raises the error for these weights
         return Edge(knots, points, degree, weights)
     poles = points if weights is None else np.column_stack([points, weights])
     knots, poles = _without_doubled_poles(*_full_period(knots, poles, degree, entity.closed), degree)

@@ -50,7 +50,7 @@ def encode_dxf(
     version: str = "R2010",
     layers: Mapping[str, LayerChoice] | str | None = None,
 ) -> bytes:
-    """Return the bytes of a DXF file in mm, which are reproducible.
+    """Return the bytes of a DXF file in mm. Equal drawings give equal bytes.
 
     A loop of lines and arcs is a closed polyline, or a CIRCLE. A loop that is a single spline is a closed
     SPLINE. A loop with splines and other segments is a GROUP of LINE, ARC and SPLINE in order, whose ends

@@ -473,7 +473,7 @@ def _read_row(cells: list[str], row: int, least: int, most: int, scale: float) -
 
 # points rounded more coarsely than half a millimetre, mm, count as measured by hand with a ruler
 RULER_MM = 0.25
-_DIGITS = 20_000  # largest number of numbers that are searched for their decimals
+_DIGITS = 20_000  # largest number of numbers whose decimals are counted
 
 
 def read_csv_drawing(file: Path, *, fit_tolerance: float, unit: str | None) -> DrawnFile:

@@ -40,7 +40,7 @@ def require_file(path: str | Path) -> Path:
     if noted is not None:
         noted.setdefault(path.absolute(), mark_file(path))
     require_below(path)
-    if os.path.isdir(path):  # no error for invalid names
+    if os.path.isdir(path):  # raises no error for invalid names
         raise InputError("{path} is a folder: name one file in it", path=path)
     if os.path.exists(path) and not path.is_file():
         raise InputError("{path} is a device or a pipe, not a file: name a file", path=path)
@@ -204,9 +204,8 @@ def check_size(points: FloatArray, *, in_file: bool = True) -> None:
 
 
 def check_count(count: int, most: int, what: str, instead: str) -> int:
-    """Return `count`.
-
-    If it is more than `most`, refuse it; the message names the items (`what`) and advises `instead`.
+    """Return `count`. Raise InputError if it exceeds `most`; the message names the items, `what`, and advises
+    `instead`.
     """
     if count > most:
         raise InputError(

@@ -176,7 +176,10 @@ def _draw(pen: _Pen, kind: str, values: FloatArray, *, relative: bool) -> None:
 
 
 def _mirrored_handle(pen: _Pen, after: str) -> FloatArray:
-    """Return the last Bezier handle mirrored at the pen, or the pen if the last command is not in `after`."""
+    """Return the last Bezier handle mirrored at the pen.
+
+    After a command that is not in `after`, return the pen's position.
+    """
     if pen.handle is None or pen.before not in after:
         return pen.here
     return 2 * pen.here - pen.handle

@@ -363,7 +363,7 @@ def _sides(shown: ElementTree.Element, view: ElementTree.Element, around: Extent
 
 
 def _fit(shown: ElementTree.Element, view: ElementTree.Element, around: Extent) -> Fit:
-    """Return the scale and origin that fit `view` into the box of `shown`: `view` itself, or its clone."""
+    """Return the scale and origin that fit the drawing `view` into the box of `shown`, its clone or itself."""
     box, sides = _box(view), _sides(shown, view, around)
     at = [_size(shown.get(axis), whole, default=0.0) for axis, whole in zip("xy", around, strict=True)]
     if box is None:

@@ -285,7 +285,7 @@ class Flexure:
                     )
                 )
         except NotConvergedError:
-            return scale  # `warnings` reports it
+            return scale  # `warnings` reports the missing path
         bends, stretch = (np.vstack(rows) for rows in zip(*shapes, strict=True))
         return min(scale, self._thickest(bends, stretch / scale**2, SPARE * most))
 

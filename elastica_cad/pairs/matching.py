@@ -19,8 +19,8 @@ from elastica_cad.refusals import FieldName, Length, note
 Kept: TypeAlias = Literal["ends", "shape"]
 
 ALIKE_SHARE, ALIKE_RAD = 0.01, float(np.radians(2.0))
-"""Two ends become the same clamp if they differ by less: in position as a fraction of the length, in angle in
-rad."""
+"""Two ends become the same clamp if positions differ by less than this fraction of the length, and angles by
+less than this, rad."""
 
 LONGEST_STEP = 0.02  # largest step of the logarithm of the length for Newton's method
 NEWTON_STEPS = 20

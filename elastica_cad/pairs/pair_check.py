@@ -46,7 +46,8 @@ EQUAL_LENGTHS_SHARE = 1e-4
 """Largest relative difference of the lengths of two curves. Above it, `matched_pair` must be used first."""
 
 SAME_CLAMPS = 1e-3
-"""Clamps are the same if they differ by less: in position as a fraction of the length, in angle in rad."""
+"""Clamps are the same if positions differ by less than this fraction of the length, and angles by less than
+this, rad."""
 
 CONGRUENT_SHARE = 1e-7
 """Curves are congruent if their difference of curvature is below this fraction of the largest curvature."""
@@ -55,7 +56,8 @@ FAINT_SHARE = 1e-9
 """A difference of curvature inside a curve counts as zero below this fraction of the largest difference."""
 
 GENTLE_SHARE = 1e-7
-"""A zero of the difference of curvature counts as a zero of higher order if the slope there is smaller.
+"""A zero of the difference of curvature counts as a zero of higher order if the slope there is less than
+this.
 
 The slope is relative to the largest difference divided by the length. At a zero of order 1, the width of the
 strip is proportional to the inverse of the slope, and would be too large."""
@@ -426,7 +428,9 @@ class PairedPanels:
 
 
 def _rows(number: FloatArray, first: FloatArray, second: FloatArray) -> FloatArray:
-    """Return coefficients (..., 5) of the moment difference `number` + <b_1, first> - <b_2, second>."""
+    """Return coefficients (..., 5) of `number` + <b_1, first> - <b_2, second>, such as the moment difference
+    N.
+    """
     return np.concatenate([number[..., None], first, -second], axis=-1)
 
 

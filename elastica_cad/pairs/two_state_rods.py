@@ -277,8 +277,8 @@ def _least_bend(paired: PairedPanels, numbers: FloatArray, most_natural: float |
     """Return the numbers (6,) that give the same stiffness and the least bend.
 
     The bend is the largest change of curvature in both states. Usually only the parameter a_1 leaves the
-    stiffness unchanged. For congruent or mirrored curves more do, and several rods have the least bend. Then
-    the natural curvature nearest to the mean of both curvatures is selected.
+    stiffness unchanged. For congruent or mirrored curves, more parameters do, and several rods have the least
+    bend. Then the natural curvature nearest to the mean of both curvatures is selected.
     """
     panels, size = paired.panels, paired.check.length
     K = _stiffness_rows(paired) @ numbers
@@ -497,7 +497,10 @@ def _refuse_beyond_limits(limits: PairLimits, pair: TwoStateRod) -> TwoStateRod:
 
 
 def _refuse(check: PairCheck, limits: PairLimits, pair: TwoStateRod | None) -> NoReturn:
-    """Raise `NotRealizable` with the values that a rod without the limits would have."""
+    """Raise `NotRealizable` for limits that no rod meets.
+
+    `pair` is the rod without the limits, if it is known.
+    """
     wanted = [
         template.format(value)
         for template, value in (

@@ -144,7 +144,7 @@ width. For narrower tabs the length is proportional to the square of the tab's w
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 FREE_EDGE = 0.63
-"""Total width at both edges of a strip that does not resist torsion, as a multiple of the thickness
+"""Width at both edges together that does not resist torsion, as a multiple of the thickness
 (Saint-Venant)."""
 
 LEAST_SHARE = 0.01

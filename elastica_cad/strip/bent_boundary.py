@@ -107,7 +107,7 @@ def trace_turn(surface: Surface) -> FloatArray:
 
 @dataclass(frozen=True, eq=False)
 class StraightTrace:
-    """A straight edge in the (u, v) plane of a surface: origin + parameter * direction, a unit vector."""
+    """A straight edge in the (u, v) plane of a surface: origin + parameter * direction (a unit vector)."""
 
     origin: tuple[float, float]
     direction: tuple[float, float]
@@ -185,8 +185,8 @@ MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more 
 PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
 LEAST_SPANS = 3  # least number of spans in an edge; kernels fail to fillet edges of one or two spans
 MOST_PARTS = 4  # largest number of parts into which one refinement divides a span
-SAFETY_FACTOR = 1.1  # the error suggests a number of parts; this factor makes it safe
-FLAT_WALL_MM = 1e-9  # a side wall whose y changes by less, mm, is a plane
+SAFETY_FACTOR = 1.1  # the error gives the number of parts for a span; this factor increases it to be safe
+FLAT_WALL_MM = 1e-9  # a side wall is a plane if its y changes by less than this, mm
 LARGEST_INITIAL_TURN = 0.2  # largest change of direction in an initial span, rad
 
 Shape = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
@@ -449,7 +449,7 @@ def _divide_spans(edges: FloatArray, parts: IntArray) -> FloatArray:
 
 
 ROUNDED_MM = 1e-12
-"""A line counts as perpendicular to the strip if the x coordinates of its ends differ by less, mm."""
+"""A line is perpendicular to the strip if the x coordinates of its ends differ by less than this, mm."""
 
 Map: TypeAlias = Frame | BentMap  # tangent plane of a tab, or map of the bent part
 

@@ -23,10 +23,10 @@ MOST_SHORTENED_STEPS = 6
 shortened."""
 
 CLOSE_MM = 1e-9
-"""Centres of an arc, computed from its two sides, coincide if they are closer, mm."""
+"""Both sides of a corner give a centre of its arc. Centres closer than this, mm, coincide."""
 
 PARALLEL = 1e-200
-"""Stands for the zero determinant of parallel sides. The computed arc then ends beyond the sides."""
+"""Replacement for the zero determinant of parallel sides. The computed arc then ends beyond the sides."""
 
 CLOSE_SHARE = 1e-3
 """Tolerance of the test whether an arc crosses a side that it replaces, as a fraction of its radius.

@@ -280,11 +280,11 @@ def _refuse_overlaps(loops: list[Path], kerf: float, tolerance: float) -> None:
 
 
 CORNER_RAD = 0.05
-"""Least angle between two segments, rad, that counts as a corner, which bridges avoid. Curves fitted to
-points have smaller angles."""
+"""Least angle, rad, at a corner, from which bridges are kept away. Curves fitted to points have smaller
+angles."""
 
 SAME_PLACE_MM = 1e-9
-"""Arc lengths are equal if they differ by less, mm."""
+"""Arc lengths that differ by less than this, mm, are equal."""
 
 
 @dataclass(frozen=True)

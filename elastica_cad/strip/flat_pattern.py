@@ -19,7 +19,7 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.outline import pace
 
 SMOOTH = 2
-"""Number of continuous derivatives inside an edge. When a CAD kernel offsets a face, it loses one."""
+"""Number of continuous derivatives inside an edge. An offset face in a CAD kernel has one fewer."""
 
 RAMP_FRACTION = 2e-5
 """A piece of a loop between two kinks counts as a step of the width if it is shorter than this fraction of
@@ -391,7 +391,9 @@ class _Cutter:
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Return the corners on the station line of a corner, and the step with the region on the left."""
+        """Return the corners on a corner's station line, and the direction in which the region is on the
+        left: 1 or -1.
+        """
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:
                 return on_seam[row], step

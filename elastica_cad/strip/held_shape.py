@@ -18,8 +18,8 @@ from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
 MEETING_FRACTION = 1e-4
-"""Largest distance between the ends of a closed rod, as a fraction of its length. Coarse closed rods have
-gaps of this size."""
+"""Largest distance between the ends of a closed rod, as a fraction of its length. Rods with few nodes need
+it."""
 
 
 def closes(rod: Rod) -> bool:

@@ -26,7 +26,7 @@ from elastica_cad.strip.styles import (
 )
 
 SLACK = 3e-4
-"""A stiffness outside its limits by a smaller relative excess is clipped, not refused. The limits are
+"""A stiffness beyond its limits by less than this fraction is clipped, not refused, because the limits are
 computed at a finite number of stations."""
 
 FIT_MM = 1e-5

@@ -307,13 +307,14 @@ Ends = tuple[Tab, Tab]
 USUAL_TABS: Any = (Tab(), Tab())
 
 SHOULDER_MM = 1e-3
-"""A shoulder beside a tab is omitted if it is narrower, mm, because it cannot be cut and CAD kernels fail."""
+"""A shoulder beside a tab is omitted if it is narrower than this, mm, because it cannot be cut and CAD
+kernels fail."""
 
 MEETING_MM = 1e-9
-"""Ends of two segments meet if their distance is less, mm."""
+"""Ends of two segments meet if they are closer than this, mm."""
 
 LINEAR_TOLERANCE = 1e-10
-"""If x deviates from a linear function of the parameter by less than this fraction, it counts as linear."""
+"""x counts as a linear function of the parameter if its relative deviation is less than this."""
 
 
 def flat_rim(width: Profile, ends: Ends) -> Path:

@@ -223,7 +223,7 @@ SAME_POINT_MM = 1e-9
 """Distance, mm, below which points are equal."""
 
 SAME_PARAMETER = 1e-6
-"""Positions on a segment may coincide if their parameters differ by less. Their distance decides."""
+"""Positions on a segment whose parameters differ by less than this may coincide. Their distance decides."""
 
 REACHES = (1.0, 4.0, 16.0)
 """Lengths by which the sides of a slot are extended to the edge, as multiples of the width of the slot.

@@ -163,7 +163,9 @@ class Shoulder:
 
     @property
     def least_tab(self) -> float:
-        """Least width of the tab, mm, for a strain within the limit; the width of the strip if there is none."""
+        """Least width of the tab, mm, at which its strain is within the limit; at most the width of the
+        strip.
+        """
         wider = np.linspace(self.tab, self.width, 100)[1:-1]
         tried = (
             replace(self, tab=float(width), strain=self.strain * self.tab / float(width)) for width in wider
@@ -724,7 +726,7 @@ class Strip:
 
     @cached_property
     def as_built(self) -> Rod:
-        """Rod with the stiffness and weight of the strip as it is cut.
+        """Rod with the stiffness and weight of the cut strip.
 
         It is not in equilibrium: see `rod_as_built`.
         """
@@ -735,10 +737,9 @@ class Strip:
 
     @cached_property
     def deviation_as_built(self) -> float:
-        """Largest deviation of the strip as it is cut from its design, mm, with its ends held as designed.
+        """Largest distance of the cut strip from its design, mm, with its ends held as designed.
 
-        It is computed with more nodes than the design has, because the stiffness as built varies more along the
-        strip.
+        The rod has more nodes than the design, because the stiffness of the cut strip varies more.
         """
         edges = self.rod.s.size - 1
         finer = -(-FINE_EDGES // edges)
