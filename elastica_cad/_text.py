@@ -17,8 +17,8 @@ _SUSPECT = re.compile(
 def printable(text: str) -> str:
     r"""Escape invisible characters in a text: control codes, marks of writing direction, lone surrogates.
 
-    They could recolour a terminal, write to its clipboard, or reverse a line. Line ends and spaces are kept.
-    The escapes are valid JSON, so the contents of a JSON record do not change.
+    Such characters could recolour a terminal, write to its clipboard, or reverse a line. Line ends and spaces
+    are kept. The escapes are valid JSON, so the contents of a JSON record do not change.
 
     Examples
     --------
@@ -51,7 +51,7 @@ MADE_BY: ContextVar[str] = ContextVar("made_by", default="")
 """The running command, which files state in a comment; empty in a script."""
 
 _PLAIN = re.compile(r"[^&|<>^()%!]+")
-"""Words of such characters need no quotes in the Windows shell cmd."""
+"""Words of these characters need no quotes in cmd, the Windows shell."""
 
 _NOT_OF_DRAWINGS = {
     "-o": 1, "--output": 1, "--force": 0, "--json": 0, "-v": 0, "--verbose": 0, "-q": 0, "--quiet": 0, "--watch": 0,

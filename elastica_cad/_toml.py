@@ -6,7 +6,7 @@ from typing import Any
 
 DEEPEST_KEY = 30
 """Largest number of parts of a dotted key, ten times what a design file needs. The memory of the parser grows
-with its square.
+with the square of this number.
 """
 
 _TOO_DEEP = re.compile(

@@ -96,7 +96,7 @@ class ElasticaError(Exception):
             where, changes = {**text.where, **(where or {})}, (*changes, *text.changes)
             values = {**text.values, **values}
             text = text.text
-        # a value that is an error could not be passed to another process, its text can
+        # errors cannot be passed to another process; their texts can
         values = {
             name: str(value) if isinstance(value, BaseException) else value for name, value in values.items()
         }

@@ -113,7 +113,7 @@ class Span(Listed):
     def of(cls, low: float, high: float, digits: str = ".3g") -> "Span":
         """Return the range from `low` to `high`, mm.
 
-        If both look equal, the range has a single length.
+        If both ends look equal, the range has a single length.
 
         Examples
         --------

@@ -42,14 +42,14 @@ def warning_row(text: str, label: str = "Warning") -> Row:
 
 
 def in_order(rows: Sequence[Row]) -> tuple[Row, ...]:
-    """Return the rows, those on which the user must act first."""
+    """Return the rows in order: rows on which the user must act, then the others."""
     return tuple(sorted(rows, key=lambda row: not row.stops))
 
 
 def printed_row(row: Row) -> str:
     """Return a row as a line of text, with the label in a column.
 
-    If the user must act, it is marked with "!".
+    A row on which the user must act is marked with "!".
 
     Examples
     --------

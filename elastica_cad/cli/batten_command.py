@@ -206,7 +206,7 @@ def _report(result: Batten, table: dict[str, FloatArray]) -> dict[str, Any]:
         "camber": depth, "camber_place": place,
         "end_force_N": result.end_force, "mass_g": result.strip.mass, "max_strain": result.strip.max_strain,
         "strain_limit": result.strip.strain_limit, "warnings": list(result.strip.warnings),
-        # JSON has no infinity, the safety of ends that do not bend; it becomes null
+        # the safety of ends that do not bend is infinite, which JSON cannot write; it becomes null
         "table": {key: [v if np.isfinite(v) else None for v in values.tolist()] for key, values in table.items()},
     }  # fmt: skip
 

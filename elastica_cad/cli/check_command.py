@@ -59,7 +59,7 @@ if TYPE_CHECKING:
 MOST_SHEETS = 3
 """Largest number of sheets that are listed without -v."""
 
-EVEN = 1.005  # widths with a smaller ratio are reported as constant
+EVEN = 1.005  # widths are reported as constant if their ratio is smaller than this
 WIDE_MM = 40.0
 """Width of the widest place, mm, in the example that explains a ratio of widths."""
 

@@ -53,7 +53,7 @@ PER_MM = ("natural_curvature",)
 (1/mm)."""
 
 ALIKE = {"name": "label"}
-"""Names by which commands may call the same option: its other name, by its usual name."""
+"""Second name of an option that has different names in different commands, by its first name."""
 
 FILES = {
     "curve": "name the file with the curve (DXF, SVG, CSV, JSON, STEP), or - for standard input",

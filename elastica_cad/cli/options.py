@@ -132,7 +132,10 @@ smooth_option = click.option(
 
 
 class _Folder(click.Path):
-    """Output folder. A name that looks like an option is refused, because the folder was forgotten."""
+    """Output folder.
+
+    A name that looks like an option is refused, because the folder was probably forgotten.
+    """
 
     def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> Any:
         if str(value).startswith("-"):

@@ -58,7 +58,7 @@ def typed_name(path: str) -> str:
 
 
 CHANGED = {"nearest": "limits", "lap": "shop.lap", "split_corners": "curve.split_corners"}
-"""Keys of a design file for fields of suggested changes with another name."""
+"""Keys of a design file for suggested changes whose field has another name."""
 
 
 def _arguments_of(change: Change) -> tuple[str, ...]:

@@ -131,7 +131,7 @@ def say_row(row: Row, *, is_answer: bool = False) -> None:
     """Print a row of the report, and with -v its details.
 
     A row about a problem is a warning: it is printed to stderr and added to the notes of the JSON record.
-    With `is_answer`, it is not.
+    With `is_answer`, the row is not a warning.
     """
     speaker = voice()
     warns = row.stops and not is_answer

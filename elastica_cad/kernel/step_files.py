@@ -111,7 +111,7 @@ def _limit(parent: int, seconds: int) -> None:
 
 
 MANY_WIRES = 32
-"""A face with more wires is slow, because OpenCASCADE compares all of them."""
+"""A face with more wires than this is slow to write, because OpenCASCADE compares all of them."""
 
 
 def _has_many_wires(shape: Shape) -> bool:

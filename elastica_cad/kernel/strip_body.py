@@ -36,10 +36,10 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 LEAST_DEGREES = 7.0
-"""A smaller angle with decimals, given in degrees, is probably in radians."""
+"""An angle that has decimals and is below this, in degrees, was probably given in radians."""
 
 LEAST_LEAN_DEGREES = 90 / degrees(1)
-"""A smaller inclination of a slot with decimals, given in degrees, is probably in radians."""
+"""An inclination of a slot that has decimals and is below this, in degrees, was probably given in radians."""
 
 LIBRARIES = ("elastica_cad", "build123d", "cadquery")
 """A warning is located at the first line of code outside these packages, in the user's script."""
@@ -144,7 +144,8 @@ def numbers_of(point: Point) -> tuple[float, ...]:
 
 
 COLOR_STEP = 1e-6
-"""Two colours differ if a component differs by more; rounding errors of the libraries are smaller."""
+"""Two colours differ if a component differs by more than this; rounding errors of the libraries are
+smaller."""
 
 
 def color_numbers(color: Any) -> tuple[float, ...]:

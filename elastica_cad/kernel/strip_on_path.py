@@ -41,7 +41,7 @@ FAR_SHARE = 0.01
 """Deviation of a strip from the drawn curve, as a fraction of the length, above which a warning is issued."""
 
 SHORTEST_MM = 5.0
-"""A curve that is shorter, mm, and shorter than its strip is wide, was probably drawn in metres."""
+"""A curve shorter than this, mm, and shorter than its strip is wide, was probably drawn in metres."""
 
 KEPT_REQUESTS = 64  # number of cached strips, enough for a few models
 FIXTURE_SIZES = tuple(FixtureSizes.__annotations__)

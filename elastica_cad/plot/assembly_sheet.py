@@ -53,7 +53,8 @@ TOWARD, SCREEN = look_from(24.0, -60.0), screen_of(24.0, -60.0)
 APART = 0.3
 BEHIND = 1.4  # distance of the second plate of a pair from the strips, as a multiple of the first plate's
 SPREAD = 0.25  # outward shift of each strip, as a fraction of its distance from the middle
-PARALLEL = 1e-6  # plates face each other if the cosine between their normals is nearer to -1
+# plates face each other if the cosine between their normals differs from -1 by less than this
+PARALLEL = 1e-6
 EDGE_MM = 0.5  # largest distance, mm, between outlines and drawn polylines
 BLOCK_PATCH = 0.02  # size of the patches of blocks, as a fraction of the model's size
 BLOCK = np.array([0.75, 0.79, 0.85])

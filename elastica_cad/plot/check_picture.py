@@ -25,7 +25,7 @@ POINTS = 601
 
 GOOD, OUTLIER = "#2e7d4f", "#c62828"
 ON_THE_LINE = 1e-6
-"""Inflections count as on the line if they are closer, as a fraction of the length."""
+"""Inflections closer to the line than this, as a fraction of the length, count as on it."""
 
 LETTERS = 96
 """Largest number of characters in a line above the picture."""
