@@ -24,7 +24,7 @@ def open_step_and(close_sketch: Callable[[], None], document: Any, name: str) ->
     # first, because FreeCAD would name the step after closing the sketch
     open_step(document, name)
     close_sketch()
-    if not active_step(document):  # FreeCAD 1.2 ends the step with the sketch
+    if not active_step(document):  # FreeCAD 1.2 ends the step when the sketch closes
         open_step(document, name)
 
 

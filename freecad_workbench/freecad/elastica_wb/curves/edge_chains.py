@@ -12,8 +12,8 @@ import Part
 from freecad.elastica_wb.curves.sketch_curves import edge_called
 
 MEET_MM = 1e-4  # largest gap, mm, between connected edges, as for the edges of a strip
-MEANT_MM = 0.5  # ends of curves in a sketch that are closer, mm, are probably intended to meet
-SMOOTH_RAD = radians(5.0)  # a larger turn, rad, is a corner
+MEANT_MM = 0.5  # ends of curves in a sketch that are closer than this, mm, are probably meant to meet
+SMOOTH_RAD = radians(5.0)  # a turn larger than this, rad, is a corner
 DRAWN_MM = 1e-5  # largest distance, mm, of an edge from the geometry that it shows
 
 Edges = Sequence[tuple[str, Any]]

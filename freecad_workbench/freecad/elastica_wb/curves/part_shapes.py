@@ -28,7 +28,7 @@ from elastica_cad.geometry.splines import knot_runs
 from elastica_cad.strip.solids import BodyRecord, FlatSolid, PrismSolid
 
 OFFSET_TOLERANCE_MM = 1e-6  # tolerance, mm, for curves that are not NURBS
-# larger boxes, mm, count as infinite: datum planes and axes have boxes of 1e100 mm
+# boxes larger than this, mm, count as infinite: datum planes and axes have boxes of 1e100 mm
 ENDLESS_MM = 1e99
 
 

@@ -27,8 +27,8 @@ LINK = "App::Link"
 
 @dataclass(frozen=True, eq=False)
 class DrawnCurve:
-    """A drawn curve and its plane: relative to the container of the feature that follows it, and in the
-    document.
+    """A drawn curve, and its plane twice: relative to the container of the feature that follows the curve,
+    and in the document.
     """
 
     curve: PlaneCurve
@@ -187,7 +187,7 @@ def _edges(source: Any, names: list[str]) -> list[Part.Edge]:
 
 
 def is_outline(shape: Any) -> bool:
-    """Return True for a single plane face without holes, which Draft makes from a closed curve."""
+    """Return True for a single plane face without holes, such as Draft makes from a closed curve."""
     faces = shape.Faces
     # FreeCAD's SVG reader scales faces, which makes spline surfaces of planes
     return len(faces) == 1 and len(shape.Wires) == 1 and faces[0].findPlane() is not None

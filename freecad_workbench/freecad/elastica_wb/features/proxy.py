@@ -162,7 +162,7 @@ class Feature(Unsaved):
                 if new != old:
                     obj.touch()
                 if name == "Sheet" and measured and obj.Thickness.Value == old.thickness:
-                    # the thickness was the sheet's nominal thickness
+                    # the old thickness was the old sheet's nominal thickness, so it follows the sheet
                     put(obj, Thickness=new.thickness)
 
     def _store_sheets(self, obj: Any) -> None:
@@ -371,7 +371,7 @@ def keep_places(container: Any) -> None:
 
 
 def telling(obj: Any, name: str) -> list[Any]:
-    """Return the features whose messages contain a name: the object and features made from it."""
+    """Return the features, among an object and those made from it, whose messages contain a name."""
     ours = (feature for feature in (obj, *obj.InListRecursive) if is_ours(feature))
     return [feature for feature in ours if any(name in words for words in _sentences(feature))]
 

@@ -102,7 +102,7 @@ class _Ribbon:
 REACH_PX = 12  # distance, pixels, within which the mouse grabs a handle
 SIZE_PX = 13  # px
 REST, HELD = (0.1, 0.45, 0.95), (1.0, 0.8, 0.1)
-# the plane is seen edge-on if the sine of the angle between it and the line of sight is smaller
+# the plane is seen edge-on if the sine of the angle between it and the line of sight is smaller than this
 EDGE_ON_SINE = 1e-6
 
 

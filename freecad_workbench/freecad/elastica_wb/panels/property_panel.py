@@ -432,9 +432,8 @@ class PropertyPanel(Panel):
         Gui.Selection.removeObserver(self)
         if on:
             Gui.Selection.clearSelection()
-            Gui.Selection.addObserver(
-                self, 0
-            )  # 0: the full path, because a part shown by a link belongs to the link
+            # 0 selects the full path, because a part shown by a link belongs to the link
+            Gui.Selection.addObserver(self, 0)
             source, _ = getattr(self.object, self.layout.source) or (None, ())
             if source is not None:
                 source.Visibility = True

@@ -43,7 +43,7 @@ Result = TypeVar("Result")
 def remembered(function: Callable[..., Result]) -> Callable[..., Result]:
     """Cache the results and errors of a function, for two states of each of a hundred strips.
 
-    Errors too, because FreeCAD recomputes a failed object at each change of the document.
+    Errors are cached too, because FreeCAD recomputes a failed object at each change of the document.
     """
 
     @lru_cache(maxsize=256)
