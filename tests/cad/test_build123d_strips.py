@@ -215,7 +215,7 @@ class TestBadInput:
             elastic_strip(edge, sheet=SHEET, max_width=10, form="rolled")
 
     def test_rotation_that_is_not_a_number(self, edge):
-        with pytest.raises(InputError, match="rotation is .*, in degrees"):
+        with pytest.raises(InputError, match=r"rotation is .*, in degrees"):
             StripOutline(edge, SHEET, max_width=10, rotation=np.array(90.0))
 
     def test_closed_with_a_corner(self):

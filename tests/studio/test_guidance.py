@@ -302,7 +302,7 @@ def test_the_view_fits_again_after_undo_and_when_the_bent_strip_leaves_it(server
         assert np.hypot(*(studio.point(1) - studio.point(7))) == pytest.approx(span, rel=0.05)
 
         studio.start("arch")
-        studio.until(lambda: "…" not in studio.text(".told"))
+        studio.until(lambda: studio.verdict() == "It can be made" and "…" not in studio.text(".told"))
         studio.browser.execute_script("document.querySelector('.bend').scrollIntoView()")
         x, y, wide, high = studio.box(".bend input")
         studio.mouse("mouseMoved", (x + 0.9 * wide, y + high / 2), buttons=0)
