@@ -101,7 +101,7 @@ class EndAngle(Constraint):
         return rod.all_angles[-1:] - self.target
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the only value, as one row."""
+        """Return the derivatives of the signed distance, as one row."""
         return _all_rows(sensitivities.angles[-1:])
 
 
@@ -117,7 +117,7 @@ class EndMoment(Constraint):
         return rod.moments[-1:] / self.scale
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the only value, as one row."""
+        """Return the derivatives of the signed distance, as one row."""
         return _all_rows(sensitivities.moments[-1:] / self.scale)
 
 
@@ -159,7 +159,7 @@ class Through(Constraint):
         return np.array([normal @ off])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the only value, as one row."""
+        """Return the derivatives of the signed distance, as one row."""
         share, nodes, normal = self._foot(sensitivities.rod)
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
@@ -332,7 +332,7 @@ class MarginLimit(Constraint):
         return np.array([(mu - self.limit * rod.stiffness.min()) / self.scale])
 
     def rows(self, sensitivities: Sensitivities) -> tuple[IntArray, FloatArray]:
-        """Return the derivatives of the only value, as one row."""
+        """Return the derivatives of the signed distance, as one row."""
         rod, d = sensitivities.rod, self.disturbed(sensitivities.rod).margin_derivatives
         u = sensitivities.grid.unknowns
         row = d.angles @ sensitivities.angles[1:-1] + sensitivities.along_forces(d.force)
@@ -345,7 +345,8 @@ class MarginLimit(Constraint):
         return _all_rows(row[None] / self.scale)
 
     def chained(self, rod: MappedRod, by_tangent: FloatArray) -> tuple[FloatArray, FloatArray | None]:
-        """Convert derivatives by dM/dkappa to derivatives by K (n+1,) and by M (n+1,).
+        """Convert derivatives by the tangent stiffness dM/dkappa to derivatives by the stiffness K and the
+        moment M, (n+1,) each.
 
         The derivatives by M are None if M has no effect.
         """

@@ -233,7 +233,7 @@ def check_smooth(smooth: object) -> float | None:
         return None
     if isinstance(smooth, bool) or not isinstance(smooth, float | int | np.number):
         raise InputError(
-            f"smooth is {smooth!r}: give a distance in mm, 0 for none, or None", where={"field": "smooth"}
+            f"smooth is {smooth!r}: give a distance in mm, or 0 for no smoothing", where={"field": "smooth"}
         )
     if not 0 <= smooth <= LARGEST_SMOOTH:
         raise InputError(

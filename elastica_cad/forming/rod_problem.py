@@ -257,8 +257,8 @@ def _lengths(task: NearestTask) -> tuple[float, float]:
     if task.keep.length:
         if not low * (1 - 1e-12) <= 1 <= high * (1 + 1e-12):
             raise InputError(
-                "keep length requires {size:.6g}, outside the limit length of {size_2:.6g} to {size_3:.6g}: "
-                "remove one of them",
+                "the length of the curve is to be kept, {size:.6g}, but the limit of the length is {size_2:.6g} to "
+                "{size_3:.6g}: remove one of the two requests",
                 size=Length(target.size),
                 size_2=low * target.size,
                 size_3=Length(high * target.size),

@@ -28,8 +28,8 @@ def solve_rod(spec: RodSpec) -> Rod | NearestRod:
     curve, layers, widths = spec.curve_to_bend, spec.layers, spec.widths
     if (spec.between or spec.point_forces) and (spec.may_change or layers is not None):
         raise InputError(
-            "A strip with rails, pins, ties or point forces can only be made of one sheet and for the drawn "
-            "curve itself. Leave out the backing and {limits}, or these elements.",
+            "A strip with rails, pins, ties or point forces must be of one sheet and follow the drawn curve "
+            "exactly. Leave out the backing and {limits}, or these elements.",
             limits=FieldName("limits"),
         )
     weight = _weight_on(spec.weight, curve.length / spec.curve.length)

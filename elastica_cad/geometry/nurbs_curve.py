@@ -273,7 +273,10 @@ class RationalPieces:
         return self._known[order]
 
     def _series(self, order: int) -> FloatArray:
-        """Return the derivative d/dt of all pieces, (p, degree + 1, 2 or 3), in a scaled Bernstein basis."""
+        """Return derivatives of all pieces with respect to t, of the given order, in a scaled Bernstein basis.
+
+        The coefficients (p, degree + 1, 2 or 3) are raised to the degree of the curve.
+        """
         degree, widths = self.spans.degree, self.spans.widths[:, None, None]
         if order > degree:
             return np.zeros_like(self._local)

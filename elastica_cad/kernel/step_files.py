@@ -64,7 +64,7 @@ def try_in_a_copy(task: Callable[[], object], size: int = 0) -> None:
         return
     seconds = LEAST_S + S_PER_MB * size // 2**20
     with warnings.catch_warnings():
-        # the warning is about threads; the copy has only one
+        # Python warns because forks copy no threads; the copy needs none
         warnings.simplefilter("ignore", DeprecationWarning)
         parent, copy = os.getpid(), os.fork()
     if not copy:

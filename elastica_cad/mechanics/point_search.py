@@ -134,7 +134,7 @@ def move_while_possible(
     halvings: int,
     directions: slice = ALL_DIRECTIONS,
 ) -> Found | None:
-    """Return the result at a possible place nearer to an impossible `end`, or None if there is none near `start`.
+    """Return the result of `possible` at a place as near as possible to an impossible `end`.
 
     Places are tried along the straight line to `end`, else along x or y. The search stops within `step` of
     the limit of the possible places, or after `halvings` trials. To reach the limit, repeat the call from the

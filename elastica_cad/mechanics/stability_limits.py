@@ -212,7 +212,7 @@ def _first_state(course: Course, rod: Rod, side: int | None) -> tuple[float, Rod
         reached = reach(state_of(rod, course.system(t)), side if t > 0 else None, 1)
         if not reached.arrived:
             raise NotConvergedError(
-                f"the start of the path was not reached: the rod snaps after {reached.fraction:.1%} of the way"
+                f"the rod snaps on the way to the start of the path, after {reached.fraction:.1%} of that way"
             )
         if (
             not is_straight(reached.state)

@@ -224,7 +224,7 @@ def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling,
 class Ruling:
     """Intersection line of two strips with parallel rulings.
 
-    The parameter q is the distance v along the ruling of the first strip.
+    A point on the line is given by q, its distance along the ruling of the first strip, mm.
     """
 
     strips: tuple[RuledStrip, RuledStrip]

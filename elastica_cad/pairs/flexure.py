@@ -622,8 +622,9 @@ class Flexure:
 
     @cached_property
     def travel(self) -> FlexureTravel:
-        """Path from the first state to the second: a bistable part is pushed, the end of another part is
-        moved.
+        """Path from the first state to the second.
+
+        If the part is bistable, it is pushed; otherwise its end is moved.
         """
         return self._pushed(*self.rods) if self.pair.bistable else self._led()
 

@@ -365,7 +365,7 @@ class PairedPanels:
 
     @cached_property
     def basis(self) -> FloatArray:
-        """Basis (5, q) of the solutions for the first five numbers that satisfy the conditions."""
+        """Basis (5, q) of the solutions of the conditions; a solution consists of the first five numbers."""
         return self._split[0]
 
     @cached_property
@@ -384,7 +384,7 @@ class PairedPanels:
         rows = PanelFunction.through(self.stiffness @ free).dense
         _, sigma, vt = svd(rows, full_matrices=False)
         rank = int(np.count_nonzero(sigma > DEPENDENT_SHARE * sigma[0]))
-        # if no stiffness satisfies the conditions, only rounding errors remain
+        # if no stiffness satisfies the conditions, the product consists of rounding errors
         is_free = np.abs(self._difference @ free).max(initial=0.0) > CONGRUENT_SHARE
         return (free @ vt[:rank].T, free @ vt[rank:].T) if is_free else (free[:, :0], free)
 

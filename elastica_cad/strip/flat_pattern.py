@@ -278,7 +278,7 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
 
 @dataclass
 class _Cutter:
-    """Builder that divides loops at the stations and closes the regions along seams on the station lines."""
+    """Divides the loops of a pattern by lines across the strip at the stations, and closes the parts along them."""
 
     stations: list[float]
     points: list[FloatArray] = field(default_factory=list)

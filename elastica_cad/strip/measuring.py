@@ -88,7 +88,7 @@ EXCHANGES: Mapping[str, Mapping[str, str]] = {
         "height_1": "height_3", "height_3": "height_1", "start_angle": "end_angle", "end_angle": "start_angle",
     },
 }  # fmt: skip
-"""Names that a reader exchanges by a slip."""
+"""Readings that people write down in the wrong order: for each mistake, the reading that each name has."""
 
 THICKEST_PERCENT = 6.0
 """Largest plausible amplitude of the variation of a sheet's thickness, in percent."""

@@ -266,7 +266,7 @@ def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str
     """Return how the ends of a closed strip are joined, and the load there. `lap` and `width` are in mm."""
     how = (
         note(
-            "glue the tab of {lap} at its end, bent along the curve, to the inside of its start",
+            "bend the tab of {lap} at the end of the strip along the curve, and glue it to the inside of the start",
             lap=Length(lap),
         )
         if lap

@@ -322,8 +322,8 @@ def _mounting_rows(strip: Strip) -> Iterator[Row]:
         "if mounted with an error of {error}, {moves}", error=Length(MOUNTING_ERROR_MM), moves=sentences(texts),
     )  # fmt: skip
     details = note(
-        "The error moves a rail across the strip or a pin in any direction, or makes a cord too long or too "
-        "short. The result is the largest displacement of the strip."
+        "The error is the distance of a rail or pin from its designed position, or the error of the length of a "
+        "cord. The stated movement is that of the point of the strip that moves most."
     )
     yield Row(note("Mounting"), text, (details,))
 

@@ -529,7 +529,7 @@ def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]
                 tab=tab,
                 depth=Length(depth),
             ),
-            note("Make the tab as wide as the strip, or lower the plate by this depth"),
+            note("Make the tab as wide as the strip, or lower the plate by {depth}", depth=Length(depth)),
         )
         for tab, depth, thickness in shoulders
         if depth > thickness
@@ -601,7 +601,7 @@ def _suggestions_for_necks(
             field=field,
             width=Length(wider[0].value),
         )
-    smoothing = note("or smooth its points more ({field})", field=FieldName("smooth"))
+    smoothing = note("or smooth the points of the curve more ({field})", field=FieldName("smooth"))
     more = [smoothing] if noisy else []
     return sentences([cure, *more], ", "), (*wider, Change("nearest", True))
 
@@ -689,7 +689,7 @@ def _too_large(
             yield Fault(name, what, cure, (fits,))
         else:
             cure = note(
-                "Set a larger stock, join the strip from pieces by plates (lap), or make the curve smaller"
+                "Set a larger stock, make the strip from pieces that plates join (lap), or make the curve smaller"
             )
             lap = Change("lap", float(round(LAP_THICKNESSES * sheet.thickness)))
             yield Fault(name, what, cure, (lap,))

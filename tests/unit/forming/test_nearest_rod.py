@@ -439,7 +439,10 @@ def test_a_straight_wish():
         (lambda: nearest_rod(ARCH, weights=-1.0), "weights"),
         (lambda: nearest_rod(ARCH, start=optimal_rod(ARCH)), "record of nearest_rod"),
         (lambda: nearest_rod(ARCH, Limits(length=(10, 100))), "apart"),
-        (lambda: nearest_rod(ARCH, Limits(length=(300, 400)), Keep(length=True)), "keep length"),
+        (
+            lambda: nearest_rod(ARCH, Limits(length=(300, 400)), Keep(length=True)),
+            "length of the curve is to be kept",
+        ),
         (lambda: nearest_rod(ARCH, Limits(keep_out=HalfPlane((0, 10)))), "keep-out"),
         (lambda: nearest_rod(ARCH, keep=Keep(symmetry="mirror")), "mirror image"),
         (lambda: nearest_rod(TURN, keep=Keep(symmetry="turn"), gravity=Gravity(100.0)), "half turn"),

@@ -235,7 +235,7 @@ def test_pattern_and_report():
     told = report_strip(strip, name="R", files={})["joint"]
     assert told["lap"] == 10.0
     assert told["moment"] == pytest.approx(abs(strip.bending_stiffness / 60), rel=1e-3)
-    assert "glue the tab of 10 mm" in told["meaning"]
+    assert "the tab of 10 mm" in told["meaning"]
 
 
 def test_bodies():

@@ -77,7 +77,7 @@ def test_a_strip_of_points_that_waver_is_smoothed_rather_than_made_very_wide():
         (0.6, r"\. Make it 19.5 mm wide or wider \(max_width\), or use"),
         (0.33, r"\. Use"),
     ):
-        cures = f"{wider} the nearest curve .*or smooth its points more"
+        cures = f"{wider} the nearest curve .*or smooth the points of the curve more"
         with pytest.raises(InputError, match=cures):
             make_strip(wavering, "spring-steel-0.2", max_width=12, smooth=smooth)
     make_strip(wavering, "spring-steel-0.2", max_width=20, smooth=0.6)

@@ -201,7 +201,7 @@ def draw_into(obj: Any) -> None:
         raise InputError("{object} is not a sketch, so no curve can be drawn in it", object=sketch.Label)
     if any(edges):
         raise InputError(
-            "{object} has other curves, which would be replaced too. Press Make a sketch to edit.",
+            '{object} has other curves, which would be replaced too. Press the button "Make a sketch to edit".',
             object=sketch.Label,
         )
     obj.Document.removeObject(obj.Name)

@@ -46,9 +46,8 @@ def remember(sketch: Any, on: bool, name: str = MEMORY) -> None:
             MEMORY: App.Qt.translate("App::Property", "Show live feedback while this sketch is open"),
             KEEP: App.Qt.translate("App::Property", "Stop dragged poles where the strip can be made"),
         }
-        sketch.addProperty(
-            "App::PropertyBool", name, "Elastica", words[name], 8
-        )  # 8: a change causes no recompute
+        no_recompute = 8
+        sketch.addProperty("App::PropertyBool", name, "Elastica", words[name], no_recompute)
     setattr(sketch, name, on)
 
 

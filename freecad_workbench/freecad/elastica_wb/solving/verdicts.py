@@ -86,7 +86,9 @@ def width_fault(length: float, width: float | None) -> Fault | None:
 def strain_words(verdict: StrainVerdict) -> str:
     """Return a short description of a strain that is not allowed."""
     return note(
-        "would break: {percent} %" if verdict.refused else "beyond its limit: {percent} %",
+        "would break: {percent} % of the strain limit"
+        if verdict.refused
+        else "beyond its limit: {percent} % of the allowed strain",
         percent=verdict.percent,
     )
 
@@ -160,7 +162,7 @@ def refusal_answer(error: ElasticaError) -> Answer:
             return _undecided(error.check)
         return Answer(Verdict.CANNOT, translate("Elastica", "cannot"), sentence_of(error))
     if isinstance(error, StrainError):
-        words = note("would break: {percent} %", percent=error.refusal.values["percent"])
+        words = note("would break: {percent} % of the strain limit", percent=error.refusal.values["percent"])
         return Answer(Verdict.BREAKS, words, sentence_of(error))
     return Answer(Verdict.BREAKS, translate("Elastica", "cannot be made"), sentence_of(error))
 
