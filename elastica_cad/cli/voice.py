@@ -173,8 +173,9 @@ def wrote(paths: Iterable[PurePath], contents: Mapping[str, str] = MappingProxyT
 
 
 def answer(record: Mapping[str, Any] | list[dict[str, Any]]) -> None:
-    """Set the JSON record of the command, with records, arrays and paths as plain JSON."""
-    voice().record = _simplify(record)
+    """Set the record that `--json` prints. Records, arrays and paths become plain JSON."""
+    if voice().as_json:
+        voice().record = _simplify(record)
 
 
 def say_step(text: str, number: int = 0, count: int = 0) -> None:

@@ -77,7 +77,8 @@ class Line:
     @property
     def bounds(self) -> FloatArray:
         """Bounding box [[x_min, y_min], [x_max, y_max]], mm."""
-        return np.array([np.minimum(self.start, self.end), np.maximum(self.start, self.end)])
+        (x0, y0), (x1, y1) = self.start.tolist(), self.end.tolist()
+        return np.array([[min(x0, x1), min(y0, y1)], [max(x0, x1), max(y0, y1)]])
 
     def at(self, u: ArrayLike) -> FloatArray:
         """Return points (..., 2) at u in [0, 1]."""
@@ -181,12 +182,12 @@ class Arc:
     @cached_property
     def start(self) -> FloatArray:
         """First point (2,), mm."""
-        return self._on(self.start_angle)
+        return self._end(self.start_angle)
 
     @cached_property
     def end(self) -> FloatArray:
         """Last point (2,), mm; exactly equal to `start` for a circle."""
-        return self.start if self.is_circle else self._on(self.end_angle)
+        return self.start if self.is_circle else self._end(self.end_angle)
 
     @property
     def length(self) -> float:
@@ -246,8 +247,13 @@ class Arc:
         """Return the same arc as an exact rational spline."""
         return Spline(PlaneCurve.arc(self.center, self.radius, self.start_angle, self.end_angle))
 
-    def _on(self, angle: FloatArray | float) -> FloatArray:
+    def _on(self, angle: FloatArray) -> FloatArray:
         return self.center + self.radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+
+    def _end(self, angle: float) -> FloatArray:
+        # plain numbers are faster than arrays, and engraved texts have thousands of arcs
+        x, y = self.center.tolist()
+        return np.array([x + self.radius * cos(angle), y + self.radius * sin(angle)])
 
 
 @dataclass(frozen=True, eq=False)
