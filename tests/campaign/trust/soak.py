@@ -19,7 +19,7 @@ import elastica_cad as ec
 
 ROOT = Path(__file__).resolve().parents[3]
 EXAMPLES = ("vase", "lantern", "shell", "revolution", "carpet", "projective", "spiral")
-EVERY = 150
+EVERY = 30
 """Rounds after which one of the examples is built whole and drawn."""
 
 WARM = EVERY * len(EXAMPLES)  # rounds after which caches are full: every example was built once
@@ -81,7 +81,11 @@ def main():
             if time.monotonic() - since > 60 * asked.minutes:
                 break
         last = held()
-    grown = {key: round(last[key] - first.get(key, last[key]), 1) for key in last}
+    if not first:
+        sys.exit(
+            f"Ended after {done} of the first {WARM} rounds, which fill the caches. Set --minutes higher."
+        )
+    grown = {key: round(last[key] - first[key], 1) for key in last}
     leaks = grown["mib"] > MOST_GROWTH_MIB or grown["threads"] > 0 or grown["files"] > 2
     record = {"solves": done, "first": first, "last": last, "grown": grown, "leaks": bool(leaks)}
     asked.out.mkdir(parents=True, exist_ok=True)
