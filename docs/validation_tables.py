@@ -88,7 +88,8 @@ def lateral() -> Iterator[str]:
     ]
     yield from _table(
         "Strips that tip out of their plane",
-        "The strip has length 1. The table contains the critical moment, force or weight per length, divided by "
+        "The strip has length 1. The table contains the critical value of the load that its row names (moment, "
+        "force or weight per length), divided by "
         "the square root of edgewise bending stiffness times torsional stiffness. Ours is the load at which the "
         "computed stability margin against tipping sideways is 0. The bent shape is computed at 601 points along "
         "the strip, and the margin at 201 points.",
@@ -108,8 +109,9 @@ def paper() -> Iterator[str]:
     yield from _table(
         "Pavilion of Hafner and Bickel: least stiffness ratio",
         "Hafner and Bickel 2021, section 9.1. The stiffness ratio is the largest stiffness of a strip divided by "
-        "its smallest. The published ratios are results of their linear program, here with so many points along "
-        "the curve that more points do not change them. The strips are computed without and with their weight.",
+        "its smallest. The published ratios are results of their linear program. We ran it with so many "
+        "points along the curve that more points do not change the ratios. The strips are computed without and "
+        "with their weight.",
         "test_optimal_ratios",
         ["curve", "without weight", "ours", "with weight", "ours"],
         rows,
@@ -151,7 +153,8 @@ def revolution() -> Iterator[str]:
     yield from _table(
         "Surfaces of revolution of Hafner and Bickel: ends of the meridians",
         "Hafner and Bickel 2021, section 9.4. Their published code integrates the meridian step by step with a "
-        "method of first order. Therefore the error of its end (x, y) is a few times the length of a step. With "
+        "method of first order. Therefore the error of its end (x, y) is up to ten times the length of a step. "
+        "With "
         "shorter steps, their end approaches ours. The last column is the distance between both ends, divided by "
         "the length of a step of their code.",
         "test_revolution",
@@ -168,9 +171,9 @@ def code() -> Iterator[str]:
     (place,) = stability_determinant(rod).sign_changes
     yield from _table(
         "Where a strip loses stability",
-        "One shape in equilibrium, computed by the published code of Hafner and Bickel. The piece of the strip "
-        "from its start to a point is stable until the point reaches the conjugate point. The table contains the "
-        "arc length of the conjugate point, in the unit of length of their data.",
+        "The published code of Hafner and Bickel computed one shape in equilibrium. A piece of the strip "
+        "from its start is stable if it ends before the conjugate point. The table contains the arc length of the "
+        "conjugate point, in the unit of length of their data.",
         "test_stability_reference",
         ["result", "theirs", "ours"],
         [["conjugate point", f"{data['sigma']:.8f}", f"{place:.8f}"]],

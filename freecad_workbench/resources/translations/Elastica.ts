@@ -2324,7 +2324,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pull the selected sketch's curve by four handles; if a strip can take the curve before, it can take it afterwards</source>
+        <source>Pull the selected sketch's curve by four handles; if a strip can take the drawn curve, it can take the changed curve</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

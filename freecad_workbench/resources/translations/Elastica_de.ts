@@ -2320,7 +2320,7 @@
         <translation>Projektiv bearbeiten</translation>
     </message>
     <message>
-        <source>Pull the selected sketch's curve by four handles; if a strip can take the curve before, it can take it afterwards</source>
+        <source>Pull the selected sketch's curve by four handles; if a strip can take the drawn curve, it can take the changed curve</source>
         <translation>Zieht die Kurve der gewählten Skizze an vier Griffen; kann ein Streifen die Kurve vorher annehmen, so kann er es auch nachher</translation>
     </message>
 </context>

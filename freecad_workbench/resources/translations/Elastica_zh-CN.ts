@@ -2320,7 +2320,7 @@
         <translation>射影编辑</translation>
     </message>
     <message>
-        <source>Pull the selected sketch's curve by four handles; if a strip can take the curve before, it can take it afterwards</source>
+        <source>Pull the selected sketch's curve by four handles; if a strip can take the drawn curve, it can take the changed curve</source>
         <translation>用四个控制柄拉动所选草图的曲线；若条带之前能弯成该曲线，之后也能</translation>
     </message>
 </context>

@@ -71,7 +71,7 @@ DRAW = (
         text=QT_TRANSLATE_NOOP("Elastica_Projective", "Projective edit"),
         tip=QT_TRANSLATE_NOOP(
             "Elastica_Projective",
-            "Pull the selected sketch's curve by four handles; if a strip can take the curve before, it can take it afterwards",  # noqa: E501
+            "Pull the selected sketch's curve by four handles; if a strip can take the drawn curve, it can take the changed curve",  # noqa: E501
         ),
         run=partial(open_on, ProjectivePanel, chosen_sketch),
         has_subject=actions.has_curve,
