@@ -28,7 +28,7 @@ _FIRST_SPANS, _MOST_SPANS = 24, 240
 _SHORTEST_SPAN = 1e-3  # shortest knot span, in rod lengths; shorter ones would fit rounding errors
 _SAME_LENGTHS = 1e-6  # distance of an inflection from an end, in rod lengths, below which it is at the end
 _PARDONED = 2.0  # largest accepted error, as a multiple of the tolerance, if more knot spans do not reduce it
-# the extrapolation uses rods with 4 and 8 times as many edges
+# factor on the number of edges; the extrapolation uses this factor and its double
 _FINER = 4
 
 

@@ -228,7 +228,7 @@ def outline_steps(rod: Rod, widest: float) -> bool:
 
 
 def check_smooth(smooth: object) -> float | None:
-    """Return the requested distance for smoothing as a float, mm, or None. Raise InputError for other values."""
+    """Return the requested distance for smoothing as a float, mm, or None; refuse other values."""
     if smooth is None:
         return None
     if isinstance(smooth, bool) or not isinstance(smooth, float | int | np.number):

@@ -125,7 +125,7 @@ def _bounds_along_strip(
         ),
     ] = None,
 ) -> tuple[float | Row | None, float | Row | None]:
-    """Bounds of K / min K along the strip, as stored in files."""
+    """Bounds of the stiffness along the strip, relative to its least value, as stored in files."""
     return lower, upper
 
 

@@ -193,10 +193,7 @@ class _Cut:
 
     @cached_property
     def marks(self) -> FloatArray:
-        """Positions at which pieces may have to end exactly.
-
-        These positions are corners, ends of straight parts, jumps of the curvature, and the end.
-        """
+        """Positions at which pieces may have to end: corners, ends of straight parts, curvature jumps, the end."""
         marks = [corner.t for corner in self.curve.tangent_breaks]
         for zero in self.curve.curvature_zeros:
             if zero.kind in ("flat", "jump"):

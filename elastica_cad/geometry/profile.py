@@ -20,9 +20,9 @@ from elastica_cad.geometry.splines import (
 )
 
 STEP_SHARE = 2e-5
-"""Length of a step, as a fraction of the length of the strip.
+"""Length of the ramp that replaces a step, as a fraction of the length of the strip.
 
-A step is replaced by a short ramp, so that the edge of an outline remains continuous.
+The ramp keeps the edge of an outline continuous.
 """
 
 

@@ -725,7 +725,7 @@ class _Problem:
 def _smoothed(
     problem: _Problem, control: FloatArray, t: FloatArray, tolerance: float, mean: float
 ) -> FloatArray:
-    """Return the control points for the largest penalty within the tolerance and the `mean` RMS distance."""
+    """Return the control points of the smoothest spline, with errors up to `tolerance` and an RMS up to `mean`."""
     low, high = np.log10(_LEAST_PENALTY), 6.0
     for _ in range(12):
         middle = (low + high) / 2

@@ -402,7 +402,7 @@ class ElementForce:
         return float(np.hypot(*self.force[0]))
 
     def distance_on(self, curve: PlaneCurve) -> float:
-        """Return the distance on a curve between the first and the last point of the element, mm.
+        """Return the straight distance, mm, between the first and the last point of the element on a curve.
 
         This distance is the length of a taut cord.
         """

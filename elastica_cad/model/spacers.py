@@ -42,10 +42,10 @@ GRID_TURN = np.radians(2.0)
 """Angle between tried places of a round plate, rad."""
 
 MOST_MARGIN_MM = 5.0
-"""Largest distance, mm, that is preferred to a smaller distance."""
+"""Distance, mm, from obstacles up to which a larger distance is preferred."""
 
 BORDER_EXTRA_MM = 2.0
-"""Width of a border with spacers in addition to the spacer and the least material at its sides, mm.
+"""Width of a border, mm, in addition to a spacer and the least material at its sides.
 
 It contains the clearance, and the depth of a round rim along a spacer.
 """
@@ -67,7 +67,7 @@ def spacer_name(first: BasePlate) -> str:
 
 
 def pairs_of_plates(plates: Sequence[BasePlate]) -> Iterator[tuple[BasePlate, BasePlate, float]]:
-    """Yield plates that hold the same tabs, first the plate nearer to the strips, and the gap between them, mm."""
+    """Yield the two plates that hold the same tabs, the plate nearer to the strips first, and their gap, mm."""
     for i, first in enumerate(plates):
         for second in plates[i + 1 :]:
             distance = float((first.frame.origin - second.frame.origin) @ first.frame.z_axis)
@@ -136,7 +136,7 @@ def _with_slots(plate: Plate, slots: tuple[TabSlot, ...], options: PlateOptions)
 
 
 def _rectangle(place: FloatArray, size: FloatArray) -> FloatArray:
-    """Return the corners (4, 2), anticlockwise, of a rectangle of a size (2,), mm, at (x, y, angle)."""
+    """Return the corners (4, 2), anticlockwise, of a rectangle of a `size` (2,), mm, at (x, y, angle)."""
     along = np.array([np.cos(place[2]), np.sin(place[2])])
     sides = np.array([along, (-along[1], along[0])]) * size[:, None] / 2
     return np.asarray(place[:2] + np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) @ sides, dtype=float)
@@ -160,7 +160,7 @@ def _spacer(plates: tuple[BasePlate, BasePlate], gap: float, width: float, place
 def _free_places(
     placed: Sequence[Placed], plates: tuple[BasePlate, BasePlate], gap: float, count: int
 ) -> tuple[float, FloatArray]:
-    """Return the largest possible width, mm, and the places (count, 3), (x, y, angle), of spacers in the plates."""
+    """Return the largest possible width, mm, of spacers, and their places (count, 3): x, y and angle."""
     first, options = plates[0], plates[0].options or PlateOptions()
     bridge = limits_or_default(options.shop).bridge_for(first.sheet)
     closed, cuts, bodies = _obstacles(placed, plates, gap)
