@@ -570,7 +570,7 @@ def curve_from_points(
         _require_near(pieces[0], points, tolerance)
         return pieces[0].drawn_as(replace(drawn, measured=measured))
     whole = _joined([Edge(c.knots, c.control_points, c.degree) for c in pieces], 0.0)
-    # state no noise, because it cannot be told from corners
+    # the noise is set to 0, because it cannot be distinguished from corners
     drawn = (
         replace(drawn, vertices=points) if sides else replace(drawn, measured=replace(measured, noise=0.0))
     )
@@ -611,7 +611,7 @@ def _corners(points: FloatArray, angle: float, least: float = 0.0) -> list[int]:
 
 
 def _smooth_pieces(points: FloatArray, tolerance: float, allowed: float) -> list[PlaneCurve]:
-    """Return a smooth curve through points, cut at corners unless it is within `allowed` of the sides."""
+    """Return a smooth curve through points. If it is not within `allowed` of the polyline, cut it at corners."""
     if len(points) == 2 or np.isinf(allowed):
         return [smooth_through(points, tolerance)]
     curve, distance = fit_polyline(points, tolerance)

@@ -277,7 +277,7 @@ def _plate_rows(holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
     """Yield a row for each plate and rib: its middle, and the distance from the previous one's."""
     middles = list[FloatArray]()
     for holder in single_holders(holders):
-        # sentences state the positions of rings, and slots those of spacers
+        # the positions of rings are in sentences, and those of spacers follow from their slots
         if isinstance(holder, EndFixture | Spacer) or (
             isinstance(holder, BasePlate) and (holder.glued or isinstance(holder.options, RingOptions))
         ):
