@@ -165,7 +165,12 @@ class Limits:
 
     ratio: Annotated[
         float | None,
-        Option("Largest stiffness ratio, widest over narrowest.", least=1, group="limits", common=True),
+        Option(
+            "Largest stiffness ratio: the widest place is at most this many times as stiff as the narrowest.",
+            least=1,
+            group="limits",
+            common=True,
+        ),
     ] = None
     margin: Annotated[
         float | None,

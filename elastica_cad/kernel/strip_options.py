@@ -78,7 +78,7 @@ class StripOptions(TypedDict, total=False):
     creep: Annotated["float", "Long-term creep factor of the sheet; 0 for no creep."]
     law: Annotated[
         "BoundedLaw | None",
-        "Section law: varies thickness, diameter of a rod or tube, or number of plies instead of width.",
+        "Section law: thickness, diameter of a rod or tube, or number of plies varies instead of the width.",
     ]
     ignore_limits: Annotated["bool", "Make a strip even if it cannot be cut or handled, with a warning."]
     tolerance: Annotated[

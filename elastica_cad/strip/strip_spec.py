@@ -508,7 +508,7 @@ class StripSpec(EqualByValue):
     law: Annotated[
         BoundedLaw | None,
         Option(
-            "Section law: varies thickness, diameter of a rod or tube, or number of plies instead of width.",
+            "Section law: thickness, diameter of a rod or tube, or number of plies varies instead of the width.",
             group="widths",
         ),
     ] = None

@@ -147,7 +147,7 @@ def instruction(change: Change, drawn: Provenance | None = None) -> Refusal:
         case "sheet", _:
             return note("Cut it from {sheet}.", sheet=value)
         case "size", _:
-            return note("Draw the curve {scale} times as large.", scale=f"{value:g}")
+            return note("Draw the curve {scale:g} times as large.", scale=value)
     return note("Set {field} to {value}.", field=FieldName(change.field), value=Length(value))
 
 

@@ -84,6 +84,13 @@ class Studio:
 
         self.until(clicked)
 
+    def tool(self, name):
+        """Press a tool; on a phone the rare ones are behind More."""
+        (button,) = self.all(f"[data-do={name}]")
+        if not button.is_displayed():
+            self.all("[data-do=more]")[0].click()
+        button.click()
+
     def start(self, name):
         """Begin with one of the examples."""
         before, empty = self.browser.current_url, None if self.all(".yes, .care, .no") else self.verdict()

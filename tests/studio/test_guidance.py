@@ -130,7 +130,7 @@ def test_suitable_sheets_name_each_reason_once_and_close(server, tmp_path, width
     with screen(server, tmp_path, width) as studio:
         studio.start("hook")
         began = time.monotonic()
-        studio.all("[data-do=sheets]")[0].click()
+        studio.tool("sheets")
         studio.until(lambda: studio.all("dialog[open] [role=status]"))
         assert is_in_view(studio, "dialog .close")
         studio.until(lambda: studio.all("dialog details"))
@@ -147,7 +147,7 @@ def test_suitable_sheets_name_each_reason_once_and_close(server, tmp_path, width
         studio.open(f"{server.address}#{link(wave())}")
         studio.browser.refresh()
         studio.until(lambda: studio.verdict() == "It cannot be made")
-        studio.all("[data-do=sheets]")[0].click()
+        studio.tool("sheets")
         studio.until(lambda: "No sheet fits" in studio.text("dialog"))
         assert len(studio.all("dialog details p")) == 1
         studio.click("Close")
@@ -157,13 +157,13 @@ def test_suitable_sheets_name_each_reason_once_and_close(server, tmp_path, width
 def test_the_nearest_curve_is_a_switch_that_keeps_the_points(server, tmp_path, width):
     with screen(server, tmp_path, width, link(wave())) as studio:
         studio.until(lambda: studio.verdict() == "It cannot be made")
-        points, button = studio.shape("points"), studio.all("[data-do=nearest]")[0]
-        button.click()
+        points = studio.shape("points")
+        studio.tool("nearest")
         studio.until(lambda: "from the drawn curve" in studio.text(".numbers"))
         assert studio.shape("points") == points
         assert studio.shape("strip")
         assert not studio.all("g.marks .crossing")
-        studio.all("[data-do=nearest]")[0].click()
+        studio.tool("nearest")
         studio.until(lambda: studio.verdict() == "It cannot be made")
 
 
@@ -178,6 +178,107 @@ def test_the_boxes_of_a_point_cover_no_drawing(server, tmp_path, width):
             _, y, _, high = studio.box(".point")
             assert y + high <= place[1]
             assert is_in_view(studio, ".point button")
+
+
+BOXES = """
+const all = [...document.querySelectorAll(".elastica-studio :not(:is(svg *, canvas))")];
+const place = one => Object.values(one.getBoundingClientRect().toJSON()).map(Math.round).join();
+const isShown = one => one.isConnected && one.checkVisibility();
+const moved = (window.seen ?? []).filter(([one, before]) => isShown(one) && place(one) !== before);
+window.seen = all.filter(isShown).map(one => [one, place(one)]);
+return moved.map(([one]) => one.outerHTML.slice(0, 60));
+"""
+"""Start of the elements that have moved since this was last run."""
+CONTROLS = """
+return [...document.querySelectorAll("button, summary, select, input, label, dd, section, .cure")]
+  .filter(one => one.checkVisibility())
+  .map(one => one.getBoundingClientRect())
+  .map(({ x, y, width, height }) => [x + width / 2, y + height / 2])
+  .filter(([x, y]) => x > 0 && y > 0 && x < innerWidth && y < innerHeight);
+"""
+
+
+@pytest.mark.parametrize("fragment", ["arch", "refused"])
+def test_nothing_moves_when_the_pointer_does(server, tmp_path, fragment):
+    with screen(server, tmp_path, 1366, link(design(SHARP)) if fragment == "refused" else "") as studio:
+        if fragment == "refused":
+            studio.until(lambda: studio.all(".cure"))
+        else:
+            studio.start(fragment)
+            studio.until(lambda: "Accuracy" in studio.text(".numbers") and not studio.text(".empty"))
+        studio.browser.execute_script(BOXES)
+        for place in studio.browser.execute_script(CONTROLS):
+            studio.mouse("mouseMoved", place, buttons=0)
+            assert not studio.browser.execute_script(BOXES), place
+        control = ".cure" if fragment == "refused" else ".bend"
+        studio.mouse("mouseMoved", studio.center(control), buttons=0)
+        studio.until(lambda: studio.all("g.ghost path, .bend .marks path"))
+        assert not studio.browser.execute_script(BOXES)
+
+
+def test_the_empty_view_in_space_has_a_reason(server, tmp_path):
+    with screen(server, tmp_path, 1366) as studio:
+        assert studio.text(".empty").startswith("The bent strip is shown here")
+        studio.start("arch")
+        studio.until(lambda: not studio.text(".empty"))
+        studio.open(f"{server.address}#{link(design(SHARP))}")
+        studio.browser.refresh()
+        studio.until(lambda: "Point at a change" in studio.text(".empty"))
+        empty = studio.scene()
+        studio.mouse("mouseMoved", studio.center(".cure"), buttons=0)
+        strip = studio.until(lambda: not studio.text(".empty") and studio.scene())
+        assert strip != empty
+        studio.mouse("mouseMoved", studio.center(".plane > svg"), buttons=0)
+        studio.until(lambda: "cannot be made" in studio.text(".empty") and studio.scene() != strip)
+
+
+def test_settings_with_short_names_are_explained(server, tmp_path, width):
+    with screen(server, tmp_path, width) as studio:
+        studio.start("arch")
+        studio.tool("nearest")
+        studio.until(lambda: studio.all("#field-limits-ratio"))
+        studio.all(".rest summary")[0].click()
+        for name in ("limits-ratio", "limits-margin", "law"):
+            (help_text,) = studio.all(f".field:has(> #field-{name}) > .help")
+            assert help_text.is_displayed()
+            assert help_text.text.endswith(".")
+
+
+def test_the_language_can_be_chosen(server, tmp_path, width):
+    with screen(server, tmp_path, width) as studio:
+        studio.start("arch")
+        assert is_in_view(studio, "header > select")
+        studio.choose("header > select", "de")
+        studio.until(lambda: studio.verdict() == "Machbar")
+        assert len(studio.all("g.points circle")) == 9
+
+
+TEXTS = """
+const least = arguments[0], shown = [...document.querySelectorAll(".elastica-studio *")];
+const words = one => [...one.childNodes].some(({ nodeType, data }) => nodeType === 3 && data.trim());
+const scale = one => (one.closest("svg") ? one.getScreenCTM().a : 1);
+const isSmall = one => words(one) && parseFloat(getComputedStyle(one).fontSize) * scale(one) < least - 0.01;
+const isHidden = one => !one.checkVisibility() || getComputedStyle(one).clipPath !== "none" || one.closest("svg");
+const isCut = one => !isHidden(one) && one.clientWidth && one.scrollWidth > one.clientWidth + 1;
+const isOutside = one => !isHidden(one) && one.getBoundingClientRect().right > innerWidth + 1;
+return [one => one.checkVisibility() && isSmall(one), isCut, isOutside]
+  .map(fault => shown.filter(fault).map(one => one.outerHTML.slice(0, 80)));
+"""
+"""Start of the elements with small letters, with contents wider than themselves, and outside the window."""
+
+
+@pytest.mark.parametrize("language", ["en", "de", "zh"])
+def test_texts_are_whole_and_large_enough(server, tmp_path, width, language):
+    """At least 12 px on a desk and 14 px on a phone; nothing is wider than its place."""
+    with screen(server, tmp_path, width, language=language) as studio:
+        for name in ("lamp", "arch"):
+            studio.start(name)
+            studio.until(lambda: not studio.text(".empty"))
+            studio.tool("nearest")
+            studio.until(lambda: studio.all("#field-limits-ratio"))
+            studio.all(".rest summary")[0].click()
+            studio.mouse("mouseMoved", studio.center(".bend input"), buttons=0)
+            assert studio.browser.execute_script(TEXTS, 12 if width > 900 else 14) == [[], [], []]
 
 
 def test_the_slider_has_marks(server, tmp_path, width):
@@ -277,7 +378,7 @@ def test_copies_offer_their_kit_their_sheet_and_two_plates(server, tmp_path, wid
 def test_a_held_point_is_said_to_be_stopped(server, tmp_path, width):
     with screen(server, tmp_path, width) as studio:
         studio.start("arch")
-        studio.all("[data-do=keep]")[0].click()
+        studio.tool("keep")
         at = studio.point(5)
         studio.mouse("mouseMoved", at, buttons=0)
         studio.mouse("mousePressed", at, clickCount=1)
@@ -297,7 +398,7 @@ def test_the_view_fits_again_after_undo_and_when_the_bent_strip_leaves_it(server
         (larger,) = (one for one in studio.all(".cure") if one.text.startswith("Draw the curve"))
         larger.click()
         studio.until(lambda: not studio.all(".verdict.no"))
-        studio.all("[data-do=undo]")[0].click()
+        studio.tool("undo")
         studio.until(lambda: studio.all(".verdict.no"))
         assert np.hypot(*(studio.point(1) - studio.point(7))) == pytest.approx(span, rel=0.05)
 

@@ -354,6 +354,7 @@ def test_all_that_is_needed_is_in_view(server, tmp_path, language):
                 assert high >= least, selector
         tools = studio.browser.execute_script(
             "return [...document.querySelectorAll('.tools button:has(> .icon), .tools summary')]"
+            ".filter(tool => tool.checkVisibility())"
             ".map(tool => [tool.getBoundingClientRect().top, tool.querySelector('svg') !== null, tool.innerText])"
         )
         assert len({top for top, _, _ in tools}) == 1

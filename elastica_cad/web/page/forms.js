@@ -1,6 +1,6 @@
 // Controls made of declared fields: the server says what can be asked, and in which words and units.
 
-const LABELS = { true: "yes", false: "no", base: "base plate", fixtures: "printed blocks", stand: "first that fits" }; // of values
+const LABELS = { true: "yes", false: "no", blank: "pre-bent strip", "drawn blank": "pre-bent strip, drawn", base: "base plate", fixtures: "printed blocks", stand: "first that fits" }; // of values and tables
 const ABSENT = { // what holds where nothing is set, as the server decides it
   thickness: "as listed", min_width: "automatic", compensate: "automatic", smooth: "automatic", samples: "automatic", seam_position: "automatic", engrave: "label", style: "one sheet", ends: "10 mm tabs", gravity: "not counted",
   limits: "no", keep: "nothing", natural_curvature: "flat sheet", law: "by width", tolerance: "usual", shop: "usual", between: "none", loads: "none", Holders: "none",
@@ -40,7 +40,7 @@ const valuesOf = (field) => (field.kind === "either" ? field.of : [field]);
 const listed = (value) => (value?.kind === "list" ? value.of.flatMap(valuesOf).filter((entry) => entry.fields) : []);
 const shown = (value, unit) => (value == null ? "" : typeof value === "number" ? `${unit === "mm" ? +value.toPrecision(6) : value}`
   : Array.isArray(value) && value.length === 2 && value.every(Number.isFinite) ? value.join("; ") : typeof value === "object" ? JSON.stringify(value) : `${value}`);
-const titleOf = (table) => table.word ?? table.table;
+const titleOf = (table) => LABELS[table.word ?? table.table] ?? table.word ?? table.table;
 
 export class Form {
   // Groups are titles with their fields; others are behind one step. get(path) and set(path, value) reach into the design; undefined is what is not given.
@@ -96,10 +96,12 @@ export class Form {
     return html("div", { class: "table list" }, this.row(field, add, id), rows);
   }
 
+  // The help is also printed where names say little, among the limits and the other settings, and everywhere on a phone.
   row(field, input, id) {
     const { t } = this, help = t(field.help);
     (input.id ? input : input.firstChild).title = help; // read as its description
-    return html("div", { class: "field" }, html("label", { for: id }, t(TITLES[field.name] ?? field.name.replaceAll("_", " "))), input, html("span", { class: "unit" }, field.unit));
+    return html("div", { class: "field" }, html("label", { for: id }, t(TITLES[field.name] ?? field.name.replaceAll("_", " "))), input, html("span", { class: "unit" }, field.unit),
+      field.help ? html("p", { class: "help", "aria-hidden": "true" }, help) : null);
   }
 
   // A value and its text each; or the title of a group and the options in it.
@@ -164,7 +166,7 @@ export class Form {
       made = this.renew(inner, made, () => (kind === "value" ? [this.control({ ...field, ...(others.length > 1 ? { kind: "either", of: others } : others[0]), name: "value" }, path)]
         : (tables[kind]?.fields ?? []).map((one) => this.control(one, [...path, one.name]))));
     });
-    return html("div", { class: "table" }, this.row(field, select, id), inner);
+    return html("div", { class: "table" }, this.row({ ...field, unit: "" }, select, id), inner);
   }
 }
 

@@ -14,7 +14,7 @@ const ICONS = { // paths in a square of 24
   sheets: "M12 4l9 4-9 4-9-4zM3 12l9 4 9-4M3 16l9 4 9-4", pair: "M3 12c5-10 13-10 18 0M3 12c5 10 13 10 18 0",
   starts: "M4 4h7v7H4zM13 4h7v7h-7zM4 13h7v7H4zM13 13h7v7h-7z", open: "M3 6h6l2 2h10v11H3z", save: "M4 4h13l3 3v13H4zM8 4v5h7V4M7 20v-7h10v7",
   link: "M10 14a4 4 0 0 0 6 0l4-4a4 4 0 0 0-6-6l-1 1M14 10a4 4 0 0 0-6 0l-4 4a4 4 0 0 0 6 6l1-1", download: "M12 4v11M7 11l5 5 5-5M4 20h16",
-  fit: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5", "zoom-in": "M12 5v14M5 12h14", "zoom-out": "M5 12h14",
+  more: "M4 6h16M4 12h16M4 18h16", fit: "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5", "zoom-in": "M12 5v14M5 12h14", "zoom-out": "M5 12h14",
 };
 const LANGUAGES = { en: "English", de: "Deutsch", zh: "中文" };
 const FILES = { dxf: "DXF", svg: "SVG", pdf: "PDF at 1:1", step: "STEP", stl: "STL", kit: "Kit as zip", design: "Design file" };
@@ -100,6 +100,7 @@ class Studio {
     this.verdict = html("div", { class: "verdict", "aria-live": "polite" });
     this.offers = html("div", { class: "offers" });
     this.numbers = html("dl", { class: "numbers" });
+    this.empty = html("p", { class: "empty" });
     this.point = html("div", { class: "point", role: "group", hidden: true });
     this.dialog = html("dialog", { "aria-label": t("Start from") });
     this.bar = html("input", { type: "range", min: 0, max: FURTHEST, step: "any", value: 1, "aria-label": t("Bend"), oninput: () => this.bent() });
@@ -115,12 +116,14 @@ class Studio {
     this.flat = document.createElementNS("http://www.w3.org/2000/svg", "svg");
     this.flat.setAttribute("role", "img");
     this.flat.setAttribute("aria-label", t("Flat strip"));
-    const space = html("div", { class: "scene" });
-    this.pairing = tool("pair", "Two states", () => this.twoStates());
-    this.keeping = tool("keep", "Keep it possible", () => this.keeping.setAttribute("aria-pressed", (this.keeps = !this.keeps)), { "aria-pressed": `${Boolean(this.keeps)}`, title: t("A dragged point stops at the border of what can be made.") });
-    this.nearing = tool("nearest", "Nearest curve", () => this.nearest(), { class: "nearest", title: t("The strip takes the nearest curve that is stable and within the strain limit.") });
+    new ResizeObserver(() => this.flatten()).observe(this.flat);
+    const space = html("div", { class: "scene" }, this.empty);
+    this.pairing = tool("pair", "Two states", () => this.twoStates(), { class: "rare" });
+    this.keeping = tool("keep", "Keep it possible", () => this.keeping.setAttribute("aria-pressed", (this.keeps = !this.keeps)), { class: "rare", "aria-pressed": `${Boolean(this.keeps)}`, title: t("A dragged point stops at the border of what can be made.") });
+    this.nearing = tool("nearest", "Nearest curve", () => this.nearest(), { class: "rare", title: t("The strip takes the nearest curve that is stable and within the strain limit.") });
     this.mode = tool("draw", "Draw", () => this.draws(this.drawing.mode !== "draw"));
-    const adding = menu("holding", "hold", "Hold and load", ...Object.keys(ELEMENTS).map((noun) => [noun, "data-put", noun, () => {
+    const all = tool("more", "More", () => all.setAttribute("aria-expanded", tools.classList.toggle("all")), { class: "more", "aria-expanded": "false" });
+    const adding = menu("holding rare", "hold", "Hold and load", ...Object.keys(ELEMENTS).map((noun) => [noun, "data-put", noun, () => {
       this.draws(false);
       this.drawing.mode = noun;
       this.tell(t(noun === "tie" ? "Click on both places of the curve, or drag from one to the other." : "Click on the curve."));
@@ -129,20 +132,21 @@ class Studio {
     const missing = Object.entries(this.hello.missing);
     const downloads = this.downloads = menu("downloads", "download", "Download", ...[...this.hello.downloads, "design"].map((kind) => [FILES[kind], "data-kind", kind, () => this.download(kind)]));
     for (const [kind, reason] of missing) downloads.lastChild.append(html("p", {}, `${t("Not available")}: ${t(FILES[kind])}. ${t("To get it")}: `, html("code", {}, reason)));
+    // On a phone the tools of class `rare` are behind `all`.
+    const tools = html("div", { class: "tools", role: "toolbar", "aria-label": t("Strip") },
+      html("div", {}, tool("starts", "Start from", () => this.starts()), tool("open", "Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
+        this.hello.file ? tool("save", "Save", () => this.save(), { class: "save rare", title: this.hello.file }) : null),
+      html("div", { class: "steps" }, tool("undo", "Undo", () => this.history.undo()), tool("redo", "Redo", () => this.history.redo())),
+      html("div", {}, this.mode, this.keeping, adding, this.pairing),
+      html("div", {}, this.nearing, tool("sheets", "Suitable sheets", () => this.sheets(), { class: "rare" })),
+      html("div", {}, this.address ? tool("link", "Copy link", () => this.link(), { class: "rare" }) : null, downloads, all));
     this.root.replaceChildren(
-      html("header", {}, html("h1", {}, "elastica studio"),
-        html("div", { class: "tools", role: "toolbar", "aria-label": t("Strip") },
-          html("div", {}, tool("starts", "Start from", () => this.starts()), tool("open", "Open", () => file.click(), { title: t("Drop SVG, DXF or CSV on the drawing") }), file,
-            this.hello.file ? tool("save", "Save", () => this.save(), { class: "save", title: this.hello.file }) : null),
-          html("div", {}, tool("undo", "Undo", () => this.history.undo()), tool("redo", "Redo", () => this.history.redo())),
-          html("div", {}, this.mode, this.keeping, adding, this.pairing),
-          html("div", {}, this.nearing, tool("sheets", "Suitable sheets", () => this.sheets(), { class: "sheets" })),
-          html("div", {}, this.address ? tool("link", "Copy link", () => this.link()) : null, downloads)),
+      html("header", {}, html("h1", {}, "elastica studio"), tools,
         select("Language", Object.entries(LANGUAGES), (one) => { localStored("elastica-language", one); this.build(one); }, language)),
       html("section", { class: "plane", "aria-label": t("Draw") }, html("div", { class: "view" }, this.point,
         select("Snap", SNAPS.map((step) => [`${step}`, step ? `${t("Snap")} ${step} mm` : `${t("Snap")} ${t("off")}`]), (step) => { this.drawing.snap = +step; this.drawing.paint(); }, "0"),
         sign("fit", "Fit", () => this.drawing.fit()), sign("zoom-in", "Zoom in", () => this.drawing.zoom(1.25)), sign("zoom-out", "Zoom out", () => this.drawing.zoom(0.8))), plane, this.legend()),
-      html("section", { class: "told", tabindex: "0", "aria-label": t("Strip") }, this.say, this.verdict, this.numbers),
+      html("section", { class: "told", tabindex: "0", "aria-label": t("Strip") }, this.verdict, this.numbers, this.say),
       html("section", { class: "space", "aria-label": t("Bent strip") }, space,
         html("div", { class: "bend", onpointerenter: () => this.framed(), onfocusin: () => this.framed() }, html("label", {}, t("Bend"), html("span", {}, this.bar, this.marks)), this.forces),
         html("div", { class: "whole" }, this.whole, html("label", { for: "whole" }, t("Show the whole model")))),
@@ -401,6 +405,7 @@ class Studio {
       const [show, hide] = [() => this.preview(changed), () => this.preview(null)];
       return html("button", { type: "button", class: "cure", onpointerenter: show, onfocus: show, onpointerleave: hide, onblur: hide, onclick: () => this.history.change(change) }, text, html("small", {}, effect));
     }));
+    this.explain(false);
   }
 
   // The strip of another design over the drawn curve; without one, the strip of this design again.
@@ -408,6 +413,7 @@ class Studio {
     this.previewed = design;
     const answer = design ? await this.channel.ask({ do: "strip", design, strip: this.strip, live: true }) : this.answer;
     if (this.previewed !== design || !answer || (design && answer.refused)) return;
+    this.alone(answer);
     this.drawing.show({ points: this.points(design ?? this.design), answer, ghost: design ? this.answer.drawn : null });
   }
 
@@ -427,8 +433,10 @@ class Studio {
     if (!this.whole.checked) return;
     this.assembly = answer;
     if (this.answer || design.revolution) this.judge();
-    if (answer.places) this.space.showModel(answer);
-    else this.alone();
+    if (answer.places) {
+      this.space.showModel(answer);
+      this.explain(true);
+    } else this.alone();
     this.tabulate();
     this.offers.append(...(answer.offers ?? []).map(({ text, gap, tab }) => html("button", { type: "button", class: "cure", onclick: () => this.history.change((one) => {
       const longer = (ends = {}) => (Array.isArray(ends) ? ends.map(longer) : { ...ends, ...tab });
@@ -437,7 +445,17 @@ class Studio {
     }) }, text)));
   }
 
-  alone() { this.space.showAll(this.answer?.position ? this.answer.states ?? [this.answer] : []); }
+  alone(answer = this.answer) {
+    this.space.showAll(answer?.position ? answer.states ?? [answer] : []);
+    this.explain(Boolean(answer?.position));
+  }
+
+  // The reason why the view in space is empty.
+  explain(isShown) {
+    const { t, answer } = this, reasons = answer?.refused ? ["No bent strip is shown, because the strip cannot be made.", ...(this.offers.querySelector(".cure") ? ["Point at a change to see its strip."] : [])]
+      : ["The bent strip is shown here as soon as the curve has three points."];
+    this.empty.textContent = isShown || this.lost ? "" : reasons.map(t).join(" ");
+  }
 
   // ---- what is answered
 
@@ -449,7 +467,7 @@ class Studio {
     if (answer && this.refit) this.drawing.fit(); // the tabs are known now
     if (answer) this.refit = false;
     this.judge();
-    showFlat(this.flat, answer?.flat, answer && `${t("Flat strip")}, ${answer.length} mm`);
+    this.flatten();
     this.tabulate();
     this.travel(answer);
     if (!this.whole.checked) this.spaceSoon ??= setTimeout(() => {
@@ -457,6 +475,8 @@ class Studio {
       if (!this.whole.checked) this.alone();
     }, this.space.isSlow ? SLOW_SPACE_MS : SPACE_MS);
   }
+
+  flatten() { showFlat(this.flat, this.answer?.flat, this.answer && `${this.t("Flat strip")}, ${this.answer.length} mm`); }
 
   // One verdict on the strip and, where the whole model is shown, on what holds it.
   judge() {
