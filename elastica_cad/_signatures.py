@@ -61,7 +61,7 @@ def _plain(signature: inspect.Signature) -> inspect.Signature:
 
 
 def _plain_type(hint: Any) -> Any:
-    """Return a type annotation as text, without modules and declarations of options."""
+    """Return a type annotation as text, without names of modules and without `Annotated`."""
     if hint is inspect.Signature.empty:
         return hint
     kind, parts = get_origin(hint), get_args(hint)

@@ -453,7 +453,8 @@ def _warnings_on_side(action: ElementForce, rod: Rod, shape: Rod) -> Iterator[st
     if direction @ gravity.direction < 0:
         yield note(
             "The point {point} of the rail is below the straight strip, so its bar is above the strip and pushes "
-            "it down. For a bar below a gap, make a drawn line with {command}, and bend its report.",
+            "it down. For a bar below the strip, with a gap to it, draw the straight line, run {command}, and bend "
+            "the report that it writes.",
             point=Point(at), command=f"`elastica strip LINE.svg --rail {action.s[0]:.0f}`",
         )  # fmt: skip
 

@@ -229,7 +229,8 @@ def _rows_on_compensation(result: StripResult) -> Iterator[Row]:
             if better.correction is not None and better.held_deviation < strip.held_deviation / 2:
                 yield Row(
                     "Change",
-                    f"use --compensate to correct the widths: about {about(better.held().expected)} remain",
+                    "use --compensate to correct the widths: the strip is then accurate to about "
+                    f"{about(better.held().expected)}",
                 )
 
 

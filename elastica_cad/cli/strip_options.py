@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 CALLED = {
     "style.kind": "style", "style.width": "outer_width", "keep.length": "keep_length", "ends.length": "tab",
 }  # fmt: skip
-"""Names of options, by key, that are not the last part of the key."""
+"""Names of options that differ from the last part of their key."""
 
 BY_HAND = ("style", "keep", "ends", "supports", "gravity", "natural_curvature", "limits", "cut", "keep.ends",
            "keep.tangents", "limits.strain")  # fmt: skip

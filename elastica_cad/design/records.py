@@ -142,10 +142,10 @@ def written(kind: Kind) -> Kind:
 
 
 def fields_of(record: Record) -> tuple[Field, ...]:
-    """Return the fields of a table: its declared fields, and the fields of a record that it also accepts.
+    """Return the fields of a table: those of its class, and those of a second record that the class may name.
 
-    A class of keys names the other record as `BESIDE`, and fields to exclude as `WITHOUT`. If keys and fields
-    have different names, its function `FIELDS` returns the fields by key.
+    The class names the second record as `BESIDE`, and fields of it that are excluded as `WITHOUT`. If keys and
+    fields have different names, the function `FIELDS` of the class returns the fields by key.
     """
     if (renamed := getattr(record, "FIELDS", None)) is not None:
         return tuple(replace(entry, name=key) for key, entry in renamed().items())

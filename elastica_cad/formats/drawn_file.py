@@ -412,7 +412,7 @@ def report_on(curves: Iterable[DrawnCurve], unit: ReadUnit) -> ReadReport | None
 
 
 _MOST_POINTS = 200  # largest number of points of the drawing that are compared with the curve
-_LEAST_SLOPE = 1e-3  # a plane with at least this slope counts as inclined
+_LEAST_SLOPE = 1e-3  # least slope of a plane that counts as inclined
 
 
 def _is_turned(chain: Run, flat: Run) -> bool:

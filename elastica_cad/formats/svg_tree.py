@@ -190,7 +190,7 @@ class _Tree:
             for parent in self.elements
             for before, after in zip(parent, list(parent)[1:], strict=False)
         }
-        self.after = set(self.before.values())  # elements that follow a sibling
+        self.after = set(self.before.values())  # elements that are not the first child
 
     def matches(self, element: Element, steps: _Steps) -> bool:
         """Return True if a selector matches the element."""

@@ -168,7 +168,7 @@ class ConstraintRows:
     constraint, index : (j,) arrays
         Index of the constraint of each row, and index of the row in the values of this constraint.
     value : (j,) array
-        Values without a step. In a `Linearization` they are the values of the point in equilibrium.
+        Values for a step of zero.
     jacobian : (j, p) array
     penalty : (j,) array
         Largest penalty for violating a row by 1.

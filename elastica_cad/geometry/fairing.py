@@ -426,7 +426,7 @@ def smooth_for_corners(curve: PlaneCurve) -> float | None:
     healing = _healed(curve, SMOOTHING_SHARE * most)
     if len(healing.healed) < len(corners):
         return None
-    # 5 % more, because the displacement uses the sine of an angle
+    # 5 % more, because `moved` is estimated with the sine of an angle, which is smaller than the angle
     needed = 1.05 * healing.moved / SMOOTHING_SHARE
     offered = max(_one_figure(needed, np.ceil), _one_figure(usual_tolerance(curve), np.floor))
     return offered if offered <= most and not round_corners(curve, offered)[0].has_corners else None

@@ -426,7 +426,9 @@ def line_crossings(curve: PlaneCurve, a: float, b: ArrayLike) -> tuple[Curvature
     require_record(curve, PlaneCurve, "what a line crosses", "a PlaneCurve")
     normal, constant = finite("b", b), finite("a", a)
     if constant.shape:
-        raise InputError(f"the constant of a line must be one number, not {constant.tolist()}")
+        raise InputError(
+            f"the constant a of the line a + <b, x> = 0 must be one number, not {constant.tolist()}"
+        )
     if normal.shape != (2,) or not normal.any():
         raise InputError(f"the normal of a line must be two numbers, not both zero: {normal.tolist()}")
     edges, bezier = curve.bezier_table

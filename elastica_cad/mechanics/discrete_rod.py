@@ -206,7 +206,7 @@ def lowest_constrained(
     if n < _FEW and (rank or terms is None):
         return _dense(diagonal, off, basis, count, terms)
     d, e, shift = _factored_below(diagonal, off, min(n, rank + count))
-    if terms is not None:  # terms may lower the lowest eigenvalue
+    if terms is not None:  # they may lower the lowest eigenvalue below the shift
         step = _reach(diagonal, off) / n**2
         while constrained_inertia(diagonal, off, rows, shift, terms):
             shift, step = shift - step, 2 * step

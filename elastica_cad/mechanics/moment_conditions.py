@@ -216,7 +216,7 @@ def _weighted(panels: Panels, load: LineLoad, units: FloatArray) -> MomentRows:
     steps[:, :, size:] = left_of(units.swapaxes(1, 2)).swapaxes(1, 2)
     if size == 4:
         steps[:, :, 3] = left_of(load.points)
-    G = np.array([load.up[1], -load.up[0]])  # upward unit vector e after a quarter turn: R^t e
+    G = np.array([load.up[1], -load.up[0]])  # the upward unit vector, turned clockwise by a quarter turn
     left, zero = panels.zero_left, panels.zero_left | panels.zero_right
     local = np.where(left[:, None, None], panels.from_left, panels.from_right)
     integral = np.where(left[:, None, None], -LEFT, RIGHT) * panels.stretch[:, None, :]
@@ -308,7 +308,7 @@ class StiffnessFamily:
 
     @property
     def freedom(self) -> int:
-        """Number d of unknown numbers."""
+        """Number d of unknowns."""
         return int(self.rows.coefficients.shape[2])
 
     @property
@@ -744,7 +744,7 @@ class ConditionedRows:
         return np.asarray(self.rows.elements_from + np.flatnonzero(kinds), dtype=int)
 
     def homogeneous(self, *, loaded: bool) -> StateFamily:
-        """Return all stiffnesses without known loads, or with known loads of any scale (`loaded`)."""
+        """Return all stiffnesses that need no load or, with `loaded`, a multiple of the known loads."""
         basis = np.diag(self.scale)
         if self.rows.loaded and not loaded:
             basis = np.delete(basis, 3, axis=1)

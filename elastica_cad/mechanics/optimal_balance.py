@@ -309,7 +309,7 @@ def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most
 
 
 def _thickening_factor(load: WeightedPanels, least: float, most: float) -> float | None:
-    """Return the factor by which a thicker sheet carries the weight within the same limits of width, or None."""
+    """Return how many times thicker the sheet must be to carry the weight at the same widths, or None."""
     factor = 1.0
     for _ in range(MOST_ROUNDS):
         thick = replace(load, gravity=load.gravity and load.gravity.scaled(factor**-2))

@@ -457,8 +457,8 @@ class Sheet:
         Width of material that the laser removes, mm; 0 if unknown.
     poisson_ratio : float
         Poisson's ratio nu, dimensionless; 0 if the modulus was measured on a wide sample and is that of a plate. A
-        number counts as known (`poisson_known`), and widths are corrected for its effect. The default value, or a
-        `NominalRatio`, is only used for estimates.
+        given number counts as known (`poisson_known`), and widths are corrected for its effect. The default, and a
+        given `NominalRatio`, are only used for estimates.
     shear_modulus : float, optional
         Shear modulus G in the plane of the sheet, MPa, which determines the torsional stiffness. By default
         E / (2 (1 + nu)), as for sheets without grain. The shear modulus of plywood is much smaller.

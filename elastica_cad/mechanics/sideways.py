@@ -215,8 +215,8 @@ It covers the uncertainty of the stiffness out of the plane, such as the shear m
 RIBBON_NUMBER = 16.0
 """Largest w^2 kappa / h, for width w, curvature kappa and thickness h, at which a section keeps its shape.
 
-Above it bending and twist are coupled (a ribbon). The stability margin of the rod model then proves that the
-strip is stable only if it is large. Finite elements show that ribbons are more stable than the rod model.
+Above it bending and twist are coupled (a ribbon). A small stability margin of the rod model then
+proves nothing. Finite elements show that ribbons are more stable than the rod model.
 """
 
 MOST_RIBBON_NUMBER = 80.0

@@ -128,7 +128,7 @@ def least_width(rod: Rod, max_width: float | None, loss: float) -> float:
 
 
 def _plate_of(rod: Rod) -> tuple[CurlingLaw, SheetCurl] | None:
-    """Return the law of a strip that bends as a plate, and its `SheetCurl`; None for other strips."""
+    """Return the section law of a strip that bends as a plate, and the curl of its sheet; None for other strips."""
     law = rod.law
     if rod.follows_bend and isinstance(law, CurlingLaw) and isinstance(law.factor, SheetCurl):
         return law, law.factor

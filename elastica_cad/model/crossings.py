@@ -212,7 +212,7 @@ def margins(strips: tuple[RuledStrip, RuledStrip], p: IntersectionPoints) -> Flo
 
 
 def _intersect_surfaces(a: RuledStrip, b: RuledStrip) -> "tuple[Branch | Ruling, ...]":
-    """Return all intersection curves of the two surfaces, extended along their rulings."""
+    """Return all intersection curves of two strips' surfaces, which are extended along their rulings."""
     n = np.cross(a.axis, b.axis)
     if np.linalg.norm(n) < PARALLEL_RAD:
         return tuple(_rulings(a, b))

@@ -552,7 +552,7 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
     if pairs:
         messages.append(note(
             "the printed blocks of {pair}{more} would overlap: let these strips end farther apart, make wall and "
-            "foot smaller, or hold fewer ends with blocks (settings strips and ends)",
+            "foot smaller, or hold fewer ends with blocks (keys `strips` and `ends`)",
             pair=pairs[0], more=and_more(pairs, "pair"),
         ))  # fmt: skip
     if crossed:

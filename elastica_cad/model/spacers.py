@@ -36,10 +36,10 @@ PITCH_MM = 1.0
 """Distance between points that replace edges, mm. Distances from these points are at most 0.05 mm too large."""
 
 GRID_MM, GRID_LINES = 2.0, 60
-"""Least distance between tried places, mm, and number of places across the plate."""
+"""Least distance between places that are tried for a spacer, mm, and number of places across the plate."""
 
 GRID_TURN = np.radians(2.0)
-"""Angle between tried places of a round plate, rad."""
+"""Angle between places that are tried around a round plate, rad."""
 
 MOST_MARGIN_MM = 5.0
 """Distance, mm, from obstacles up to which a larger distance is preferred."""

@@ -216,7 +216,7 @@ class _Drawn:
 
     @cached_property
     def _nodes(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Quadrature nodes of the curve, and derivatives by the unknowns alpha and beta of the class.
+        """Quadrature nodes of the curve, and derivatives by the three unknowns: alpha, and the vector beta.
 
         The arrays are:
 

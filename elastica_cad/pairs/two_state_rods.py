@@ -194,7 +194,7 @@ def two_state_rod(
 
     References
     ----------
-    Paper, Theorem 1 and Eq. 4, with d = kappa_1 - kappa_2 and the difference of two moments: see `check_pair`.
+    Paper, Theorem 1 and Eq. 4, for differences of curvatures and moments: see `check_pair`.
 
     Examples
     --------

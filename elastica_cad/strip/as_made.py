@@ -128,13 +128,16 @@ multiplied by the ratio of sqrt(E / G) to its isotropic value, to the power of `
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
-"""Constants of unstressed corners. `STEP` and `TAB` are the factors on `crack_energy` for a step of the width
-and for a tab. `TAB_REACH` is the distance of the unstressed corners from the tab, as a fraction of the
-difference between the widths of strip and tab.
+"""Constants of the unstressed corners beside a step of the width or a tab.
 
-`TAB` is for the Poisson ratio 0, because a tab prevents curling across the strip. `TAB_REACH` is for an
+A strip with such a corner stores less energy, as with a crack. `STEP` and `TAB` are this energy divided by the
+energy of a crack (`crack_energy`). `TAB_REACH` is the distance of the unstressed corners from the tab, as a
+fraction of the difference between the widths of strip and tab.
+
+A tab prevents curling across the strip, so `TAB` was fitted for the Poisson ratio 0. `TAB_REACH` is for an
 isotropic sheet; the distance is proportional to sqrt(E / G). Fitted to finite elements
-(`tests/campaign/finite_elements/idle_corners.py`)."""
+(`tests/campaign/finite_elements/idle_corners.py`).
+"""
 
 RESTRAINT, WIDE_TAB = 0.35, 0.4
 """`RESTRAINT` is the length along which a clamp prevents curling across the strip, as a multiple of the

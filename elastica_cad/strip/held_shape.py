@@ -47,7 +47,7 @@ class Reactions:
     def __str__(self) -> str:
         start, end = (
             note(
-                "{force:.3g} N, ({x:.3g}, {y:.3g}), and {moment:.3g} N mm",
+                "a force of {force:.3g} N (x {x:.3g}, y {y:.3g}) and a moment of {moment:.3g} N mm",
                 force=np.hypot(x, y), x=x, y=y, moment=moment,
             )
             for (x, y), moment in ((self.start_force, self.start_moment), (self.end_force, self.end_moment))

@@ -293,7 +293,8 @@ def _held(
 ) -> Suggestion | None:
     """Return the suggestion for a change, or None if the strip is impossible or unsuitable.
 
-    If the strip is refused for its width, the width that the message names is tested, at most `widths` times.
+    If the strip is refused for its width, the width that the message names is tried next. At most `widths` widths
+    are tried.
     """
     width = None
     for _ in range(widths + 1):

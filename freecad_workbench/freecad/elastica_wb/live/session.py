@@ -64,12 +64,13 @@ REST_MS = 40  # time, ms, without a mouse move, before slower results are comput
 NO_POLES = np.zeros((0, 2))
 SEEN = 24  # the card tries not to hide this number of points of a curve
 PEEK_MS = 60  # interval, ms, between checks whether the nearest curve was found
-# smallest move of a pole towards the last possible curve, as a fraction of the length of the curve
-LEAST_STEP = 1e-3
+LEAST_STEP = (
+    1e-3  # smallest move of a pole back to a possible curve, as a fraction of the length of the curve
+)
 MOVES, HALVINGS = (
     3,
     12,
-)  # largest number of moves of a dragged pole towards the last possible curve, and of trials of each move
+)  # largest number of moves of a dragged pole back to a possible curve, and of trials of each
 SKETCHER = "User parameter:BaseApp/Preferences/Mod/Sketcher/General"
 OWN_COMB = "BSplineCombVisible"
 
