@@ -467,7 +467,7 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
         for corner in corners:
             place = np.asarray(curve.evaluate(np.array(corner.t)))
             here, *beside = np.degrees(provenance.measured.turns_beside(place))
-            if any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < CORNER_DEG for turn in beside):
+            if here and any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < CORNER_DEG for turn in beside):
                 return note(
                     "these points leave the verdict undecided: they turn by {angle:.3g} degrees at {shown} "
                     "and by {before:.3g} and {after:.3g} degrees at its neighbours. This can be a corner or "

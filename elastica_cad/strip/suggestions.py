@@ -44,6 +44,9 @@ WIDEST_SHARE = 0.5
 MOST_PIECES = 8
 """Largest number of strips into which a curve is divided at its corners."""
 
+MOST_CORNERS = 100
+"""Largest number of corners of a curve whose nearest curve is tested. With more, the search takes too long."""
+
 
 @dataclass(frozen=True)
 class Suggestion:
@@ -284,6 +287,8 @@ def _requests(
             drawn = spec.curve.degree > 1  # corners of a polyline do not join separate strips
             apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
+        case "nearest", _ if len(spec.curve.tangent_breaks) > MOST_CORNERS:
+            return []
     changed = spec.with_change(change)
     return [] if changed is None else [changed]
 

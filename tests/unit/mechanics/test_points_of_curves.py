@@ -7,7 +7,7 @@ from dataclasses import asdict
 import numpy as np
 import pytest
 
-from elastica_cad import NotRealizable, PlaneCurve, check_equilibrium, optimal_rod, read_curves
+from elastica_cad import InputError, NotRealizable, PlaneCurve, check_equilibrium, optimal_rod, read_curves
 from elastica_cad.design import report_check
 from elastica_cad.formats.chains import curve_from_points
 from elastica_cad.geometry.measured_points import MeasuredPoints
@@ -92,6 +92,13 @@ def test_inflections_that_the_points_do_not_require_refuse_no_curve(control, deg
     assert (found.fit.realizable, found.other.realizable) == (False, False)
     assert found.fit.inflections >= found.other.inflections + 2
     assert f"has {found.fit.inflections} inflections; another curve that fits them too has" in str(check)
+
+
+def test_a_corner_where_the_points_also_begin():
+    lap = [(x, 0.02 * x * (90 - x)) for x in range(0, 91, 5)]
+    curve = curve_from_points(np.array(10 * lap))
+    with pytest.raises(InputError, match="has a corner"):
+        check_equilibrium(curve)
 
 
 def test_required_inflections_are_decided():

@@ -76,6 +76,12 @@ def test_the_nearest_curve_is_the_last_change_if_it_is_far():
     assert not any(suggestion.is_far for suggestion in found[:-1])
 
 
+def test_no_nearest_curve_is_sought_for_more_than_100_corners():
+    zigzag = [(10 * k, 10 * (k % 2)) for k in range(103)]
+    _, found = changes_of(zigzag, "pom-0.5", 20, degree=1)
+    assert found == []
+
+
 def test_a_tight_curve_gets_another_sheet_or_size_once_with_the_width_it_needs():
     points = [(0, 0), (60, 70), (120, 20), (180, -45), (240, 30), (300, 75)]
     spec, found = changes_of(points, "birch-plywood-3", 31)
