@@ -164,7 +164,7 @@ class _AlongArc:
         """Return the knots of a cubic spline with the error `tolerance`."""
         width = self.edges[1:] - self.edges[:-1]
         fourth = self.series.in_every_panel(_FOURTH_IN_CELLS)
-        # number of knots that each cell of a panel needs; the panel coordinate x goes from -1 to 1
+        # number of knots that each cell of a panel needs; the panel coordinate x is from -1 to 1
         count = (np.abs(fourth) * BEST_CUBIC / tolerance) ** 0.25 * 2 / CELLS
         reached, s = np.zeros(count.size + 1), np.empty(count.size + 1)
         np.cumsum(count, out=reached[1:])

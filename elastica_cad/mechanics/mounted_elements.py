@@ -41,10 +41,9 @@ if TYPE_CHECKING:
 class ElementEquations:
     """Residuals of the elements and their derivatives.
 
-    The unknowns of each element are the two components of its force; of a rail also the arc length of its
-    contact point, and of a tie also its length times the angle of the cord. Translations of the rod along
-    free axes follow. Residuals of force components are position errors, mm. The other residuals are forces,
-    1/mm2.
+    The unknowns of each element are the two components of its force. A rail also has the arc length of its
+    contact point, and a tie its length times the angle of the cord. Translations of the rod along free axes
+    follow. Residuals of force components are position errors, mm. The other residuals are forces, 1/mm2.
 
     Attributes
     ----------

@@ -70,9 +70,9 @@ def thrust_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray
 def _curved_sides(rod: Rod, low: FloatArray, high: FloatArray) -> list[FloatArray]:
     """Return the parts (n, 2) inside a box of the thrust line of a rod with weight, divided at the elements.
 
-    At the point gamma of the rod, the internal force acts along the line M + <b, x - gamma> = 0, with the
-    moment M and the force b after a quarter turn. Weight changes only the component of the force along
-    gravity e, so all these lines touch the curve gamma - M / <b, e> e.
+    The internal force at the point gamma of the rod acts along the line M + <b, x - gamma> = 0. M is the
+    moment, and b the force after a quarter turn. Weight changes only the component of the force along gravity
+    e, so all these lines touch the curve gamma - M / <b, e> e.
     """
     assert rod.gravity is not None
     e = np.array(rod.gravity.direction)

@@ -39,9 +39,9 @@ def _bent_slot_width(
 ) -> FloatArray:
     """Return the widths (n,), mm, of a slot in strip `ruled` that lets the faces of strip `other` through.
 
-    For flat sheets it is `slot_width` without clearance. A bent sheet deviates from its tangent by (w / 2)^2
-    kappa / 2 at the sides of a slot of width w, which shifts the faces of the other strip by this times
-    cot(phi).
+    For flat sheets it is `slot_width` without clearance. A sheet of curvature kappa deviates from its tangent
+    by (w / 2)^2 kappa / 2 at the sides of a slot of width w. At the angle phi, this shifts the faces of the
+    other strip by cot(phi) times as much.
 
     Parameters
     ----------

@@ -61,9 +61,9 @@ def optimize_ratio(
 ) -> OptimizedRatio:
     """Return the curve after the least move of its control points to a stiffness ratio of at most `target`.
 
-    A local step, computed to first order within a trust region, reduces the ratio to the target and keeps the
-    curve as close as possible to the drawn curve. A global step finds the inflection line of least ratio
-    (paper, Eq. 4). The ratio is that of the continuous curve, so the target is also a limit between samples.
+    A local step reduces the ratio to the target and keeps the curve close to the drawn curve, to first order
+    within a trust region. A global step finds the inflection line of least ratio (paper, Eq. 4). The ratio is
+    that of the continuous curve, so the target is also a limit between samples.
 
     Parameters
     ----------
