@@ -727,6 +727,16 @@ def _read_dropped(request: Mapping[str, Any], folder: FilePath) -> Record:
         )
     path = folder / f"dropped{FilePath(name).suffix.lower()}"
     path.write_text(text, encoding="utf-8", newline="")
+    try:
+        return _contents(path, name)
+    except ElasticaError as problem:
+        if str(path) not in str(problem):
+            raise
+        # the temporary file means nothing to the user
+        raise InputError(str(problem).replace(str(path), name)) from problem
+
+
+def _contents(path: FilePath, name: str) -> Record:
     if path.suffix == ".toml":
         tables = parse_design(path)
         _refuse_files(tables)

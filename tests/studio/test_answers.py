@@ -224,6 +224,13 @@ def test_a_dropped_design_opens_no_file_either(text, tmp_path, monkeypatch):
     assert told["refused"]["text"].startswith("The page cannot open a file")
 
 
+@pytest.mark.parametrize(
+    ("name", "text"), [("my arch.svg", "<svg/>"), ("my arch.dxf", "?"), ("my arch.toml", "?")]
+)
+def test_a_dropped_file_is_called_by_its_name(name, text):
+    assert answer({"do": "read", "name": name, "text": text})["refused"]["text"].startswith(name)
+
+
 def test_a_kind_of_file_that_is_not_made_is_named():
     assert asked("file", kind="../dxf")["refused"]["message"].startswith("'../dxf' is not a file")
 
