@@ -962,9 +962,9 @@ SHARP_MM = 0.1
 def root_factors(radius: float) -> tuple[float, float]:
     """Return the notch factors, for bending and for tension, of a fillet beside a wide pad.
 
-    Plane finite elements agree within 1 %, for a radius of 0.05 to 2.5 thicknesses and a pad at least three
-    times as wide as the strip. For narrower pads the factors are too large. Whole parts agree with finite
-    elements (`tests/validation/test_pushed_parts.py`).
+    Plane finite elements agree within 1 % if the radius is 0.05 to 2.5 thicknesses and the pad is at least
+    three times as wide as the strip. For narrower pads the factors are too large. Whole parts agree with
+    finite elements (`tests/validation/test_pushed_parts.py`).
 
     Parameters
     ----------
@@ -982,9 +982,9 @@ def root_factors(radius: float) -> tuple[float, float]:
 def curved_beam_factor(share: FloatArray) -> FloatArray:
     """Return the factors (n,) by which a curved beam has more strain on its inner side than a straight beam.
 
-    By Winkler's theory, this strain is h |kappa - kappa_0| / 2 times the factor, with the thickness h, the
-    curvature kappa and the natural curvature kappa_0. `share` (n,) is h |kappa_0|. The factor is about 1 +
-    share / 3.
+    In a straight beam the strain is h |kappa - kappa_0| / 2. Here h is the thickness, kappa the curvature and
+    kappa_0 the natural curvature. `share` (n,) is h |kappa_0|. The factor of Winkler's theory is
+    about 1 + share / 3.
     """
     x = np.clip(share, 1e-3, 1.8)
     inner = 1 - x / 2

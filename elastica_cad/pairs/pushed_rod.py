@@ -295,8 +295,9 @@ class _Chain:
         return np.asarray(((moment[:-1] - moment[1:]) / r)[:, None] * normal + pull[:, None] * t)
 
     def _band(self, x: FloatArray) -> FloatArray:
-        """Return the second derivatives of the energy by the positions of inner nodes, as an upper band (6, 2
-        n - 2).
+        """Return the second derivatives of the energy by the positions of inner nodes.
+
+        They are an upper band (6, 2 n - 2), as SciPy stores banded matrices.
 
         The second derivatives by the edge vectors form a matrix of 2 x 2 blocks. Its diagonal block A_i contains
         the terms of edge i. The block beside it is C_i = -K_{i+1} a_i a_{i+1}^t. Here a_i is the derivative of the

@@ -257,9 +257,9 @@ def _first_curvature(paired: PairedPanels) -> FloatArray:
 def _limit_rows(paired: PairedPanels, limits: PairLimits) -> list[FloatArray]:
     """Return the rows (N, p, 6) of the limits as conditions rows @ numbers >= 0.
 
-    The limits are k for the natural curvature and c for the bend. The conditions are |kappa_1 K - M_1| <= k
-    K, divided by k, and |M_i| <= c K, divided by c, with the stiffness K, and moment M_i and curvature
-    kappa_i of state i.
+    State i has the moment M_i and the curvature kappa_i; K is the stiffness. If the natural curvature is
+    limited to k, the condition is |kappa_1 K - M_1| <= k K, divided by k. If the bend is limited to c, the
+    condition is |M_i| <= c K, divided by c.
     """
     K = _stiffness_rows(paired)
     rows: list[FloatArray] = []

@@ -86,11 +86,11 @@ class ElementCut:
         """Return the added length, mm: a strip of width `width`, mm, with this cut bends as if it were
         longer.
 
-        A hole reduces the net section, and the corners beside it are unstressed. In a wide Kirchhoff plate,
-        the length for both effects is pi / 4 d^2 / width times the stress concentration 1 + 2 (1 + nu) / (3 +
-        nu), where d is the diameter. In a narrower strip the effect of the corners is divided by 1 + d /
-        width; plate elements agree within 3 %. Notches are computed as slots; up to 0.3 times as wide as the
-        strip, they add up to 19 % more than with plate elements.
+        A hole of diameter d reduces the net section, and the corners beside it are unstressed. In a wide
+        Kirchhoff plate, both effects add pi / 4 d^2 / width times the stress concentration
+        1 + 2 (1 + nu) / (3 + nu). In a narrower strip the effect of the corners is divided by 1 + d / width.
+        Plate elements agree within 3 %. Notches are computed as slots. If they are at most 0.3 times as wide
+        as the strip, they add up to 19 % more than with plate elements.
         """
         from elastica_cad.strip.as_made import CUT
 
@@ -247,8 +247,8 @@ class StrainedCut:
 def strained_cuts(rod: Rod, layout: Layout) -> tuple[StrainedCut, ...]:
     """Return the cuts whose edges are strained beyond the limit of a brittle sheet.
 
-    The excess of the stress concentration factor over 1 is that for tension times (1 + nu) / (3 + nu), as
-    beside an elliptic hole in a bent plate (Goodier, Phil. Mag. 22, 1936).
+    The stress concentration factor exceeds 1 by less than in tension. As beside an elliptic hole in a bent
+    plate, the excess is multiplied by (1 + nu) / (3 + nu) (Goodier, Phil. Mag. 22, 1936).
     """
     sheet = layout.sheet
     cuts = element_cuts(rod) if sheet.kind in BRITTLE else ()

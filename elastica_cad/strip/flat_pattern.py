@@ -178,8 +178,9 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Yield three parameters for each joint: of the joint, of the end of the part before it, and of the start
-    of the part after it.
+    """Yield three parameters for each joint.
+
+    They are those of the joint, of the end of the part before it, and of the start of the part after it.
     """
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:

@@ -291,8 +291,9 @@ END_MM = 1e-6
 itself."""
 
 PLATE_END, PLATE_CUT = 0.25, 0.82
-"""Lengths on which a glued plate does not stiffen the strip, as multiples of the plate's thickness: at each
-end of the plate, and over the joint.
+"""Lengths on which a glued plate does not stiffen the strip: at each end of the plate, and over the joint.
+
+They are multiples of the plate's thickness.
 
 `PLATE_END` is fitted to the strips of `docs/finite_elements.md`. `PLATE_CUT` is for strip and plate cut half
 through: an edge crack in bending adds the angle of 5.7 total thicknesses (Tada, Paris and Irwin 1973)."""
@@ -304,9 +305,9 @@ class LapJoint:
 
     Strip (width w) and tab (width v) are bent from the rest curvature kappa_0 to the drawn curvature kappa,
     and are glued there. The moment of both is proportional to w + v, but the design needs a moment
-    proportional to w. So the joint bends less than the drawn curve. The glued section of two equally thick
-    layers has c times the stiffness of the strip, with c w = w + v + 12 w v / (w + v). Its rest curvature is
-    kappa - (w + v) / (c w) (kappa - kappa_0).
+    proportional to w. So the joint bends less than the drawn curve. The glued section has two equally thick
+    layers. Its stiffness is c times that of the strip, where c w = w + v + 12 w v / (w + v). Its rest
+    curvature is kappa - (w + v) / (c w) (kappa - kappa_0).
 
     Attributes
     ----------

@@ -162,10 +162,10 @@ def suggest(
 ) -> Iterator[Suggestion]:
     """Yield at most four tested changes of a refused request that give a suitable strip.
 
-    The order is: a moved control point, smoothing, separate strips between corners, the nearest curve, a rail, pin
-    or tie, other fields that the refusal names, another sheet, another size. A strip is suitable if it is stable
-    and strained within the limit of its sheet. If it is farther from the drawn curve than 3 % of the curve's size,
-    it is the last suggestion.
+    The first are changes of the curve: a moved control point, smoothing, separate strips between corners, and the
+    nearest curve. Then come a rail, pin or tie, other fields that the refusal names, another sheet, and another
+    size. A strip is suitable if it is stable and strained within the limit of its sheet. If it is farther from the
+    drawn curve than 3 % of the curve's size, it is the last suggestion.
 
     Parameters
     ----------
