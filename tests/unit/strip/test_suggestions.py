@@ -77,9 +77,12 @@ def test_the_nearest_curve_is_the_last_change_if_it_is_far():
 
 
 def test_no_nearest_curve_is_sought_for_more_than_100_corners():
-    zigzag = [(10 * k, 10 * (k % 2)) for k in range(103)]
-    _, found = changes_of(zigzag, "pom-0.5", 20, degree=1)
-    assert found == []
+    zigzag = [(5 * k, 10 * (k % 4 == 2) + 5 * (k % 2)) for k in range(205)]
+    knots = np.repeat(np.arange(103), [3, *[2] * 101, 3])
+    spec = ec.StripSpec(ec.PlaneCurve(knots, zigzag, 2), "pom-0.5", max_width=20)
+    with pytest.raises(ec.InputError, match="has a corner") as refusal:
+        spec.make()
+    assert list(suggest(spec, refusal.value)) == []
 
 
 def test_a_tight_curve_gets_another_sheet_or_size_once_with_the_width_it_needs():
