@@ -17,6 +17,7 @@ from elastica_cad.refusals import FieldName
 from elastica_cad.strip.drawing import Drawing, HoldingTabs, separate_parts
 from elastica_cad.strip.strip import strip_names
 from elastica_cad.strip.uncuttable_parts import DEFAULT_LIMITS, FabricationLimits
+from elastica_cad.words import Language
 
 if TYPE_CHECKING:
     from elastica_cad.model.fixtures import EndFixture
@@ -250,6 +251,8 @@ class KitSpec:
         Limits of the workshop.
     ignore_limits : bool
         Exceed these limits, with a note in the report.
+    language : "en", "de", "zh-CN" or None
+        Language of the assembly sheet; None for the language of the front end.
     """
 
     nesting: Nesting = field(default_factory=Nesting)
@@ -260,6 +263,7 @@ class KitSpec:
     pages: str | None = None
     shop: FabricationLimits = DEFAULT_LIMITS
     ignore_limits: bool = False
+    language: Language | None = None
 
     def extras(self, model: "Model") -> "tuple[Piece, ...]":
         """Return the requested coupons of the sheets of the model, and the requested reference bar.

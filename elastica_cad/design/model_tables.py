@@ -19,6 +19,7 @@ from elastica_cad.model.nesting import Nesting
 from elastica_cad.model.plates import PlateOptions, RingOptions
 from elastica_cad.model.spacers import Spacers
 from elastica_cad.strip.outline import StripEnd
+from elastica_cad.words import Language
 
 Pair: TypeAlias = tuple[float, float]
 Names: TypeAlias = str | tuple[str, ...]
@@ -197,6 +198,7 @@ class DesignKeys(SharedKeys):
     nest: Annotated[Nesting | None, Option("Sheets for nesting the parts.")] = None
     cut: Annotated[Cutting | None, Option("Settings of cutting files.")] = None
     extras: Annotated[Extras | None, Option("Additional parts to cut.")] = None
+    language: Annotated[Language | None, Option("Language of the assembly sheet.")] = None
 
 
 def read_kit(top: Table, reader: Reader) -> KitSpec:
@@ -217,6 +219,7 @@ def read_kit(top: Table, reader: Reader) -> KitSpec:
         pages=extras.pages,
         **options_of("shop"),
         **options_of("ignore_limits"),
+        **options_of("language"),
     )
 
 

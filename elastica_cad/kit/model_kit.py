@@ -433,7 +433,13 @@ def _save_block(block: EndFixture, place: int, shapes: "Callable[[], list[NamedS
 def _draw_assembly(contents: KitContents, listed: CutList, path: Path) -> None:
     from elastica_cad.plot.assembly_sheet import save_assembly_sheet
 
-    save_assembly_sheet(contents.model, path, holders=contents.holders, cut_list=listed)
+    save_assembly_sheet(
+        contents.model,
+        path,
+        holders=contents.holders,
+        cut_list=listed,
+        language=contents.spec.language or "en",
+    )
 
 
 def _draw_model(contents: KitContents, path: Path) -> None:

@@ -144,7 +144,8 @@ def _with_unique_names(parts: Sequence[AssemblyPart]) -> Iterator[AssemblyPart]:
         yield replace(part, name=name)
 
 
-FREE = "free"
+FREE, TO_START = note("free"), note("glue to its start (1)")
+"""Instructions for ends without a holder: of an open strip, and for the end of a closed strip."""
 
 
 @dataclass(frozen=True)
@@ -161,7 +162,7 @@ class AssemblyStep:
         Name of the cut piece.
     ends : (str, str)
         Holders of end 1 and end 2. A supported end without a holder has the text "hold at (x, y, z)", mm,
-        with the angle to the line between both ends. Other ends are "free".
+        with the angle to the line between both ends. Other ends are "free", or glued to the start of their strip.
     holders : (tuple of str, tuple of str)
         Short texts for both ends: "ring-bottom" for a slot, "on ring-bottom" for a glued tab, "its block".
     locks_into : tuple of str
@@ -216,7 +217,8 @@ def unheld_ends(model: Model, holders: Iterable[Holder] = ()) -> dict[int, tuple
         i: tuple(
             end
             for end in ENDS
-            if not places[tab_name(model.name_of(i), end)] and _instruction_without_holder(strip, end) != FREE
+            if not places[tab_name(model.name_of(i), end)]
+            and _instruction_without_holder(strip, end) not in (FREE, TO_START)
         )
         for i, strip in enumerate(model.placed)
     }
@@ -234,11 +236,16 @@ def _places_of_tabs(model: Model, holders: Iterable[Holder]) -> dict[str, dict[s
 def _instruction_without_holder(member: Placed, end: StripEnd) -> str:
     k = ENDS.index(end)
     support = member.strip.rod.supports.ends[k]
-    if member.strip.is_closed or not (support.x or support.y or support.angle):
+    if member.strip.is_closed:
+        return TO_START if k else FREE
+    if not (support.x or support.y or support.angle):
         return FREE
     x, y, z = PlacedTab.of(member.strip, end, member.frame).frame.origin
-    turned = f", {rising_angles(member.strip)[k]:z.1f} degrees from the line" if support.angle else ""
-    return f"hold at ({x:z.1f}, {y:z.1f}, {z:z.1f}){turned}"
+    place = f"({x:z.1f}, {y:z.1f}, {z:z.1f})"
+    if not support.angle:
+        return note("hold at {place}", place=place)
+    angle = float(rising_angles(member.strip)[k])
+    return note("hold at {place}, {angle:.1f} degrees from the line", place=place, angle=angle)
 
 
 def _held_places(holders: Iterable[Holder]) -> Iterable[tuple[str, str, str]]:
@@ -250,6 +257,7 @@ def _held_places(holders: Iterable[Holder]) -> Iterable[tuple[str, str, str]]:
                 for slot in holder.slots
             )
             if isinstance(holder, Ring):
-                yield from ((name, f"on {holder.name}", f"on {holder.name}") for name in holder.seated)
+                on_ring = note("on {ring}", ring=holder.name)
+                yield from ((name, on_ring, on_ring) for name in holder.seated)
         elif isinstance(holder, EndFixture):
-            yield holder.tab.name, f"block {holder.engrave or holder.tab.name}", "its block"
+            yield holder.tab.name, f"block {holder.engrave or holder.tab.name}", note("its block")

@@ -8,11 +8,13 @@ from itertools import accumulate, groupby, zip_longest
 from os import PathLike
 from textwrap import wrap
 from typing import Any, NamedTuple
+from unicodedata import east_asian_width
 
 import numpy as np
 
 from elastica_cad._types import FloatArray
 from elastica_cad._values import and_more, counted
+from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.model.assembly import (
     AssemblyStep,
@@ -25,15 +27,17 @@ from elastica_cad.model.cut_rows import CutList
 from elastica_cad.model.fixtures import EndFixture, place_tabs
 from elastica_cad.model.frames import Rib
 from elastica_cad.model.model import Model
-from elastica_cad.model.plates import BasePlate, RingOptions
+from elastica_cad.model.plates import BasePlate, Ring, RingOptions
 from elastica_cad.model.spacers import Spacer, pairs_of_plates, spacer_name
-from elastica_cad.plot.canvas import INK, paint_patches, paint_polygons, write_pages
+from elastica_cad.plot.canvas import INK, chinese_font, paint_patches, paint_polygons, text_in, write_pages
 from elastica_cad.plot.model_pictures import holder_patches, lit, look_from, rule_strip, screen_of
+from elastica_cad.refusals import Length, Refusal, Wording, note, sentences
 from elastica_cad.strip.holding_template import ARROW_MM, HeldElement, held_elements
 from elastica_cad.strip.measuring import rising_angles
 from elastica_cad.strip.outline import ENDS
 from elastica_cad.strip.pieces import EqualStrips
 from elastica_cad.strip.strip import Placed
+from elastica_cad.words import LANGUAGES, Language, Translated
 
 A4 = np.array([595.0, 842.0])  # points
 MARGIN, TITLE_POINTS, LEADING = 36.0, 44.0, 12.5  # points: margin, height of the title, height of a line
@@ -63,6 +67,21 @@ PLATE, HOLE, LEAD = "#d9c9a3", "#ffffff", "#c2452d"
 PAINT_DPI = 300
 
 
+LAYERS = "Glue the layers of {strips} onto each other, flat. Let the glue dry before you bend the strips."
+LAPS = (
+    "Put the pieces of {strips} end to end, flat, and glue their plates (lap) over the joints, between the marks. "
+    "Let the glue dry before you bend the strips."
+)
+LAPS_OF_LAYERS = (
+    "The layers of {strips} are made of pieces. Put the pieces end to end, flat, and glue their plates (lap) over "
+    "the joints, on the outer face of each layer."
+)
+NO_CHINESE = (
+    "This sheet is in English because no font with Chinese characters was found. Install a font such as "
+    "Noto Sans CJK SC."
+)
+
+
 class Table(NamedTuple):
     """Heading, column heads and rows of a table; sentences are rows of one cell."""
 
@@ -84,6 +103,7 @@ def save_assembly_sheet(
     *,
     holders: Sequence[Holder] = (),
     cut_list: CutList | None = None,
+    language: Language = "en",
     force: bool = False,
 ) -> tuple[AssemblyStep, ...]:
     """Write a PDF for the workshop: exploded view, numbered ends, order of assembly, positions, and parts.
@@ -99,6 +119,8 @@ def save_assembly_sheet(
         Holders in addition to the plates of the model.
     cut_list : CutList, optional
         Cut list, from which the table of the parts is printed.
+    language : "en", "de" or "zh-CN"
+        Language of the text. Without a font that has Chinese characters, the text is in English.
     force : bool
         Overwrite a file of that name.
 
@@ -114,24 +136,36 @@ def save_assembly_sheet(
     MissingDependencyError
         matplotlib is not installed.
     """
-    steps = list_assembly_steps(model, holders)
-    pages = _pages(model, [*model.plates, *holders], steps, cut_list)
-    title = f"{model.name}: assembly"
-    write_pages(pages, path, title, what="assembly sheets", force=force, resolution=PAINT_DPI)
+    if language not in ("en", *LANGUAGES):
+        raise InputError("The language is {given!r}. Use en, de or zh-CN.", given=language)
+    steps, font, hints = list_assembly_steps(model, holders), None, list[str]()
+    if language == "zh-CN" and (font := chinese_font()) is None:
+        language, hints = "en", [NO_CHINESE]
+    words = Translated(language)
+    pages = _pages(model, [*model.plates, *holders], steps, cut_list, words, hints)
+    title = words.sentence(note("{name}: assembly", name=model.name))
+    with text_in(font):
+        write_pages(pages, path, title, what="assembly sheets", force=force, resolution=PAINT_DPI)
     return steps
 
 
 def _pages(
-    model: Model, holders: Sequence[Holder], steps: Sequence[AssemblyStep], cut_list: CutList | None
+    model: Model,
+    holders: Sequence[Holder],
+    steps: Sequence[AssemblyStep],
+    cut_list: CutList | None,
+    words: Wording,
+    hints: Sequence[str],
 ) -> Iterator[Any]:
     pairs = tuple(pairs_of_plates(_plates(holders)))
     view = View.of(model, holders, {id(second) for _, second, _ in pairs})
     tables = [table for table in _tables(model, holders, pairs, steps, cut_list) if table.rows]
+    tables += [Table("", (), [(hint,) for hint in hints])] if hints else []
     # choose the orientation with the larger picture; text is below the picture if it fits
     layouts = []
     for paper in (A4, A4[::-1]):
         space = paper - [2 * MARGIN, 2 * MARGIN + TITLE_POINTS]
-        blocks = [_block(table, int(space[0] / LETTER_POINTS)) for table in tables]
+        blocks = [_block(_translated(table, words), int(space[0] / LETTER_POINTS)) for table in tables]
         picture = space - [0.0, LEADING * sum(len(head) + len(body) + 1 for head, body in blocks)]
         shared = bool(picture[1] > 0 and view.scale(picture) >= SHARED * view.scale(space))
         layouts.append((shared, view.scale(picture if shared else space), paper, blocks))
@@ -147,11 +181,13 @@ def _pages(
         top = paper[1] - MARGIN - TITLE_POINTS
         if k == 0:
             size = " x ".join(f"{length:.0f}" for length in view.size)
-            summary = f"{counted(len(model.placed), 'strip')}; assembled {size} mm (x, y, z)"
-            figure.text(MARGIN / paper[0], (top + 12.0) / paper[1], summary, fontsize=TEXT_POINTS, color=INK)
+            count = counted(len(model.placed), "strip")
+            summary = note("{count}; assembled {size} mm (x, y, z)", count=count, size=size)
+            figure.text(MARGIN / paper[0], (top + 12.0) / paper[1], words.sentence(summary),
+                        fontsize=TEXT_POINTS, color=INK)  # fmt: skip
             picture = np.array([paper[0] - 2 * MARGIN, view.height(scale) if shared else top - MARGIN])
             top -= picture[1]
-            view.draw(figure.add_axes(np.array([MARGIN, top, *picture]) / [*paper, *paper]), picture)
+            view.draw(figure.add_axes(np.array([MARGIN, top, *picture]) / [*paper, *paper]), picture, words)
         _write(figure, page, top)
         yield figure
 
@@ -171,12 +207,13 @@ def _tables(
     steps: Sequence[AssemblyStep],
     cut_list: CutList | None,
 ) -> Iterator[Table]:
-    sentences = [*_plate_sentences(holders, pairs)]
-    rows = [*_step_rows(steps, len(sentences) + 1)]
-    yield Table("Order of assembly", (), [(f"{k}   {text}",) for k, text in enumerate(sentences, 1)])
+    first_steps = [*_flat_gluing(model), *_plate_sentences(holders, pairs)]
+    rows = [*_step_rows(steps, len(first_steps) + 1)]
+    numbered = (note("{number}   {text}", number=k, text=text) for k, text in enumerate(first_steps, 1))
+    yield Table("Order of assembly", (), [(text,) for text in numbered])
     head = ("step", "strip", "cut as", "start (1)", "end (2)", "locks into")
-    yield Table("" if sentences else "Order of assembly", head, rows)
-    yield Table("", (), [(text,) for text in _sentences_below_steps(holders)])
+    yield Table("" if first_steps else "Order of assembly", head, rows)
+    yield Table("", (), [(text,) for text in _sentences_below_steps(model, holders)])
     head = ("strip", "start (1) at (x, y, z)", "angle", "end (2) at (x, y, z)", "angle", "distance")
     title = (
         "Positions in the blocks (mm; degrees from the line of the ends, positive towards the largest height)"
@@ -205,10 +242,16 @@ def _plate_sentences(
         name = spacer_name(first)
         if name in spacers:
             stacked |= {id(first), id(second)}
-            yield (f"Glue the tongues of {spacers[name]} x {name} into the slots of {second.name}, then of "
-                   f"{first.name}. The spacers keep these plates {gap:.3g} mm apart.")  # fmt: skip
+            yield note(
+                "Glue the tongues of {count} x {spacer} into the slots of {second}, then of {first}. The "
+                "spacers keep these plates {gap:.3g} apart.",
+                count=spacers[name], spacer=name, second=second.name, first=first.name, gap=Length(gap),
+            )  # fmt: skip
         else:
-            yield f"Stack {second.name}, spacers {gap:.3g} mm high, and {first.name}."
+            yield note(
+                "Stack {second}, spacers {gap:.3g} high, and {first}.",
+                second=second.name, gap=Length(gap), first=first.name,
+            )  # fmt: skip
     rails = [
         plate.name
         for plate in _plates(singles)
@@ -216,7 +259,7 @@ def _plate_sentences(
     ]
     if rails:
         ribs = [holder.name for holder in singles if type(holder) is Rib]
-        yield f"Push the tongues of {_range(ribs)} into {_joined(rails)}."
+        yield note("Push the tongues of {ribs} into {rails}.", ribs=_range(ribs), rails=_joined(rails))
 
 
 def _plates(holders: Sequence[Holder]) -> list[BasePlate]:
@@ -224,7 +267,9 @@ def _plates(holders: Sequence[Holder]) -> list[BasePlate]:
 
 
 def _joined(names: Sequence[str]) -> str:
-    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+    if len(names) == 1:
+        return names[0]
+    return note("{some} and {last}", some=sentences(names[:-1], ", "), last=names[-1])
 
 
 def _step_rows(steps: Sequence[AssemblyStep], number: int) -> Iterator[tuple[str, ...]]:
@@ -237,27 +282,55 @@ def _step_rows(steps: Sequence[AssemblyStep], number: int) -> Iterator[tuple[str
         first, *following = run
         strips = _range([first.strip, *(step.strip for step in following)])
         if part and following:
-            strips = f"strips {first.number} to {following[-1].number}"
+            strips = note("strips {first} to {last}", first=first.number, last=following[-1].number)
         yield str(k), strips, part, *map(_joined, places), ", ".join(locks)
 
 
 def _range(names: Sequence[str]) -> str:
-    return f"{names[0]} to {names[-1]}" if len(names) > 2 else _joined(names)
+    return note("{some} to {last}", some=names[0], last=names[-1]) if len(names) > 2 else _joined(names)
 
 
-def _sentences_below_steps(holders: Sequence[Holder]) -> Iterator[str]:
+def _flat_gluing(model: Model) -> Iterator[str]:
+    """Yield the steps in which strips are glued before they are bent."""
+    layered = [part for part in model.parts if len(part.strip.layers) > 1]
+    joined = [part for part in model.parts if part.strip.plates is not None]
+    for text, parts in (
+        (LAYERS, layered),
+        (LAPS, [part for part in joined if part not in layered]),
+        (LAPS_OF_LAYERS, [part for part in joined if part in layered]),
+    ):
+        if parts:
+            yield note(text, strips=_joined([part.name for part in parts]))
+
+
+def _sentences_below_steps(model: Model, holders: Sequence[Holder]) -> Iterator[str]:
     plates = _plates(holders)
+    closed = [part.name for part in model.parts if part.strip.is_closed]
+    if closed:
+        yield note(
+            "Bend {strips} along the curve, and glue the tab at the end (2) to the inside of the start (1). "
+            "Hold this joint bent along the curve until the glue is dry.",
+            strips=_joined(closed),
+        )
+    seats = [plate.name for plate in plates if isinstance(plate, Ring) and plate.seats]
+    if seats:
+        yield note("Glue or bolt each tab to its engraved outline on {rings}.", rings=_joined(seats))
     if any(plate.glued for plate in plates):
-        yield "Glue each foot into the angle of its plate and the tab whose name it has."
+        yield note("Glue each foot into the angle of its plate and the tab whose name it has.")
     if holders:
-        yield "A strip starts (1) where its label starts. Each slot and block has the name of its end, such as A:1."
+        yield note(
+            "A strip starts (1) where its label starts. Each slot and block has the name of its end, such as A:1."
+        )
     # of two plates of a pair, the one next to the strips remains
     sides = {tuple(np.sign(plate.frame.z_axis).tolist()): plate for plate in reversed(plates)}
     if len(sides) == 2:
         near_plate, opposite = reversed(sides.values())
         if near_plate.frame.z_axis @ opposite.frame.z_axis < -1 + PARALLEL:
             distance = abs(float((near_plate.frame.origin - opposite.frame.origin) @ near_plate.frame.z_axis))
-            yield f"The inner faces of {near_plate.name} and {opposite.name} are {distance:.1f} mm apart."
+            yield note(
+                "The inner faces of {first} and {second} are {distance:.1f} apart.",
+                first=near_plate.name, second=opposite.name, distance=Length(distance),
+            )  # fmt: skip
 
 
 def _block_rows(model: Model, holders: Sequence[Holder]) -> Iterator[tuple[str, ...]]:
@@ -297,10 +370,11 @@ def _element_rows(model: Model) -> Iterator[tuple[str, ...]]:
     for i, member in enumerate(model.placed):
         for element in held_elements(member.strip):
             points = member.frame.point(element.position)
-            at = " to ".join(map(_point, points))
+            first, *others = map(_point, points)
+            at = note("{some} to {last}", some=first, last=others[-1]) if others else first
             distance = float(np.linalg.norm(points[-1] - points[0]))
             is_tie = len(points) > 1
-            noun = f"{element.name} {element.noun}"
+            noun = note("{name} {noun}", name=element.name, noun=element.noun)
             angle, length = ("", f"{distance:.1f}") if is_tie else (f"{element.tilt:.1f}", "")
             yield model.single_name_of(i), noun, at, angle, f"{element.force:.2g}", length
 
@@ -333,8 +407,24 @@ def _part_rows(cut_list: CutList) -> Iterator[tuple[str, ...]]:
             rows = [cut_rows[k] for k in places]
             names = [row.part for row in rows]
             name = _range(names) if places[-1] - places[0] < len(places) else _joined(names)
-            count, file = sum(row.count for row in rows), f"{rows[0].file}{and_more(rows)}"
-            yield name, str(count), rows[0].sheet, size.format(rows[0]), file
+            count = sum(row.count for row in rows)
+            sheet = note("{sheet}", sheet=rows[0].sheet)
+            file = note("{file}{others}", file=rows[0].file, others=and_more(rows))
+            yield name, str(count), sheet, size.format(rows[0]), file
+
+
+def _translated(table: Table, words: Wording) -> Table:
+    """Return the table in another language; names of parts and numbers, which are no records, stay."""
+    rows = [
+        [words.sentence(cell) if isinstance(cell, Refusal) else cell for cell in row] for row in table.rows
+    ]
+    title, *head = (_heading(text, words) for text in (table.title, *table.head))
+    return Table(title, head, rows)
+
+
+def _heading(text: str, words: Wording) -> str:
+    translated = words.template(f"sheet|{text}")
+    return text if translated.startswith("sheet|") else translated
 
 
 def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
@@ -343,7 +433,8 @@ def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
     Empty columns are left out, and the longest cells are wrapped.
     """
     used = [k for k in range(len(table.rows[0])) if any(row[k] for row in table.rows)]
-    rows = [[row[k] for k in used] for row in ([table.head] if table.head else []) + [*table.rows]]
+    # a wide character takes the place of two letters
+    rows = [[_padded(row[k]) for k in used] for row in ([table.head] if table.head else []) + [*table.rows]]
     widths = [max(map(len, column)) + GAP_LETTERS for column in zip(*rows, strict=True)]
     while sum(widths) > most:
         widths[int(np.argmax(widths))] -= 1
@@ -353,10 +444,18 @@ def _block(table: Table, most: int) -> tuple[list[Line], list[Line]]:
         cells = [wrap(cell, width - GAP_LETTERS) for cell, width in zip(row, widths, strict=True)]
         wrapped = zip_longest(*cells, fillvalue="")
         lines.append([Line([*zip(starts, texts, strict=True)]) for texts in wrapped])
-    heads = [Line([(0, table.title)], "bold")] if table.title else []
+    titles = wrap(_padded(table.title), most)
+    heads = [Line([(0, text)], "bold") for text in titles]
     if table.head:
         heads += [Line(line.cells, "bold") for line in lines.pop(0)]
     return heads, [line for row in lines for line in row]
+
+
+PAD = "\u2060"  # second place of a wide character while lines are wrapped: an invisible character
+
+
+def _padded(text: str) -> str:
+    return "".join(letter + PAD * (east_asian_width(letter) in "FW") for letter in text)
 
 
 def _paginated(blocks: Sequence[tuple[list[Line], list[Line]]], most: int) -> Iterator[list[Line]]:
@@ -381,7 +480,7 @@ def _write(figure: Any, lines: Sequence[Line], top: float) -> None:
     for k, line in enumerate(lines, 1):
         for start, text in line.cells:
             x, y = (MARGIN + LETTER_POINTS * start) / width, (top - LEADING * k) / height
-            figure.text(x, y, text, fontsize=TEXT_POINTS, color=INK, fontweight=line.weight)
+            figure.text(x, y, text.replace(PAD, ""), fontsize=TEXT_POINTS, color=INK, fontweight=line.weight)
 
 
 class Label(NamedTuple):
@@ -482,11 +581,11 @@ class View:
         assembled = box_about(np.concatenate(boxes))
         shown_box = box_about(np.concatenate([patches.reshape(-1, 3), *(loop for loop, _, _ in outlines)]))
         size, corner = np.ptp(assembled, axis=0), shown_box[0]
-        dimensions = []
-        for axis, word in ((0, "width"), (2, "height")):
+        dimensions = list[tuple[FloatArray, str]]()
+        for axis, text in ((0, "width {size:.0f}"), (2, "height {size:.0f}")):
             line = np.array([corner, corner])
             line[:, axis] = assembled[:, axis]
-            dimensions.append((line, f"{word} {size[axis]:.0f} mm"))
+            dimensions.append((line, note(text, size=Length(size[axis]))))
         return cls(patches, colors, outlines, [*leads.values()], elements, labels, dimensions, size)
 
     @cached_property
@@ -509,7 +608,7 @@ class View:
         """Return the height of the picture with its labels, points."""
         return float(scale * np.ptp(self._box, axis=0)[1] + 2 * LABEL_SPACE[1])
 
-    def draw(self, axes: Any, size: FloatArray) -> None:
+    def draw(self, axes: Any, size: FloatArray, words: Wording) -> None:
         """Draw the picture on axes of a size (2,), points."""
         to_points = self.scale(size) * SCREEN
         middle = self._box.mean(axis=0) * self.scale(size)
@@ -534,7 +633,9 @@ class View:
             if tip is not None:
                 arrow = {"arrowstyle": "->", "color": LEAD, "linewidth": 0.8, "shrinkA": 0, "shrinkB": 0}
                 axes.annotate("", tip @ to_points, points[0] @ to_points, arrowprops=arrow)
-        occupied = np.array([_draw_dimension(axes, line @ to_points, text) for line, text in self.dimensions])
+        occupied = np.array(
+            [_draw_dimension(axes, line @ to_points, words.sentence(text)) for line, text in self.dimensions]
+        )
         inside = np.array([middle - size / 2, middle + size / 2])
         for label in self.labels:
             half = np.array([len(label.text) * LETTER_POINTS + LABEL_PAD, LABEL_HIGH]) / 2

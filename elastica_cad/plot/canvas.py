@@ -1,6 +1,7 @@
 """Creation of figures without a display, and writing of figures to files."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from io import BytesIO
 from os import PathLike
 from pathlib import Path
@@ -140,6 +141,44 @@ def write_pages(
 def _properties() -> dict[str, str | None]:
     """Return the metadata of a file. They have no time, so that equal pictures give equal files."""
     return {"CreationDate": None} | ({"Subject": command} if (command := MADE_BY.get()) else {})
+
+
+CHINESE_FONTS = (
+    "Noto Sans CJK SC", "Noto Sans SC", "Source Han Sans SC", "Microsoft YaHei", "PingFang SC", "Hiragino Sans GB",
+    "Heiti SC", "WenQuanYi Micro Hei", "WenQuanYi Zen Hei", "Droid Sans Fallback", "SimHei", "SimSun",
+    "Arial Unicode MS", "Noto Sans CJK JP",
+)  # fmt: skip
+"""Fonts with Chinese characters, the preferred ones first."""
+
+
+def chinese_font() -> str | None:
+    """Return the name of an installed font with Chinese characters, or None."""
+    try:
+        from matplotlib import font_manager
+    except ImportError as error:
+        raise missing_library("pictures need matplotlib", "matplotlib") from error
+    known = font_manager.fontManager
+    # the stored list of fonts may be older than a font, so a new list is made if the stored list has none
+    listed: Callable[[], Any]
+    for listed in (lambda: known, font_manager.FontManager):
+        files = {font.name: font.fname for font in listed().ttflist}
+        for name in CHINESE_FONTS:
+            if name in files:
+                known.addfont(files[name])
+                return name
+    return None
+
+
+@contextmanager
+def text_in(font: str | None) -> Iterator[None]:
+    """Write text of new figures in a font; other characters are in matplotlib's default font."""
+    if font is None:
+        yield
+        return
+    from matplotlib import rc_context
+
+    with rc_context({"font.family": [font, "DejaVu Sans"]}):
+        yield
 
 
 def paint_polygons(axes: Axes, polygons: FloatArray | Sequence[FloatArray], **style: Any) -> None:

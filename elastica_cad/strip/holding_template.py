@@ -13,7 +13,7 @@ from elastica_cad._values import require_record
 from elastica_cad.geometry.path import Path
 from elastica_cad.geometry.plane_points import left_of
 from elastica_cad.geometry.segments import Line, Spline
-from elastica_cad.mechanics.elements import NOUNS, ElementForce, Pin, PointForce, Rail, Tie
+from elastica_cad.mechanics.elements import NOUNS, ElementForce, Pin, PointForce, Rail, Tie, noun_of
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, End, PointMass
 from elastica_cad.refusals import Length, Refusal, note
 from elastica_cad.strip.drawing import ENGRAVE, MARK, Drawing, LayeredPath
@@ -194,8 +194,10 @@ class HeldElement:
     def noun(self) -> str:
         """Kind of the element as a word, with the mass, g, of a point mass."""
         element: Any = self.action.element
-        mass = f" {element.mass:g} g" if isinstance(element, PointMass) else ""
-        return f"{NOUNS[type(element)]}{mass}"
+        noun = noun_of(element)
+        if not isinstance(element, PointMass):
+            return noun
+        return note("{noun} {mass:g} g", noun=noun, mass=float(element.mass))
 
     @property
     def is_load(self) -> bool:

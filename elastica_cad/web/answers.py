@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from io import BytesIO
 from pathlib import Path as FilePath
 from tempfile import TemporaryDirectory
@@ -58,6 +58,7 @@ from elastica_cad.web.saved_design import (
     file_mark,
     open_design,
 )
+from elastica_cad.words import Language
 
 Record = dict[str, Any]
 
@@ -81,6 +82,9 @@ CHORD_MM = 0.05
 
 DROPPED = (".svg", ".dxf", ".csv", ".txt", ".json", ".toml")
 """Files that may be dropped on the page, by suffix."""
+
+CATALOGUES: dict[str, Language] = {"de": "de", "zh": "zh-CN"}
+"""Catalogue of translations for each language of the page, except English."""
 
 DOWNLOADS = ("dxf", "svg", "pdf", "step", "stl", "kit")
 """Files that can be downloaded, in addition to the design."""
@@ -798,7 +802,9 @@ def _download(request: Mapping[str, Any], folder: FilePath) -> Download:
         return Download(path.name, path.read_bytes())
     design = _design(request)
     if kind == "kit":
-        contents = kit_contents(design.model(), design.kit, entries=design.entries, effects=True)
+        language = design.kit.language or CATALOGUES.get(request.get("language", "en"), "en")
+        kit_spec = replace(design.kit, language=language)
+        contents = kit_contents(design.model(), kit_spec, entries=design.entries, effects=True)
         model_kit(contents).write(folder / name)
         return Download(f"{name}.zip", _zipped(folder))
     strip_spec = _spec(request)

@@ -14,14 +14,11 @@ from typing import Any
 
 from elastica_cad.errors import ElasticaError, InputError
 from elastica_cad.refusals import Refusal, Wording
-from elastica_cad.web.answers import Download, answer, refused
+from elastica_cad.web.answers import CATALOGUES, Download, answer, refused
 from elastica_cad.words import Translated
 
 MOST_MEMORY = 3 * 2**30
 """Largest address space of a worker, bytes. A CAD kernel needs a third."""
-
-CATALOGUES = {"de": "de", "zh": "zh-CN"}
-"""Catalogue of translations for each language of the page, except English."""
 
 
 def read_question(text: str | bytes) -> dict[str, Any]:

@@ -1,13 +1,18 @@
-"""Catalogues of other languages: translations of English templates, and of the texts of the page as "page|TEXT"."""
+"""Catalogues of other languages: translations of English templates, of texts of the page as "page|TEXT",
+and of headings of the assembly sheet as "sheet|TEXT".
+"""
 
 import json
 from functools import cache
 from importlib.resources import files
-from typing import Any
+from typing import Any, Literal, TypeAlias
 
 from elastica_cad.refusals import Wording
 
 LANGUAGES = ("de", "zh-CN")
+
+Language: TypeAlias = Literal["en", "de", "zh-CN"]
+"""English, or a language with a catalogue."""
 
 
 @cache

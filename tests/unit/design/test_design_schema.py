@@ -30,6 +30,7 @@ SPLIT = (
 DESIGNS = [
     ONE.replace("[[", """
 name = "all"
+language = "de"
 length = 200
 thickness = 0.3
 min_width = 2

@@ -10,6 +10,7 @@ import elastica_cad as ec
 from elastica_cad.model import slotted_frame
 from elastica_cad.model.plate_pairs import end_plates
 from elastica_cad.plot import save_assembly_sheet
+from elastica_cad.strip.layers import LapPlates
 
 BOW = ec.make_strip(ec.PlaneCurve.arc((0, 0), 60, 0.02, 3.12), "birch-plywood-0.8", max_width=20, label="A")
 
@@ -114,3 +115,58 @@ def test_the_sheet_states_the_loads_at_the_ends(sheet):
     assert [float(text.split()[0]) for text in row[1:5]] == pytest.approx(
         [np.hypot(*loads.start_force), abs(loads.start_moment)] * 2, rel=0.05
     )
+
+
+def test_the_sheet_has_a_step_for_gluing_before_bending(sheet):
+    layered = ec.make_strip(
+        ec.PlaneCurve.arc((0, 0), 110, 0.02, 3.12),
+        "birch-plywood-0.8",
+        max_width=20,
+        style=ec.Laminated(width=20, backing="birch-plywood-0.8"),
+    )
+    strips = [replace(layered, label="L"), replace(BOW, label="P", plates=LapPlates((90.0,), 30.0)), BOW]
+    model = ec.Model(
+        [ec.Placed(strip, (0, 30 * k, 0), (1, 0, 0), (0, 0, 1)) for k, strip in enumerate(strips)]
+    )
+    texts = [text for page in sheet(model, model.base_plate("mdf-3")) for text in page]
+    steps = [texts.index(next(t for t in texts if t.startswith(f"{k}   "))) for k in (1, 2)]
+    assert "layers of L" in texts[steps[0]]
+    assert "pieces of P" in texts[steps[1]]
+    assert texts[texts.index("step") :].index("3") > 0, "strips are placed after that"
+
+
+def test_a_closed_strip_is_glued_after_bending(sheet):
+    circle = ec.PlaneCurve.ellipse((0, 0), (100, 80))
+    ring = ec.make_strip(circle, "birch-plywood-0.8", max_width=15, ends=(ec.Tab(0), ec.Tab(12)), label="R")
+    texts = [text for page in sheet(ec.Model([ec.Placed(ring)])) for text in page]
+    assert "glue to its start (1)" in texts
+    assert any(text.startswith("Bend R along the curve, and glue") for text in texts)
+
+
+@pytest.mark.parametrize(("language", "title"), [("de", "Reihenfolge der Montage"), ("zh-CN", "装配顺序")])
+def test_the_sheet_is_in_another_language(language, title, sheet, monkeypatch):
+    monkeypatch.setattr("elastica_cad.plot.assembly_sheet.chinese_font", lambda: "DejaVu Sans")
+    strips = [replace(BOW, label="strip"), replace(BOW, label="B")]
+    model = ec.Model(
+        [ec.Placed(strip, (0, 30 * k, 0), (1, 0, 0), (0, 0, 1)) for k, strip in enumerate(strips)]
+    )
+    options = {"cut_list": model.cut_list()}
+    (page,), (english,) = (
+        sheet(model, model.base_plate("mdf-3"), language=word, **options) for word in (language, "en")
+    )
+    assert title in page
+    assert any(text.startswith("strip ") for text in page), "names of parts stay"
+    kept = {text for text in page if text in english and re.search("[a-z]{2}", text)}
+    assert all(re.search(r"strip|base|plywood|dxf|mdf|model|mm$", text) for text in kept), kept
+
+
+def test_without_a_font_the_chinese_sheet_is_in_english_and_states_why(sheet, monkeypatch):
+    monkeypatch.setattr("elastica_cad.plot.assembly_sheet.chinese_font", lambda: None)
+    (page,) = sheet(ec.Model([ec.Placed(BOW)]), language="zh-CN")
+    assert "Order of assembly" in page
+    assert any("no font with Chinese characters" in text for text in page)
+
+
+def test_an_unknown_language_is_refused(sheet):
+    with pytest.raises(ec.InputError, match="Use en, de or zh-CN"):
+        sheet(ec.Model([ec.Placed(BOW)]), language="fr")

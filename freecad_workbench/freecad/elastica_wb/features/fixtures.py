@@ -97,7 +97,7 @@ def create(document: Any, sources: list[Any]) -> Any:
 
 
 def report_holders(obj: Any, model: Model, holders: Iterable[EndFixture | BasePlate | Rib]) -> None:
-    """Write the warnings of holders, and the shift and rotation of tabs in the holders, into the results."""
+    """Write the play of tabs in their holders, and the warnings of holders, into the results."""
     warnings = one_of_each(text for holder in holders for text in holder.warnings)
     put(obj, Reports=[*holder_plays(model.placed, holders), *warnings])
 
