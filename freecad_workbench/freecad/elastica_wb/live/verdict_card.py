@@ -145,16 +145,23 @@ class VerdictCard(QtCore.QObject):
         if self._over is None:  # FreeCAD may report a camera move while it closes the view
             return
         folded = preferences.get(FOLDED)
-        hidden = self._lay_out(folded=folded)
-        part = free_part(self._over)
+        part, cards = free_part(self._over), self._other_cards()
+        hidden = self._lay_out(part, cards, folded=folded)
         is_small = self.frame.width() * self.frame.height() > SMALL * part.width() * part.height()
         self._shrunk = not folded and not self._stays_open and is_small and hidden > 0
         if self._shrunk:
-            self._lay_out(folded=True)
+            self._lay_out(part, cards, folded=True)
 
-    def _lay_out(self, *, folded: bool) -> int:
-        """Set width and position of the card. Return the number of hidden points."""
-        over = self._over
+    def _other_cards(self) -> list[Any]:
+        """Return the rectangles of the other visible cards over the view."""
+        cards = self._over.findChildren(QtWidgets.QFrame, self.frame.objectName())
+        return [card.geometry() for card in cards if card != self.frame and card.isVisible()]
+
+    def _lay_out(self, part: Any, cards: Sequence[Any], *, folded: bool) -> int:
+        """Set width and position of the card. Return the number of hidden points.
+
+        `part` is the rectangle of the view that no panel covers, and `cards` are the rectangles of other cards.
+        """
         self.fold.setText("▴" if folded else "▾")
         self.fold.setFixedSize(self.fold.sizeHint())
         self.button.setFixedSize(self.button.sizeHint())
@@ -166,7 +173,7 @@ class VerdictCard(QtCore.QObject):
         rows = [button for button in (self.keep, self.button) if button.isVisible()]
         layout, button_height = self.frame.layout(), sum(button.height() + GAP_PX for button in rows)
         layout.setContentsMargins(0, 0, 0, button_height + (0 if folded else GAP_PX // 2))
-        widest = max(min(WIDEST_PX, round(WIDTH_FRACTION * free_part(over).width())), FOLDED_PX)
+        widest = max(min(WIDEST_PX, round(WIDTH_FRACTION * part.width())), FOLDED_PX)
         # a narrow card is higher, and may fit beside the curve
         widths = (FOLDED_PX,) if folded else (widest, min(widest, NARROW_PX))
 
@@ -175,7 +182,7 @@ class VerdictCard(QtCore.QObject):
             layout.activate()
             tall = self.heading.sizeHint().height() if folded else layout.totalHeightForWidth(width)
             self.frame.setFixedHeight(tall)
-            corner, hidden = self._free_corner()
+            corner, hidden = self._free_corner(part, cards)
             return hidden, corner
 
         width = min(widths, key=lambda width: resized(width)[0])
@@ -189,13 +196,12 @@ class VerdictCard(QtCore.QObject):
         self.fold.show()
         return hidden
 
-    def _free_corner(self) -> tuple[tuple[int, int], int]:
+    def _free_corner(self, part: Any, cards: Sequence[Any]) -> tuple[tuple[int, int], int]:
         """Return the corner (x, y) where the frame hides the fewest points, and their number.
 
         The current corner is preferred; one with another card is the worst.
         """
         over, size = self._over, self.frame.size()
-        part = free_part(over)
         start, above = part.left() + GAP_PX, part.top() + GAP_PX
         end = max(start, part.left() + part.width() - size.width() - CUBE_PX)
         below = max(above, part.top() + part.height() - size.height() - GAP_PX)
@@ -203,12 +209,6 @@ class VerdictCard(QtCore.QObject):
         scale = self._view.getSize()[1] / over.height()
         points = [
             (x / scale, over.height() - y / scale) for x, y in map(self._view.getPointOnScreen, self._places)
-        ]
-
-        cards = [
-            card.geometry()
-            for card in over.findChildren(QtWidgets.QFrame, self.frame.objectName())
-            if card != self.frame and card.isVisible()
         ]
 
         def hidden(corner: int) -> int:
