@@ -205,6 +205,13 @@ STEPS = {
 }
 """Commands with an undo step."""
 
+IN_SKETCH = {
+    "given length": "Curve of given length",
+    "nearest curve": "Use the nearest curve",
+    "keep possible": "Keep it possible",
+}
+"""Actions in an open sketch with an undo step."""
+
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("owner", ["program", "document"])
@@ -215,7 +222,7 @@ def test_commands_make_one_step_each(tmp_path, owner):
     assert found == {
         f"Elastica_{name}": [cancelled.get(name, [[], 0, {}]), [1, {}, True], step, []]
         for name, step in STEPS.items()
-    }
+    } | {name: [[], [1, {}, True], step, []] for name, step in IN_SKETCH.items()}
 
 
 def test_the_modules_name_no_transaction_elsewhere():

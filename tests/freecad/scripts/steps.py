@@ -1,4 +1,7 @@
-"""Every command with an undo step: Cancel, OK, undo. ELASTICA_TEST_STEPS=document: steps as in FreeCAD 1.2."""
+"""Commands and actions in a sketch that make an undo step: Cancel, OK, undo.
+
+ELASTICA_TEST_STEPS=document: steps as in FreeCAD 1.2.
+"""
 
 import os
 import sys
@@ -9,7 +12,25 @@ sys.path.insert(0, str(Path(__file__).parent))
 import FreeCAD as App
 import FreeCADGui as Gui
 import Part
-from inside import ARCH, answers, at_rest, begun, choose, fill, panel, run, sketch, trigger, until, window
+from inside import (
+    ARCH,
+    answers,
+    at_rest,
+    begun,
+    choose,
+    drag,
+    fill,
+    fit,
+    live_at_rest,
+    panel,
+    press_on_card,
+    run,
+    sketch,
+    trigger,
+    until,
+    wait,
+    window,
+)
 
 BAD = [(0, 0), (40, 60), (80, -55), (120, 10), (160, 30), (180, 0)]
 TURNED = [(x, -y) for x, y in ARCH]
@@ -116,6 +137,67 @@ def tried(command, *chosen, edited=None, **values):
     document.recompute()
 
 
+def tried_in(drawn, name, act):
+    """An action in an open sketch, and its undo; answers as of a command without a panel."""
+    from freecad.elastica_wb.live import between_clamps, observers
+    from freecad.elastica_wb.live import session as live
+    from freecad.elastica_wb.undo_steps import active_steps
+
+    document = drawn.Document
+    Gui.ActiveDocument.setEdit(drawn.Name)
+    until(lambda: Gui.ActiveDocument.getInEdit() is not None)
+    observers.switch(drawn, on=True)
+    fit("Top")
+    until(lambda: live.session() is not None)
+    live_at_rest()
+    before, steps = geometry(drawn), document.UndoCount
+    act()
+    until(lambda: geometry(drawn) != before and document.UndoCount != steps)
+    live_at_rest()
+    made = [document.UndoCount - steps, active_steps(), geometry(drawn) != before]
+    step = document.UndoNames[0]
+    trigger("Std_Undo")
+    until(lambda: geometry(drawn) == before)
+    live_at_rest()
+    answers["tried"][name] = [[], made, step, [] if geometry(drawn) == before else [drawn.Name]]
+    between_clamps.stop()
+    Gui.ActiveDocument.resetEdit()
+    until(lambda: live.session() is None)
+
+
+def geometry(drawn):
+    """The curves of a sketch."""
+    return [
+        [str(one), *map(str, one.getPoles() if hasattr(one, "getPoles") else [])] for one in drawn.Geometry
+    ]
+
+
+def lengthen():
+    """Draw the curve of another length with the tool that keeps the ends of the curve."""
+    from freecad.elastica_wb.live import between_clamps
+
+    trigger("Elastica_Between")
+    until(lambda: between_clamps.running() is not None)
+    between_clamps.running()._lengthen(1.2 * between_clamps.running().length)
+
+
+def use_nearest():
+    """Press the button of the card when the nearest curve is found."""
+    from freecad.elastica_wb.live import session as live
+
+    until(lambda: live.session().near is not None)
+    press_on_card("button")
+
+
+def drag_too_far(drawn):
+    """Keep the curve possible, and drag a pole where no strip can take it."""
+    fit(height=320)
+    press_on_card("keep")
+    until(lambda: drawn.ElasticaKeep)
+    drag(tuple(drawn.Geometry[0].getPole(3)), 8, (0, 25))
+    wait(300)
+
+
 def change(**values):
     """Type into the panel, or do what its buttons do."""
     if make := values.pop("press", None):
@@ -163,6 +245,10 @@ def work():
     barrel = document.addObject("Part::Feature", "Barrel")
     barrel.Shape = Part.makeSphere(40)
     tried("Elastica_Section", barrel)
+    tried_in(turned, "given length", lengthen)
+    tried_in(bad, "nearest curve", use_nearest)
+    kept = sketch(begun("Kept"), ARCH)  # strips would be in front of the poles
+    tried_in(kept, "keep possible", lambda: drag_too_far(kept))
     other = begun("Model")
     strips = []
     from freecad.elastica_wb.features import strip as strips_of
