@@ -6,7 +6,14 @@ from importlib.util import find_spec
 import numpy as np
 import pytest
 from freecad.elastica_wb import make_strip
-from freecad.elastica_wb.features.strip import CHANGEABLE, changeable, strip_of, valid_request, values_of
+from freecad.elastica_wb.features.strip import (
+    CHANGEABLE,
+    changeable,
+    strip_of,
+    suggestions,
+    valid_request,
+    values_of,
+)
 from freecad.elastica_wb.solving.strip_cache import changes_that_help
 
 import elastica_cad as ec
@@ -20,6 +27,7 @@ from .features import change
 
 ZIGZAG = [(0, 20), (60, 20), (120, 40), (180, -20), (240, 50), (300, -50)]
 WAVE = [(0, 0), (60, 60), (120, 10), (180, -40), (240, 5), (300, 60), (360, 0)]
+HOOK = [(0, 0), (40, 90), (90, 110), (150, 60), (170, -20), (230, -60)]
 BOW = [(0, 0), (30, 60), (60, 80), (90, 80), (120, 60), (150, 0)]
 
 
@@ -61,14 +69,23 @@ def test_all_front_ends_list_the_same_changes(points, sheet, fields, drawn, tmp_
     )
 
 
-def test_another_sheet_makes_the_strip_of_its_suggestion(drawn):
+@pytest.mark.parametrize("field", ["sheet", "nearest"])
+def test_a_change_makes_the_strip_of_its_suggestion(drawn, field):
     strip = make_strip(drawn(BOW, 5), Sheet="oak-3", MaxWidth=25, flat_part=False)
-    suggestion = changes_that_help(valid_request(strip), changeable(strip))[0]
+    found = changes_that_help(valid_request(strip), changeable(strip))
+    suggestion = next(one for one in found if one.change.field == field)
     change(strip, **values_of(strip, suggestion.change))
     assert strip.State == ["Up-to-date"]
     (made,) = suggestion.strips
     assert strip_of(strip).rod.position == pytest.approx(made.rod.position)
     assert strip_of(strip).sheet == made.sheet
+
+
+def test_no_nearest_curve_is_suggested_with_point_forces(drawn):
+    strip = make_strip(drawn(HOOK), MaxWidth=30, flat_part=False)
+    assert {"Follow": "Nearest", "RatioLimit": 0.0} in suggestions(strip).values()
+    change(strip, Loads=["at = 90, force = [0, -1]"])
+    assert suggestions(strip) == {}
 
 
 def test_a_strip_that_lost_its_curve_keeps_its_other_changes(drawn):

@@ -205,7 +205,10 @@ def suggestions(obj: Any) -> dict[str, dict[str, Any]]:
         strip = solve_strip(spec)
         remarks = [record for record in strip.warnings if isinstance(record, Refusal)]
         changes += (change for record in remarks for change in record.all_changes if _may_help(spec, change))
-        changes += (Change("nearest", True) for fault in strip_faults(strip) if fault.curve_helps)
+        nearest = Change("nearest", True)
+        changes += (
+            [nearest] if _may_help(spec, nearest) and any(f.curve_helps for f in strip_faults(strip)) else []
+        )
     except FAILURES as error:
         refusal = explained(error).refusal
         changes += refusal.all_changes if spec is None else ()
@@ -231,7 +234,8 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
             return {"MaxWidth" if obj.Style == STYLES[0] else "MaterialWidth": width}
         case Change("nearest"):
             has_width = obj.MaxWidth.Value or obj.MinWidth.Value
-            return {"Follow": FOLLOW[1]} if obj.Follow == FOLLOW[0] and has_width else {}
+            # the suggested curve was found without a limit of the ratio
+            return {"Follow": FOLLOW[1], "RatioLimit": 0.0} if obj.Follow == FOLLOW[0] and has_width else {}
         case Change("join", gap):
             return {"JoinGaps": gap}
         case Change("between", element):
@@ -242,6 +246,8 @@ def values_of(obj: Any, change: Change) -> dict[str, Any]:
 
 def _may_help(spec: StripSpec, change: Change) -> bool:
     """Return True if a change lets the strip be made. A change of a switch is not tried."""
+    if change.field == "nearest" and (spec.between or spec.rod_spec.point_forces):
+        return False  # the search ignores rails, pins, ties and point forces
     if isinstance(change.value, bool):
         return True
     with suppress(ElasticaError):

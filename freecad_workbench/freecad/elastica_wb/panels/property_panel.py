@@ -30,6 +30,7 @@ from freecad.elastica_wb.host.property_table import Property, reword
 from freecad.elastica_wb.host.qt import QtCore, QtWidgets, later
 from freecad.elastica_wb.host.refusal import FAILURES, explained, why_not_made
 from freecad.elastica_wb.host.resources import QT_TRANSLATE_NOOP, translate
+from freecad.elastica_wb.host.sheet_store import title_of
 from freecad.elastica_wb.host.words import report_error, together, worded
 from freecad.elastica_wb.live.curve_picture import curve_picture
 from freecad.elastica_wb.live.overlay import COLORS, Overlay
@@ -40,6 +41,7 @@ from freecad.elastica_wb.solving.verdicts import Verdict
 
 from elastica_cad._text import html_text
 from elastica_cad.mechanics.sheets import hex_color
+from elastica_cad.refusals import Refusal, note
 from elastica_cad.report_rows import Row
 from elastica_cad.strip.strip_spec import StripSpec
 from elastica_cad.strip.suggestions import Suggestion
@@ -54,6 +56,7 @@ STYLES = {
 
 
 SEARCHING = QT_TRANSLATE_NOOP("Elastica", "Searching for changes that help")
+NONE_FOUND = note("No change was found that makes the strip possible. Follow the instruction above.")
 BUTTON_LETTERS = 32  # letters in a line of a button, so that the panel stays narrow
 MOST_SUGGESTED = 5  # largest number of buttons with suggestions
 
@@ -151,7 +154,8 @@ class PropertyPanel(Panel):
             button.clicked.connect(lambda *_, number=number: self._take(number))
             button.hide()
             outer.addWidget(button)
-        form.searching = QtWidgets.QLabel(f"{translate('Elastica', SEARCHING)} …")
+        form.searching = QtWidgets.QLabel()
+        form.searching.setWordWrap(True)
         form.searching.hide()
         outer.addWidget(form.searching)
         outer.addWidget(form.numbers)
@@ -298,6 +302,7 @@ class PropertyPanel(Panel):
         alone = failed and is_strip(obj) and len(self.objects) == 1
         self._refused, self._tried = valid_request(obj) if alone else None, ()
         self._suggest()
+        self.form.searching.setText(f"{translate('Elastica', SEARCHING)} …")
         self.form.searching.setVisible(self._refused is not None)
         self._idle.start() if self._refused is not None else self._idle.stop()
         self.form.footnote.setText("" if failed else layout.footnote(obj))
@@ -332,7 +337,7 @@ class PropertyPanel(Panel):
         self._preview(None)
         self._suggested = defaultdict(list)
         for suggestion in self._tried:
-            self._suggested[suggestion.title].append((self.object, suggestion))
+            self._suggested[_title(suggestion)].append((self.object, suggestion))
         for obj in self.objects:
             for text, values in self.layout.suggestions(obj).items():
                 self._suggested[text].append((obj, values))
@@ -362,8 +367,9 @@ class PropertyPanel(Panel):
             self._look.start()
         elif self._searched is self._refused:
             self._tried = self._search.result()
-            self.form.searching.hide()
             self._suggest()
+            self.form.searching.setText(worded(NONE_FOUND))
+            self.form.searching.setVisible(not self._suggested)
 
     def _preview(self, number: int | None) -> None:
         if self._overlay is not None:
@@ -461,6 +467,14 @@ class _ChangeButton(QtWidgets.QPushButton):
     def leaveEvent(self, event: Any) -> None:
         self._preview(None)
         super().leaveEvent(event)
+
+
+def _title(suggestion: Suggestion) -> Refusal:
+    """Return the instruction of a suggested change, with the full name of a sheet."""
+    change = suggestion.change
+    if change.field == "sheet":
+        suggestion = replace(suggestion, change=replace(change, value=title_of(change.value)))
+    return suggestion.title
 
 
 def table_of(rows: Sequence[Row]) -> str:
