@@ -192,9 +192,14 @@ def suggest(
         return
     count, far = 0, []
     widths = MOST_WIDENED if fields is None or "max_width" in fields else 0
+    # if the width is the problem, another width alone is enough
+    is_width = "max_width" in {change.field for change in problem.refusal.changes}
     for changes in _changes(spec, problem):
         tried = (change for change in changes if fields is None or change.field in fields)
-        held = (_held(spec, change, widths, sheet_size) for change in islice(tried, MOST_TRIED))
+        held = (
+            _held(spec, change, 0 if is_width and change.field != "max_width" else widths, sheet_size)
+            for change in islice(tried, MOST_TRIED)
+        )
         if (suggestion := next(filter(None, held), None)) is not None:
             count += 1
             if suggestion.is_far:
