@@ -154,7 +154,10 @@ def hole_name(path: Path) -> str:
 
 def refuse_other_ends(holes: PlateHoles | None, names: list[str]) -> None:
     """Raise InputError if none of the plates is at the end that has the holes."""
-    if holes is not None and not any(holes.is_in(name) for name in names):
+    if holes is None:
+        return
+    require_record(holes, PlateHoles, "the record of holes", "a PlateHoles")
+    if not any(holes.is_in(name) for name in names):
         raise InputError(
             "{field} is {side}, but the plates are {names}. Use the last word of one of these names, or "
             "leave out {field}.",

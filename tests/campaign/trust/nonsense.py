@@ -13,6 +13,7 @@ import inspect
 import io
 import os
 import random
+import re
 import resource
 import signal
 import sys
@@ -157,6 +158,8 @@ def answer_to(call):
         return "" if str(error).strip() else "an empty sentence"
     except TypeError as error:  # Python's own words about arguments are clear
         return "" if "argument" in str(error) and "()" in str(error) else told(error)
+    except ValueError as error:  # and those about build123d's enumerations
+        return "" if re.search(r" is not a valid [A-Z]\w*$", str(error)) else told(error)
     except TooLongError as error:
         return told(error)
     except Exception as error:

@@ -134,6 +134,8 @@ def test_a_cap_is_drilled_beside_the_seats_of_its_tabs():
     assert circles(cap)[-1] == (28, 0)
     with pytest.raises(InputError, match="the hole of 60 mm and the seat of a tab overlap"):
         ec.revolve(meridian, 12, holes=PlateHoles(bulb=60, side="top"), **options)
+    with pytest.raises(InputError, match="Pass a PlateHoles"):
+        ec.revolve(meridian, 12, holes=28, **options)
 
 
 def test_a_design_file_declares_the_holes(tmp_path):
