@@ -296,6 +296,8 @@ def _kit_options(row, folder):
         assert not all(
             getattr(one, "closed", True) for one in ezdxf.readfile(sheet).modelspace().query("SPLINE")
         )
+    elif "language" in option:
+        proved_by("tests/unit/plot/test_assembly_sheet.py::test_the_sheet_is_in_another_language")
     else:
         proved_by(
             "tests/unit/cli/test_every_command.py::test_watching_remakes_what_changes_and_survives_mistakes"
