@@ -104,7 +104,7 @@ class ElasticaError(Exception):
         super().__init__(str(self.refusal))
 
     def __str__(self) -> str:
-        return self.refusal  # a str, but also a record that front ends can translate
+        return self.refusal  # the message as a str that is also a record, which front ends can translate
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _restored, (type(self), str(self)), self.__dict__

@@ -194,7 +194,8 @@ class EllipseArc:
         idle = [key for key in ("start", "end") if getattr(self, key) is not None]
         if idle:
             raise InputError(
-                "{place} and above exclude each other. Leave out one of them.", place=f"{where}: {idle[0]}"
+                "{place} and the key 'above' exclude each other. Leave out one of them.",
+                place=f"{where}: {idle[0]}",
             )
         rise = self.above - center[1]
         # height above the centre: a sin(rotation) cos(v) + b cos(rotation) sin(v) = reach cos(v - top)

@@ -556,7 +556,9 @@ def read_text_drawing(file: Path, *, unit: str | None) -> DrawnFile:
     rows = [(n, line.split()) for n, line in enumerate(read_text(file).splitlines(), 1) if line.strip()]
     rows = [(n, row) for n, row in rows if not row[0].startswith("#")]
     if not rows:
-        raise InputError("the file has no numbers: write 'degree count' in the first line")
+        raise InputError(
+            "the file has no numbers: write the degree and the number of control points in the first line"
+        )
     number, head = rows[0]
     if len(head) != 2 or not all(re.fullmatch(r"\d+", word) for word in head):
         raise InputError(

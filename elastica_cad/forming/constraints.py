@@ -164,7 +164,7 @@ class Through(Constraint):
         return _all_rows(np.einsum("i,k,ikp->p", share, normal, sensitivities.position[nodes])[None])
 
     def _foot(self, rod: MappedRod) -> tuple[FloatArray, slice, FloatArray]:
-        """Return weights and slice of the four nodes around the point nearest to the target, and the normal."""
+        """Return weights and slice of the four nodes around the point nearest to the target, and its normal."""
         foot: tuple[FloatArray, slice, FloatArray] = rod.remembered(
             self, lambda: self._find_foot(rod.position)
         )

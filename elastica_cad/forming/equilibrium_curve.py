@@ -84,7 +84,7 @@ class EquilibriumCurve:
             raise NotRealizable(check)
         if check.any_stiffness:
             raise InputError(
-                "the curve is straight, so a strip of one width takes it: there is nothing to change"
+                "the curve is straight, so any strip of one width has this shape: there is nothing to change"
             )
         balance = balance_without_weight(RodRequest(curve, supports=supports, known_check=check))
         dense = balance.panels.dense_places(_PARTS)
@@ -133,7 +133,7 @@ class EquilibriumCurve:
         angles = np.unwrap(np.arctan2(steps[:, 1], steps[:, 0]))
         K = self.balance.stiffness.at(*self.balance.panels.locate(nodes.t)) / self.scale
         _, b = self.line
-        force = np.tile([-b[1], b[0]], (angles.size, 1))  # the force lambda is b turned by 90 degrees
+        force = np.tile([-b[1], b[0]], (angles.size, 1))  # lambda, from b of the line of inflections (Eq. 4)
         return DiscreteRod(K, angles, force, self.curve.length / angles.size, start=nodes.position[0])
 
     @property

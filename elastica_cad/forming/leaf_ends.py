@@ -29,7 +29,7 @@ DIFFERENCE = 1e-4
 """Step of the finite differences in the search, as a fraction of the length."""
 
 SETTLED = 1e-7
-"""Relative changes, of the distance and of the positions of ply ends, below which the search ends."""
+"""The search ends when the ends of the plies, and the distance from the drawn curve, change less than this."""
 
 MOST_TRIALS = 60  # largest number of steps of a search; each computes a finite difference for every ply end
 

@@ -447,7 +447,8 @@ class Meridian:
     def rod(self) -> Rod:
         """Rod of a strip.
 
-        The stiffness is proportional to the distance from the axis, and the moment to a + <b, gamma>.
+        The stiffness is proportional to the distance from the axis. The moment is proportional to a + <b, gamma>
+        at the point gamma of the meridian (paper, Eq. 4).
         """
         nodes = self.curve.sample(NODES)
         x = nodes.position[:, 0]

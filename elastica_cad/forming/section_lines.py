@@ -575,7 +575,7 @@ def smooth_polyline(
     if vertices.ndim != 2 or not len(vertices) or not np.isfinite(vertices).all():
         raise InputError(f"points to smooth must be finite rows (n, 2), in mm, not of shape {vertices.shape}")
     if not (is_whole(count) and 4 <= count <= MOST_SMOOTHED):
-        raise InputError(f"count is {count!r}: smoothing gives points (k, 2), k from 4 to {MOST_SMOOTHED}")
+        raise InputError(f"count is {count!r}: smoothing needs 4 to {MOST_SMOOTHED} points")
     if not (is_number(wavelength) and wavelength > 0):
         raise InputError(f"smoothing needs a positive wavelength in mm, not {wavelength!r}")
     s = lengths_along(vertices)

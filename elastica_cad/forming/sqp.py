@@ -343,7 +343,7 @@ class Iterate(Generic[Point]):
 
     @cached_property
     def objective(self) -> float:
-        """Objective of the point in equilibrium, to second order in the defect."""
+        """Objective after a step that restores equilibrium, to second order in the violation of equilibrium."""
         return self._expected(self.change[:-1])
 
     @cached_property

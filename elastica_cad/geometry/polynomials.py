@@ -126,7 +126,7 @@ def without_end_roots(c: FloatArray, noise: FloatArray, which: BoolArray) -> tup
 
 
 def divide_out_end_root(c: FloatArray, *, at_end: bool) -> FloatArray:
-    """Divide polynomials (..., n+1) with a zero at an end by 1 - u, or by u, without a change of degree.
+    """Divide polynomials (..., n+1) by u, or by 1 - u with `at_end`, where they have a zero; keep n+1 coefficients.
 
     Signs inside (0, 1) do not change.
     """

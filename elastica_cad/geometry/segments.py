@@ -291,7 +291,7 @@ class Spline:
         return np.asarray(t0 * (1 - u) + t1 * u, dtype=float)
 
     def at(self, u: ArrayLike) -> FloatArray:
-        """Return points (..., 2) at u in [0, 1], uniform in the parameter of the curve."""
+        """Return points (..., 2) at u in [0, 1]; u is proportional to the parameter of the curve."""
         return np.asarray(self.curve.evaluate(self.parameter(u)), dtype=float)
 
     def velocity_at(self, u: ArrayLike) -> FloatArray:

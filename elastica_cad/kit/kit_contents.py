@@ -303,8 +303,8 @@ def _rod_notes(pieces: Sequence[Piece], spec: KitSpec) -> list[str]:
         return []
     return [
         note(
-            "{rods}: longer than the rods to buy, {length:g}. Join each from the listed lengths with sleeves, or "
-            "state the length of your rods in {field}.",
+            "{rods}: longer than the rods to buy, {length:g}. Join each from the lengths in the cut "
+            "list with sleeves, or state the length of your rods in {field}.",
             rods=Listed(long), length=Length(spec.shop.stock_for(rods[0].sheet)[0]), field=FieldName("shop.stock"),
         )
     ]  # fmt: skip
@@ -357,7 +357,7 @@ def _shapes_in_holders(
     if on_elements := [name for k, name in enumerate(names) if k not in free]:
         notes.append(
             note(
-                "The shape as made is not computed with rails, pins, ties or point forces: {strips}.",
+                "The shape as made is not computed for strips with rails, pins, ties or point forces: {strips}.",
                 strips=Listed(on_elements),
             )
         )

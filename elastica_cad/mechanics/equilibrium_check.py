@@ -285,8 +285,8 @@ def _check_line(
     force_x, force_y = supports.transmits_force
     if not (force_x or force_y):
         reason = note(
-            "With these supports the curve must bend to one side only, because no force can act between the "
-            "ends. The curve bends to the other side after {places}. Hold both ends along x, or both along "
+            "With these supports the curve must bend to one side only, because the ends cannot push or pull "
+            "each other. The curve bends to the other side after {places}. Hold both ends along x, or both along "
             "y.",
             places=lengths(z.s for z in check.zeros),
         )

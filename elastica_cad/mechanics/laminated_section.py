@@ -517,7 +517,7 @@ class LaminateCurl:
         section: LaminatedSection,
         natural_curvature: ArrayLike = 0.0,
     ) -> "LaminateCurl":
-        """Return the polynomials for a strip whose curvature in the design is `curvature` (n,), 1/mm."""
+        """Return the curl of a laminate whose curvature in the design is `curvature` (n,), 1/mm."""
         kappa, base, backing, rest = np.broadcast_arrays(
             curvature, base_width, backing_width, natural_curvature
         )

@@ -481,7 +481,10 @@ class WidthLaw:
         return replace(self, curvature=bend + before, natural_curvature=before)
 
     def curl(self, parameter: FloatArray) -> SheetCurl | None:
-        """Return the effect of bending on the stiffness of widths (n,), mm, or None if Poisson's ratio is 0."""
+        """Return the effect of curling on the stiffness of strips with the widths `parameter` (n,), mm.
+
+        Without Poisson's ratio it is None.
+        """
         return SheetCurl(width=parameter, **self._plate) if self.sheet.poisson_ratio else None
 
     def bending_stiffness(self, parameter: ArrayLike) -> FloatArray:

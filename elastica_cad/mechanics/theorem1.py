@@ -586,7 +586,7 @@ def begin_at(curve: PlaneCurve, s: float) -> PlaneCurve:
 
 
 def _closed_exactly(curve: PlaneCurve) -> PlaneCurve:
-    """Return the curve with its last point exactly equal to its first, so that all programs give the same curve."""
+    """Return the curve with its last point equal to its first, so that rounding in the file has no effect."""
     clamped = clamp_ends(curve)
     points = clamped.control_points
     if np.array_equal(points[0], points[-1]):

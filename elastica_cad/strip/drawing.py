@@ -185,7 +185,7 @@ def _twins(a: LayeredPath, b: LayeredPath) -> bool:
 
 
 FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
-"""Limits of the tolerance of offset splines, mm. Machines have larger errors than the lower limit."""
+"""Limits of the tolerance, mm, when splines are offset by half a kerf. No machine is as exact as the lower."""
 
 WIDEST_KERF_MM = 15.0
 """Largest kerf, mm. A half-inch router bit is 12.7 mm wide."""

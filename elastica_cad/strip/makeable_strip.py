@@ -220,7 +220,10 @@ class Splice:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """Pieces of every layer, each layer followed by its plates. The pieces have marks where the plates end."""
+        """Pieces to cut: those of every layer, each followed by the plates glued over its joints.
+
+        Marks on the pieces show where the plates end.
+        """
         return tuple(piece for layer in self.layer_pieces.values() for piece in layer)
 
     @cached_property

@@ -400,7 +400,7 @@ def rest_in_seats(
 
 @dataclass(frozen=True, eq=False)
 class _ContactProblem:
-    """Problem for the vector q (n,) of the unknowns of all ends with play: see `SeatedEnd`."""
+    """Search for the rest shape of a strip with play. Its unknowns q (n,) are those of the ends (`SeatedEnd`)."""
 
     made: Rod
     design: Rod

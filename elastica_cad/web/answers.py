@@ -846,7 +846,7 @@ QUESTIONS: Mapping[str, Callable[..., Record | Download]] = {
 """Function that answers each kind of request."""
 
 WITH_FILES = (_read_dropped, _download)
-"""Functions that get a temporary folder, and read only files in it."""
+"""Functions that get a temporary folder. They read no files outside it."""
 
 OF_THE_FILE = (_open_saved, _save)
 """Functions that get the path of the studio's design file."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # SPDX-FileNotice: Part of the Elastica addon.
 
-"""Undo steps by Python lines that macros record, for every version of FreeCAD.
+"""Undo steps, made by lines of Python so that recorded macros contain them, for every version of FreeCAD.
 
 Up to FreeCAD 1.1, a transaction belongs to the whole program; from FreeCAD 1.2, to one document.
 """

@@ -339,7 +339,7 @@ BAD = {
     HEAD + "[[strips]]\ncurve = { x = 't', y = '0', t = [1, 0] }": "is not a range",
     HEAD + "[[strips]]\ncurve = {}": "needs exactly one of file, x",
     HEAD + "[[strips]]\ncurve.ellipse = { semi_axes = [1, 2], above = 3 }": "Choose a height between -2 and 2",
-    HEAD + "[[strips]]\ncurve.ellipse = { semi_axes = [1, 2], above = 1, start = 1 }": "start and above exclude",
+    HEAD + "[[strips]]\ncurve.ellipse = { semi_axes = [1, 2], above = 1, start = 1 }": "the key 'above' exclude",
     HEAD + "[[strips]]\ncount = 2.5\n" + ARC: "count is 2.5. Use a whole number",
     HEAD + 2 * ("[[strips]]\nlabel = 'A'\n" + ARC + "\n"): "two strips have the label 'A'",
     HEAD + "[[strips]]\ncount = 2\nlabel = 'A'\nsmooth = 'i'\n" + ARC: "two strips have the label 'A'",

@@ -139,7 +139,7 @@ def make_strips() -> None:
 
 def _add_flat(strip: Any, layer: str = "Base") -> None:
     recorded(flat.create, strip.Document, strip, layer)
-    record_recompute(strip.Document)  # so that the next flat part is placed beside this one
+    record_recompute(strip.Document)  # the next flat part is placed beside the recomputed one
 
 
 def make_flat_parts() -> None:

@@ -82,7 +82,9 @@ class RailsPanel(Panel):
         self.object, self.drawn = obj, drawn_curve(obj.Curve, obj)
         self.spec = spec_of(obj, self.drawn)
         if isinstance(self.spec.loads, Weight):
-            raise InputError("WeightLaw has all loads of {strip}. Clear WeightLaw first.", strip=obj.Label)
+            raise InputError(
+                "The property WeightLaw already gives the loads of {strip}. Clear it first.", strip=obj.Label
+            )
         self.items, self.chosen = [*self.spec.between, *self.spec.loads], 0
         self._before = {name: list(getattr(obj, name)) for name in PROPERTIES}
         self._clicked: Places = []
