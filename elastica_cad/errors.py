@@ -70,6 +70,8 @@ class ElasticaError(Exception):
     ----------
     refusal : Refusal
         The message and these data as a record.
+    details : tuple of str
+        Sentences for verbose output.
 
     Examples
     --------
@@ -81,6 +83,7 @@ class ElasticaError(Exception):
     KIND = "error"
 
     refusal: Refusal
+    details: tuple[str, ...] = ()
 
     def __init__(
         self,

@@ -20,7 +20,7 @@ from elastica_cad.cli.options import (
 from elastica_cad.cli.requested_curves import RequestedCurve, curve_options, requested_curves, which_options
 from elastica_cad.cli.strip_options import typed_change
 from elastica_cad.cli.suggestions import suggest_later
-from elastica_cad.cli.voice import answer, say_row, say_table, wrote
+from elastica_cad.cli.voice import answer, say, say_row, say_table, wrote
 from elastica_cad.errors import InputError
 from elastica_cad.files import save
 from elastica_cad.formats.json_curves import CURVES_SCHEMA, curve_record
@@ -28,7 +28,7 @@ from elastica_cad.formats.write_files import File, write_files, write_json, writ
 from elastica_cad.forming.limits import FAR_SHARE, Limits
 from elastica_cad.kit.kit import can_draw
 from elastica_cad.mechanics.rod import csv_text
-from elastica_cad.mechanics.sheets import Sheet
+from elastica_cad.mechanics.sheets import Sheet, known_rods
 from elastica_cad.mechanics.stability import SAFE_MARGIN, stability
 from elastica_cad.mechanics.stiffness_law import RoundLaw
 from elastica_cad.model.batten import bench_drawing
@@ -129,6 +129,7 @@ def bow_command(curve: Path, **chosen: Any) -> None:
     answer({"bow": report})
     for row in in_order(_rows(result, in_newtons=in_newtons)):
         say_row(row)
+    say("If you shorten the cord:")
     _print_table(table)
     wrote(written)
 
@@ -171,7 +172,13 @@ def _material(chosen: dict[str, Any]) -> tuple[Sheet, dict[str, Any]]:
 
 def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
     strip, (start, end) = result.strip, np.degrees(result.end_angles)
-    force = f"{result.pull:.3g} N" if in_newtons else f"{result.pull:.3g} N per GPa of Young's modulus"
+    rods = {} if in_newtons else known_rods()
+    per_rod = [
+        f"{result.pull * rod.youngs_modulus / MPA_PER_GPA:.2g} N as a {name}" for name, rod in rods.items()
+    ]
+    force = f"{result.pull:.3g} N" if in_newtons else (
+        f"{result.pull:.3g} N per GPa of Young's modulus ({', '.join(per_rod)})"
+    )  # fmt: skip
     shape = f"rise {result.rise:.1f} mm; ends at {start:.1f} and {end:.1f} degrees to the cord"
     verdict = stability(strip.rod)
     rows = [
@@ -185,15 +192,18 @@ def _rows(result: Bow, *, in_newtons: bool) -> list[Row]:
         else warning_row(verdict.rating, "Stability"),
     ]
     if not in_newtons:
-        return [*rows, Row("Strain", f"{100 * strip.max_strain:.2f} % at {strip.max_strain_at:.0f} mm")]
+        limits = [f"a {name} allows {100 * rod.max_strain:.2f} %" for name, rod in rods.items()]
+        largest = f"{100 * strip.max_strain:.2f} % at {strip.max_strain_at:.0f} mm"
+        return [*rows, Row("Strain", "; ".join([largest, *limits]))]
     reported = {*strip.strain_warnings}
     warnings = [warning_row(text) for text in strip.warnings if text not in reported]
     return [*rows, *strain_rows(strip), *warnings]
 
 
 def _curve_row(result: Bow) -> Row:
-    even = ", which an even section cannot take exactly" if isclose(result.strip.rod.ratio, 1) else ""
-    text = f"at most {result.deviation:.3g} mm from the drawn curve{even}"
+    noun = "strip" if result.strip.layout.size is None else "rod"
+    even = f"; an even {noun} cannot follow it exactly" if isclose(result.strip.rod.ratio, 1) else ""
+    text = f"the bent {noun} is at most {result.deviation:.3g} mm from the drawn curve{even}"
     if result.deviation <= FAR_SHARE * result.length:
         return Row("Curve", text)
     return warning_row(f"{text}. Draw a curve that is more like an arch.", "Curve")

@@ -190,11 +190,12 @@ class _Request:
         ends, smoothing, verdict = self.examined(requested)
         outcome = self._smoothed(requested, verdict)
         report = report_check(verdict)
-        report["advice"] = " ".join([*outcome, report["advice"]])
+        if not verdict.undecided:
+            report["advice"] = " ".join([*outcome, report["advice"]])
         # the check reports noise itself
         of_curve = (message for message in smoothing.notes if message not in smoothing.noise)
-        report["notes"] = [*outcome, *([ends.message] if ends else []), *of_curve]
-        if verdict.realizable and self.alone:
+        report["notes"] = [*outcome, *verdict.details, *([ends.message] if ends else []), *of_curve]
+        if verdict.realizable:
             rod = self.rod(smoothing.curve)
             report |= _report_on_sheets(smoothing.curve, rod.ratio, self.natural_curvature)
             report |= _report_on_elements(rod) if self.between else {}
@@ -241,8 +242,11 @@ def _unused_folder() -> str:
 
 def _rows(report: dict[str, Any]) -> list[Row]:
     notes = [text for text in report.get("notes", ()) if text not in report["advice"]]
-    possible = report["realizable"] and not report.get("undecided")
-    verdict = Row("Verdict", " ".join([report["advice"], *notes]), severity="note" if possible else "error")
+    if report.get("undecided"):
+        verdict = Row("Verdict", report["advice"], notes, "error")
+    else:
+        text = " ".join([report["advice"], *notes])
+        verdict = Row("Verdict", text, severity="note" if report["realizable"] else "error")
     return [
         verdict,
         *([_widths_row(report["ratio"]), _sheets_row(report["sheets"])] if "ratio" in report else []),

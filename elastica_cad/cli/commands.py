@@ -10,10 +10,10 @@ from typing import Any
 import click
 import numpy as np
 
-from elastica_cad._text import MADE_BY, command_of_drawings
+from elastica_cad._text import MADE_BY, as_sentence, command_of_drawings
 from elastica_cad.cli.options import UNITS, Length, option_name
 from elastica_cad.cli.suggestions import TYPED, cures_after
-from elastica_cad.cli.voice import echo, progress_shown, remake_on_change, voice, warn
+from elastica_cad.cli.voice import echo, progress_shown, remake_on_change, say_error, voice, warn
 from elastica_cad.defaults import BAD_INPUT, NOT_REALIZABLE, OUTPUT_CLOSED
 from elastica_cad.errors import (
     ElasticaError,
@@ -22,6 +22,7 @@ from elastica_cad.errors import (
     StrainError,
     installed_version,
     near_names,
+    quoted,
 )
 from elastica_cad.formats.source_file import LARGEST_NUMBER, LARGEST_SIZE
 from elastica_cad.mechanics.theorem1 import NotRealizable
@@ -99,12 +100,25 @@ def _imported(name: str) -> click.Command:
 
 
 @contextmanager
-def _quiet_pipes() -> Iterator[None]:
-    """Print no message if the program that reads the output ends first, as in `elastica sheets | head -1`."""
+def _quiet_pipes(context: click.Context | None = None) -> Iterator[None]:
+    """Print usage errors as rows, and nothing if the program that reads the output ends first, as in
+    `elastica sheets | head -1`.
+    """
     try:
         yield
     except BrokenPipeError:
         raise click.exceptions.Exit(OUTPUT_CLOSED) from None
+    except click.UsageError as problem:
+        if isinstance(problem, getattr(click.exceptions, "NoArgsIsHelpError", ())):  # since click 8.2
+            raise
+        raise _UsageRow(as_sentence(_usage_message(problem, context))) from problem
+
+
+class _UsageRow(click.ClickException):
+    exit_code = BAD_INPUT
+
+    def show(self, _: Any = None) -> None:
+        say_error(self.message)
 
 
 class _Sentences(click.Group):
@@ -119,9 +133,10 @@ class _Sentences(click.Group):
         return super().parse_args(ctx, _common_options_first(args))
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
-        near = near_names(args[0], COMMANDS)
-        if near and args[0] not in COMMANDS:
-            ctx.fail(f"No such command {args[0]!r}. Did you mean {near[0]!r}?")
+        if args[0] not in COMMANDS and not args[0].startswith("-"):
+            near = near_names(args[0], COMMANDS)
+            advice = f"Did you mean {near[0]!r}?" if near else "`elastica --help` lists all commands."
+            ctx.fail(f"There is no command {args[0]!r}. {advice}")
         return super().resolve_command(ctx, args)
 
     def invoke(self, ctx: click.Context) -> Any:
@@ -129,7 +144,7 @@ class _Sentences(click.Group):
         ctx.call_on_close(lambda: MADE_BY.reset(before))
         spelled = SPELLING.set(_spelled)
         ctx.call_on_close(lambda: SPELLING.reset(spelled))
-        with _quiet_pipes():
+        with _quiet_pipes(ctx):
             return self._invoked(ctx)
 
     def _invoked(self, ctx: click.Context) -> Any:
@@ -137,13 +152,6 @@ class _Sentences(click.Group):
             return super().invoke(ctx)
         except ElasticaError as problem:
             ctx.exit(_refuse(problem))
-        except click.NoSuchOption as problem:
-            raise click.UsageError(_instead_of(problem), problem.ctx) from problem
-        except click.MissingParameter as problem:
-            if needed := _instruction_for_missing(problem.param):
-                message = problem.format_message().rstrip(".")
-                raise click.UsageError(f"{message}: {needed}.", problem.ctx) from problem
-            raise
 
 
 def _spelled(path: str) -> str:
@@ -156,6 +164,9 @@ def _spelled(path: str) -> str:
 
     return typed_name(path) or path
 
+
+NEAR_OPTION = 0.8
+"""Similarity of an unknown option to an option that is suggested instead of a key for `--set`."""
 
 ANYWHERE = {"-q": 0, "--quiet": 0, "--watch": 0, "--units": 1}
 """Options of `elastica` that may also follow the name of a command, and their numbers of values."""
@@ -179,6 +190,11 @@ def _instead_of(problem: click.NoSuchOption) -> str:
     typed = problem.option_name
     name = typed.lstrip("-").replace("-", "_")
     context = problem.ctx
+    command = "elastica" if context is None else context.command_path
+    options = [] if context is None else [name for option in context.command.params for name in option.opts]
+    word, words = typed.lstrip("-"), [option.lstrip("-") for option in options]
+    if near := near_names(word, words, cutoff=NEAR_OPTION):
+        return f"`{command}` has no option {typed}. Did you mean --{near[0]}?"
     if (new := ALIKE.get(name)) is not None:
         typed_new = option_name(new)
         if context is not None and any(typed_new in parameter.opts for parameter in context.command.params):
@@ -197,7 +213,36 @@ def _instead_of(problem: click.NoSuchOption) -> str:
         printed_keys = [path for path in keys if path.count(".") <= DEEPEST]
         if path := near_path(name, printed_keys):
             return f"use --set {path}=VALUE instead of {typed}: `elastica help {path}` explains it"
+    near = near_names(word, words)
+    advice = f"Did you mean --{near[0]}?" if near else f"`{command} --help` lists its options."
+    return f"`{command}` has no option {typed}. {advice}"
+
+
+def _usage_message(problem: click.UsageError, context: click.Context | None) -> str:
+    """Return the message about a wrong command line, with an instruction."""
+    match problem:
+        case click.NoSuchOption():
+            return _instead_of(problem)
+        case click.MissingParameter() if needed := _instruction_for_missing(problem.param):
+            return f"{problem.format_message().rstrip('.')}: {needed}"
+        case click.BadOptionUsage() if context is not None and context.invoked_subcommand:
+            for option in _imported(context.invoked_subcommand).params:
+                if isinstance(option, click.Option) and problem.option_name in option.opts and option.metavar:
+                    return f"{problem.option_name} needs {option.metavar}. {option.help}"
     return problem.format_message()
+
+
+def _refuse_extra_words(context: click.Context) -> None:
+    """Raise InputError for words that no argument takes, and name the option that takes a sheet."""
+    if not context.args:
+        return
+    from elastica_cad.mechanics.sheets import sheet_names
+
+    word, takes_sheet = context.args[0], any("--sheet" in option.opts for option in context.command.params)
+    advice = f"Write --sheet {word}." if takes_sheet and word in sheet_names() else (
+        "Leave it out, or put quotes around a name with spaces."
+    )  # fmt: skip
+    raise InputError("{word} is an extra argument. {advice}", word=quoted(word), advice=advice)
 
 
 def _instruction_for_missing(param: click.Parameter | None) -> str:
@@ -246,6 +291,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
     """
     run, parameter_names = command.callback, {param.name for param in command.params}
     assert run is not None
+    command.allow_extra_args = True  # `_refuse_extra_words` refuses them with advice
     command.params += [
         _output_flag("--json", "as_json", help="Print the answer as one JSON record (docs/json.md)."),
         _output_flag("-v", "--verbose", help="Print every step with its seconds, and all notes."),
@@ -259,6 +305,7 @@ def _complete(command: click.Command, *, huge: bool = False) -> click.Command:
         root_options = click.get_current_context().find_root().params
         watched = bool(root_options.get("watch"))
         voice().quiet = bool(root_options.get("quiet"))
+        _refuse_extra_words(click.get_current_context())
         if watched and not reads:
             raise InputError("--watch applies only to commands that read files. Leave out --watch.")
         notes = [] if root_options.get("units", "mm") == "mm" else _notes_on_mm()
@@ -365,8 +412,9 @@ def _refuse(problem: ElasticaError) -> int:
     if (process := click.get_current_context().find_object(DrawingProcess)) is not None:
         process.end()
     begins, code = next((row for kind, row in EXIT_CODES.items() if isinstance(problem, kind)))
-    text, option = f"{begins}{problem}", problem.refusal.where.get("option", "")
+    undecided = bool(problem.details)  # such a curve may be realizable
+    text, option = f"{'' if undecided else begins}{problem}", problem.refusal.where.get("option", "")
     unnamed = [name for name in option.split(", ") if name and name not in text]
     text += f" ({', '.join(unnamed)})" if unnamed else ""
-    voice().refuse(text, problem, code, partial(cures_after, problem))
+    voice().refuse(as_sentence(text), problem, code, partial(cures_after, problem))
     return code

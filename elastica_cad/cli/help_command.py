@@ -10,6 +10,7 @@ from elastica_cad.cli.voice import answer, say
 from elastica_cad.declared import REQUIRED, Kind, Record
 from elastica_cad.design.model_tables import DesignKeys
 from elastica_cad.design.records import help_with_unit, paths_of, require_path_of, title, written
+from elastica_cad.errors import InputError, near_names, quoted
 
 
 def _keys_beginning_with(_: click.Context, __: click.Parameter, typed: str) -> list[Any]:
@@ -20,7 +21,7 @@ def _keys_beginning_with(_: click.Context, __: click.Parameter, typed: str) -> l
 @click.command("help")
 @click.argument("key", required=False, shell_complete=_keys_beginning_with)
 def help_command(key: str | None) -> None:
-    """Explain KEY of a strip or a design file, such as limits.ratio; without KEY list all keys.
+    """Explain KEY of a strip or a design file, such as limits.ratio, or an option; without KEY list all keys.
 
     Set a key by its option, if `elastica strip --help` has one, by `--set KEY=VALUE`, or in a design file.
     """
@@ -55,6 +56,16 @@ def _in_words(kind: Kind) -> str:
 
 def _explanation(path: str, option: str) -> str:
     record: Record = CommandKeys if path in paths_of(CommandKeys) else DesignKeys
+    if path.removeprefix("strips.") not in paths_of(record):
+        options, word = _strip_options(), path.lstrip("-")
+        if word in options:
+            typed = " ".join(filter(None, [f"--{word}", options[word].metavar]))
+            return f"{path}\n  {options[word].help}\n  elastica strip: {typed}"
+        near = near_names(word, [*paths_of(record), *options])
+        if near and near[0] in options:
+            raise InputError(
+                "The key {path} does not exist: did you mean {near}?", path=quoted(path), near=near[0]
+            )
     field = require_path_of(path.removeprefix("strips."), record)
     declaration = field.option
     lines = [help_with_unit(field.help, declaration.unit), f"Value: {_in_words(field.kind)}."]
@@ -74,6 +85,14 @@ def _explanation(path: str, option: str) -> str:
     typed = f"{option}=VALUE" if option.startswith("--set") else option
     setting = f"elastica strip: {typed}" if record is CommandKeys else "elastica model: a design file"
     return "\n".join([path, *(f"  {line}" for line in [*lines, setting])])
+
+
+def _strip_options() -> dict[str, click.Option]:
+    """Return the options of `elastica strip` by name, without dashes."""
+    from elastica_cad.cli.strip_command import strip
+
+    options = [option for option in strip.params if isinstance(option, click.Option)]
+    return {name.lstrip("-"): option for option in options for name in option.opts}
 
 
 def _list_of_keys() -> str:

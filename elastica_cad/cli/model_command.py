@@ -24,7 +24,7 @@ from elastica_cad.kit.kit import Kit, left_out
 from elastica_cad.kit.kit_contents import KitContents, count_strips, far_parts, kit_contents
 from elastica_cad.kit.model_kit import START_PAGE, check_kit_folder, left_behind, model_kit
 from elastica_cad.mechanics.stability import SAFE_MARGIN
-from elastica_cad.plot.drawing_process import DrawingProcess
+from elastica_cad.plot.drawing_process import DrawingProcess, in_writing_order
 from elastica_cad.refusals import Length, Listed, Refusal, is_reported, note, one_of_each, sentences
 from elastica_cad.report_rows import Row, warning_row
 from elastica_cad.strip.held_shape import about
@@ -108,7 +108,7 @@ def model(
 
     def written(_: str, total: int) -> None:
         if (number := next(files)) < total:
-            say_step(f"writing {kit.files[number].name}", number + 1, total)
+            say_step(f"writing {in_writing_order(kit.files)[number].name}", number + 1, total)
 
     result = requested.model(
         lambda label: say_step(f"made strip {label}", next(strips), len(requested.entries))
@@ -116,7 +116,7 @@ def model(
     say_step("laying parts on sheets" + (", bending strips with their slots" if effects else ""))
     contents = kit_contents(result, requested.kit, entries=requested.entries, effects=effects)
     kit = model_kit(contents, step=step, pictures=pictures, parts=parts, archives=archives)
-    say_step(f"writing {kit.files[0].name}", 1, len(kit.files))
+    say_step(f"writing {in_writing_order(kit.files)[0].name}", 1, len(kit.files))
     kit.write(
         output,
         force=force,
@@ -180,12 +180,19 @@ def _report(contents: KitContents, kit: Kit, output: Path) -> None:
         loads = (hold_row(part.strip).text for part in parts)
         details = [f"{name}: {load}" for name, load in zip(names, loads, strict=True)]
         say_row(Row(label, text, [f"These are {', '.join(names)}.", *details] if names[1:] else details))
+    if scaled := [entry for entry in contents.entries if entry.scale != 1]:
+        factors = Listed(f"{entry.label} to {100 * entry.scale:.0f} %" for entry in scaled)
+        say_row(Row("Scaled", f"{factors} of the drawn size, because the design sets the length"))
+    joints = f", {counted(len(model.joints), 'joint')}" if model.joints else ""
+    metres = cut_list.cut_length / 1000
+    mass = f"{cut_list.mass / 1000:.3g} kg" if cut_list.mass >= 1000 else f"{cut_list.mass:.3g} g"
+    pieces = "" if cut_list.count == len(model.placed) else (
+        f"{counted(cut_list.count, 'piece')} of {counted(cut_list.shapes, 'shape')}, "
+    )  # fmt: skip
     say_row(
         Row(
             "Model",
-            f"{model.name}: {count_strips(model)}, {counted(len(model.joints), 'joint')}; "
-            f"{counted(cut_list.count, 'piece')} of {counted(cut_list.shapes, 'shape')}, "
-            f"{cut_list.cut_length / 1000:.1f} m of cuts, {cut_list.mass:.0f} g",
+            f"{model.name}: {count_strips(model)}{joints}; {pieces}{metres:.1f} m of cuts, {mass}",
         )
     )
     if deviation_row := _row_of_largest_deviation(contents):

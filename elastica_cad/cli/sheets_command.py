@@ -29,8 +29,8 @@ def sheets(name: str | None) -> None:
         every = [sheet for of_kind in groups.values() for sheet in of_kind]
         wide, broad = (max(len(getattr(sheet, text)) for sheet in every) for text in ("full_name", "name"))
         say(
-            f"{'sheet':{wide}} {'name':{broad}} {'E MPa':>8} {'kg/m3':>6} {'strain %':>8} "
-            f"{'radius mm':>9} {'kerf':>5}"
+            f"{'material':{wide}} {'--sheet':{broad}} {'E MPa':>8} {'kg/m3':>6} {'strain %':>8} "
+            f"{'radius mm':>9} {'kerf mm':>7}"
         )
         for title, of_kind in groups.items():
             say(f"\n{title}")
@@ -38,10 +38,12 @@ def sheets(name: str | None) -> None:
                 kerf = f"{sheet.kerf:.2f}" if sheet.kerf else "-"
                 say(
                     f"{sheet.full_name:{wide}} {sheet.name:{broad}} {sheet.youngs_modulus:8.0f} "
-                    f"{sheet.density:6.0f} {100 * sheet.max_strain:8.2f} {sheet.least_radius:9.1f} {kerf:>5}"
+                    f"{sheet.density:6.0f} {100 * sheet.max_strain:8.2f} {sheet.least_radius:9.1f} {kerf:>7}"
                 )
         say(
-            "\nradius: least advisable bending radius; kerf -: not known. All properties: elastica sheets NAME"
+            "\n--sheet: the word to type after --sheet; E: Young's modulus, the stiffness of the material; strain: "
+            "largest advisable strain;\nradius: least advisable bending radius; kerf: width of a laser cut, - if "
+            "not known. All properties: elastica sheets NAME"
         )
         say(f"library: {', '.join(map(str, library_folders()))} ({len(library_sheets()[0])} sheets)")
         for problem in library_sheets()[1]:
@@ -52,16 +54,16 @@ def sheets(name: str | None) -> None:
     rows = {
         "thickness": f"{sheet.thickness:g} mm",
         "Young's modulus": f"{sheet.youngs_modulus:g} MPa",
-        "Poisson's ratio": f"{sheet.poisson_ratio:g}" + ("" if sheet.poisson_known else ", nominal"),
+        "Poisson's ratio": f"{sheet.poisson_ratio:g}" + ("" if sheet.poisson_known else " (assumed)"),
         "shear modulus": f"{sheet.shear_ratio * sheet.youngs_modulus:.4g} MPa"
-        + ("" if sheet.shear_modulus else ", as without grain"),
+        + ("" if sheet.shear_modulus else " (assumed, as without grain)"),
         "density": f"{sheet.density:g} kg/m3",
         "largest strain": f"{100 * sheet.max_strain:.3g} %",
         "least radius": f"{sheet.least_radius:.4g} mm",
         **_published_radii(sheet),
         "kerf": f"{sheet.kerf:g} mm" if sheet.kerf else "not known: cut a coupon",
-        "grain": str(sheet.grain),
-        "elasto-gravity length": f"{sheet.elasto_gravity_length:.4g} mm",
+        "grain": sheet.grain if sheet.grain == "none" else f"{sheet.grain} the strip",
+        "elasto-gravity length": f"{sheet.elasto_gravity_length:.4g} mm; longer strips sag visibly by their weight",
         "source": sheet.source,
     }
     say(sheet.full_name if sheet.full_name == sheet.name else f"{sheet.full_name} ({sheet.name})")

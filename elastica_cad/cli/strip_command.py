@@ -127,7 +127,7 @@ def strip(ctx: click.Context, /, **chosen: Any) -> None:
             if len(curves) > 1 and not voice().verbose:
                 _report_briefly(result, written, alike)
             else:
-                _report(result, written, several=len(curves) > 1)
+                _report(result, written, files.cutting, several=len(curves) > 1)
             reports.append(kit.report)
             solved.append(requested)
             wrong += strict and not result.strip.strain_verdict.allowed
@@ -260,7 +260,7 @@ def _rows(result: StripResult) -> tuple[Row, ...]:
     )  # fmt: skip
 
 
-def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> None:
+def _report(result: StripResult, written: Sequence[Path], cutting: Cutting, *, several: bool) -> None:
     strip = result.strip
     rows = _rows(result)
     voice().notes.extend(text for text in strip.warnings if not is_reported(text))
@@ -277,4 +277,7 @@ def _report(result: StripResult, written: Sequence[Path], *, several: bool) -> N
     other = [row for row in rows if row.text != tabs]
     for row in in_order([*other, *ends, *([] if several else _rows_on_compensation(result))]):
         say_row(row)
-    wrote(written, {f"{result.name}.dxf": "cut", f"{result.name}-holding.dxf": "template"})
+    kerf, grain = cutting.options(strip.sheet)["kerf"], strip.sheet.grain
+    cut = [f"cut, {kerf:g} mm kerf included" if kerf else "cut, without kerf"]
+    cut += [] if grain == "none" else [f"grain {grain} the strip"]
+    wrote(written, {f"{result.name}.dxf": ", ".join(cut), f"{result.name}-holding.dxf": "template"})

@@ -122,6 +122,11 @@ def cures_of(
     cures: list[Cure] = []
     with suppress(KeyboardInterrupt, MemoryError):
         for suggestion in suggest(spec, problem, fields):
-            text = f"This works: {spelled(suggestion).rstrip('.')} ({suggestion.effect})."
+            change = spelled(suggestion).rstrip(".")
+            text = (
+                f"Possible, but {suggestion.effect}: {change}."
+                if suggestion.is_far
+                else f"This works: {change} ({suggestion.effect})."
+            )
             cures.append(suggestion.as_dict() | {"text": text})
     return cures

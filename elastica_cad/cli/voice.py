@@ -77,13 +77,13 @@ class Voice:
         """Print the error, then suggested changes. Ctrl-C ends the search for them."""
         _clear_step()
         cures: list[dict[str, Any]] = []
-        _print_row(Row("Error", text, severity="error"), err=True)
+        say_error(text, problem.details if self.verbose else ())
         with suppress(KeyboardInterrupt):
             cures = [] if self.quiet else suggest()
         for cure in cures:
             _print_row(Row("Change", cure["text"]), err=True)
         if self.as_json:
-            record = problem.refusal.record | {"message": text}
+            record = problem.refusal.record | {"message": text, "details": list(problem.details)}
             extra = {"cures": cures} if cures else {}
             _print_json(
                 {
@@ -94,6 +94,13 @@ class Voice:
                     **extra,
                 }
             )
+
+
+def say_error(text: str, details: Iterable[str] = ()) -> None:
+    """Print the row of an error and its details to stderr."""
+    _print_row(Row("Error", text, severity="error"), err=True)
+    for detail in details:
+        echo(f"{'':<{LABEL_WIDTH}} {detail}", err=True)
 
 
 def voice() -> Voice:

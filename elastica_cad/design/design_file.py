@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from elastica_cad._text import quote_words
 from elastica_cad._toml import parse_toml
 from elastica_cad._values import several, value_key
 from elastica_cad.design.kit_spec import KitSpec
@@ -224,7 +225,9 @@ def design_of(
     slips.refuse()
     if top.has("pair"):
         raise InputError(
-            "{place} describes a part with two rest shapes. Run `elastica pair` instead.", place=top.where
+            "{place} describes a part with two rest shapes. Run `elastica pair {file} -o out` instead.",
+            place=top.where,
+            file=quote_words([str(path)]),
         )
     if not entries and revolution is None:
         raise InputError("{place} has no strips. Write at least one table [[strips]].", place=top.where)

@@ -100,11 +100,14 @@ class StripEntry:
         Name of the section that the strip follows, with the position of its start, or "".
     off_section : float
         Largest distance, mm, between the points of the section and the curve.
+    scale : float
+        Factor by which the curve was scaled to the length that the table sets.
     """
 
     spec: StripSpec
     section: str = ""
     off_section: float = 0.0
+    scale: float = 1.0
 
     @property
     def label(self) -> str:
@@ -143,10 +146,11 @@ def read_strip(table: Table, label: str, reader: Reader, section: "SectionCurve 
         raise InputError(
             "{place} cannot change sections of a surface. Leave it out.", place=table.place("length")
         )
-    curve = _with_length(table, read_drawn_curve(reader, table)) if section is None else section.curve
+    drawn = read_drawn_curve(reader, table) if section is None else section.curve
+    curve = _with_length(table, drawn)
     spec = _spec(table, curve, frame, values)
     if section is None:
-        return StripEntry(spec)
+        return StripEntry(spec, scale=curve.length / drawn.length)
     return StripEntry(spec, section.called, section.deviation)
 
 

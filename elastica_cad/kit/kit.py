@@ -14,7 +14,7 @@ from elastica_cad.files import save, step_trouble
 from elastica_cad.formats.write_files import File, write_files
 from elastica_cad.geometry.frame import Frame
 from elastica_cad.mechanics.sheets import Sheet
-from elastica_cad.plot.drawing_process import DrawingProcess
+from elastica_cad.plot.drawing_process import DrawingProcess, in_writing_order
 from elastica_cad.refusals import Listed
 from elastica_cad.strip.drawing import Drawing
 
@@ -38,7 +38,8 @@ class Kit:
 
         `process` is the process that draws the pictures.
         """
-        with nullcontext(self.files) if process is None else process.drawing(self.files) as files:
+        drawn = nullcontext(in_writing_order(self.files)) if process is None else process.drawing(self.files)
+        with drawn as files:
             write_files(files, folder, force=force, done=done)
         return tuple(Path(folder, file.name) for file in self.files)
 

@@ -275,7 +275,10 @@ def _pre_bend_notes(model: Model) -> list[str]:
 def count_strips(model: Model) -> str:
     """Return a text with the number of strips and the number of their different shapes."""
     count = len(model.placed)
-    return counted(count, "strip") + (f" ({model.shape_count} different)" if count > 1 else "")
+    shapes = {count: "all different", 1: "all the same"}.get(
+        model.shape_count, f"{model.shape_count} different"
+    )
+    return counted(count, "strip") + (f" ({shapes})" if count > 1 else "")
 
 
 def _sheets_to_buy(nests: Sequence[NestedSheet]) -> Iterator[Stock]:

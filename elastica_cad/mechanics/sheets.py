@@ -23,7 +23,7 @@ from elastica_cad.declared import Field, Option, declared
 from elastica_cad.errors import InputError, quoted, toml_slip
 from elastica_cad.geometry.plane_curve import PlaneCurve
 from elastica_cad.mechanics.loads import STANDARD_GRAVITY_M_S2, ExcessCurvature, Gravity, NaturalCurvature
-from elastica_cad.refusals import Either, FieldName, Length, note, sentences
+from elastica_cad.refusals import Either, FieldName, Length, Refusal, note, sentences
 
 SCHEMA = 1
 
@@ -199,7 +199,7 @@ def built_in_figures() -> Mapping[str, Mapping[str, Any]]:
 
 
 @lru_cache(maxsize=1)
-def built_in_titles() -> Mapping[str, str]:
+def built_in_titles() -> Mapping[str, Refusal]:
     """Return the titles of the built-in sheets in a mapping by name.
 
     Examples
@@ -211,7 +211,7 @@ def built_in_titles() -> Mapping[str, str]:
 
 
 @lru_cache(maxsize=1)
-def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
+def _built_in() -> tuple[tuple[str, dict[str, Any], Refusal], ...]:
     import tomllib
 
     text = Path(__file__).with_name("sheets.toml").read_text(encoding="utf-8")
@@ -222,7 +222,7 @@ def _built_in() -> tuple[tuple[str, dict[str, Any], str], ...]:
     )
 
 
-def _title(entry: Mapping[str, Any], fields: Mapping[str, Any]) -> str:
+def _title(entry: Mapping[str, Any], fields: Mapping[str, Any]) -> Refusal:
     """Return the title as a template with values, which front ends translate."""
     if "name" in entry:
         return note(entry["title"])
@@ -660,6 +660,10 @@ class Sheet:
             return library[name]
         names = [*library, *figures]
         near = get_close_matches(str(name).lower(), names, n=3, cutoff=0.4)
+        thicknesses = {known: Sheet.named(known).thickness for known in names if str(name).lower() in known}
+        containing = sorted(
+            thicknesses, key=lambda known: (not known.startswith(str(name)), thicknesses[known])
+        )
         material, _, size = str(name).lower().removesuffix("mm").rpartition("-")
         listed = [re.fullmatch(rf"{re.escape(material)}-(\d+(?:\.\d+)?)", other) for other in names]
         if re.fullmatch(r"\d+(\.\d+)?", size) and float(size) > 0 and any(listed):
@@ -670,6 +674,8 @@ class Sheet:
                 field=FieldName("thickness"),
                 size=Length(float(size)),
             )
+        elif name and containing:
+            advice = note("use one of {names}", names=", ".join(containing))
         elif near:
             advice = note("did you mean {names}?", names=Either(near))
         else:
@@ -814,6 +820,22 @@ def sheets_by_kind() -> dict[str, list[Sheet]]:
     for sheet in map(Sheet.named, sheet_names()):
         by_kind.setdefault(KINDS.get(sheet.kind, sheet.kind.capitalize() or "Other"), []).append(sheet)
     return by_kind
+
+
+def known_rods() -> dict[str, Sheet]:
+    """Return a round rod of each known material, by the name of the material in lower case.
+
+    Examples
+    --------
+    >>> [f"{name}: {rod.youngs_modulus:.0f} MPa" for name, rod in known_rods().items()]
+    ['pultruded glass rod: 39600 MPa', 'pultruded carbon rod: 127000 MPa']
+    """
+    titles = built_in_titles()
+    return {
+        titles[name].values["title"].lower(): Sheet(name, **figures)
+        for name, figures in built_in_figures().items()
+        if figures["kind"] == "rod"
+    }
 
 
 def library_sheets() -> tuple[Mapping[str, Sheet], tuple[str, ...]]:

@@ -96,7 +96,9 @@ class FittedVerdict:
 
 @dataclass(frozen=True)
 class Undecided:
-    """Two curves through the same points that differ in their result or inflections; `str()` returns a message.
+    """Two curves through the same points that differ in their result or inflections.
+
+    `str()` returns a message with an instruction, and `details` the numbers.
 
     Attributes
     ----------
@@ -113,19 +115,28 @@ class Undecided:
 
     def __str__(self) -> str:
         return note(
-            "These points leave the verdict undecided, because they are exact to {resolution} only. The fitted "
-            "curve has {count} inflections; another curve that fits them too has {others}. Give more points, "
-            "or more decimals."
+            "Undecided: the points fit curves with different numbers of inflections. Set {smooth} to smooth them, "
+            "give more points, or more decimals."
             if self.fit.realizable == self.other.realizable else
-            "These points leave the verdict undecided, because they are exact to {resolution} only. The fitted "
-            "curve (inflections: {count}) can be bent; another curve that fits them too (inflections: {others}) "
-            "cannot. Give more points, or more decimals."
+            "Undecided: the points fit both a curve that can be bent and one that cannot. Set {smooth} to smooth "
+            "them, give more points, or more decimals.",
+            smooth=FieldName("smooth"), severity="warning",
+        )  # fmt: skip
+
+    @property
+    def details(self) -> str:
+        """Sentences on the accuracy of the points and on both curves."""
+        return note(
+            "The points are exact to {resolution} only. The fitted curve has {count} inflections; another curve "
+            "that fits them too has {others}."
+            if self.fit.realizable == self.other.realizable else
+            "The points are exact to {resolution} only. The fitted curve (inflections: {count}) can be bent; "
+            "another curve that fits them too (inflections: {others}) cannot."
             if self.fit.realizable else
-            "These points leave the verdict undecided, because they are exact to {resolution} only. The fitted "
-            "curve (inflections: {count}) cannot be bent; another curve that fits them too (inflections: "
-            "{others}) can. Give more points, or more decimals.",
+            "The points are exact to {resolution} only. The fitted curve (inflections: {count}) cannot be bent; "
+            "another curve that fits them too (inflections: {others}) can.",
             resolution=Length(float(f"{round(self.resolution, 6):.2g}")),
-            others=self.other.inflections, count=self.fit.inflections, severity="warning",
+            others=self.other.inflections, count=self.fit.inflections,
         )  # fmt: skip
 
 
@@ -202,8 +213,17 @@ class EquilibriumCheck:
 
     def __str__(self) -> str:
         outlier = outlier_message(self.curve)
+        if self.undecided is not None:
+            return sentences([*outlier, self.verdict], " ")
         first = [*outlier, self.verdict] if outlier else [self.verdict, *self.points_message]
         return sentences([*first, *self.reasons, *self.warnings], " ")
+
+    @property
+    def details(self) -> tuple[str, ...]:
+        """Sentences that explain an undecided result and are not part of `str()`; otherwise empty."""
+        if self.undecided is None:
+            return ()
+        return self.undecided.details, *self.points_message, *self.reasons, *self.warnings
 
     @property
     def cautions(self) -> tuple[str, ...]:
@@ -395,6 +415,7 @@ class NotRealizable(ElasticaError, ValueError):  # noqa: N818 - a fixed public n
         self.check = check
         changes = () if isinstance(check, PairCheck) else _changes_of(check.curve)
         super().__init__(str(check), changes=changes)
+        self.details = () if isinstance(check, PairCheck) else check.details
 
 
 def measured_points(curve: PlaneCurve) -> MeasuredPoints | None:
@@ -469,11 +490,9 @@ def _corner_message(curve: PlaneCurve, corners: Sequence[TangentBreak]) -> str:
             here, *beside = np.degrees(provenance.measured.turns_beside(place))
             if here and any(SAMPLED_SHARE <= turn / here < 1 and abs(turn) < CORNER_DEG for turn in beside):
                 return note(
-                    "these points leave the verdict undecided: they turn by {angle:.3g} degrees at {shown} "
-                    "and by {before:.3g} and {after:.3g} degrees at its neighbours. This can be a corner or "
-                    "a sharp bend. Give more points there, or draw two curves{smooth}",
-                    angle=abs(here), shown=provenance.shown(place), before=abs(beside[0]), after=abs(beside[1]),
-                    smooth=_smoothing_advice(curve),
+                    "the points do not decide between a corner and a sharp bend at {shown}, where they turn by "
+                    "{angle:.3g} degrees. Give more points there, or draw two curves{smooth}",
+                    angle=abs(here), shown=provenance.shown(place), smooth=_smoothing_advice(curve),
                 )  # fmt: skip
     sharpest = max(np.degrees(abs(corner.angle)) for corner in corners)
     coordinates = None if provenance is None else provenance.shown(curve.evaluate(np.array(corners[0].t)))

@@ -26,6 +26,10 @@ if TYPE_CHECKING:
     from elastica_cad.formats.write_files import File
 
 
+PICTURES = (".png", ".pdf")
+"""Ends of the names of files that the second process draws."""
+
+
 class DrawingProcess:
     """Second process, started by the constructor and ended by `drawing_process`.
 
@@ -62,16 +66,16 @@ class DrawingProcess:
         waits for the second process or, if that has ended, draws it in this process. Archives are last,
         because they contain the other files.
         """
-        pictures = [file for file in files if file.name.endswith((".png", ".pdf"))]
-        archives = [file for file in files if file.name.endswith(".zip")]
+        pictures = [file for file in files if file.name.endswith(PICTURES)]
         tasks = [(Path(self._folder.name, Path(file.name).name), file.write) for file in pictures]
         request = pickle.dumps((MADE_BY.get(), tasks))
         # in a thread, because the process reads the request only after importing matplotlib
         Thread(target=self._send, args=(request,), daemon=True).start()
-        other_files = [file for file in files if file not in pictures and file not in archives]
-        received = [replace(file, write=partial(self._receive, file)) for file in pictures]
         try:
-            yield [*other_files, *received, *archives]
+            yield [
+                replace(file, write=partial(self._receive, file)) if file in pictures else file
+                for file in in_writing_order(files)
+            ]
         except BaseException:
             self.end()  # the remaining pictures are not needed
             raise
@@ -102,6 +106,11 @@ class DrawingProcess:
             file.write(path)
         else:
             path.write_bytes(content)
+
+
+def in_writing_order(files: "Sequence[File]") -> "list[File]":
+    """Return the files with pictures after other files, and archives last."""
+    return sorted(files, key=lambda file: (file.name.endswith(".zip"), file.name.endswith(PICTURES)))
 
 
 @contextmanager

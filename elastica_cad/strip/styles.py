@@ -57,7 +57,7 @@ GUIDE_MM = 0.5
 
 
 NO_WIDTH = note(
-    "a strip needs {max_width} or {min_width}, in mm, because its curve sets only the ratio of its widths",
+    "Give {max_width} or {min_width} in mm, because the curve sets only the ratio of the widths",
     max_width=FieldName("max_width"), min_width=FieldName("min_width"),
 )  # fmt: skip
 

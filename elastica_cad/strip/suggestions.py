@@ -94,7 +94,7 @@ class Suggestion:
         """Sentence on strain, and on the distance from the drawn curve or the length of an enlarged strip."""
         values: dict[str, Any] = {"used": self.used}
         if self.is_far:
-            text = "far from the drawn curve, up to {distance} away, {used} % of the allowed strain"
+            text = "another shape, up to {distance} from the drawn curve, {used} % of the allowed strain"
         elif self.deviation:
             text = "within {distance} of the drawn curve, {used} % of the allowed strain"
         elif self.change.field == "size":

@@ -185,16 +185,17 @@ def hold_row(strip: Strip) -> Row:
     if strip.joint:
         return Row(note("Hold"), strip.joint)
     ends = held_ends(strip)
+    has_tabs = any(tab.length for tab in strip.ends)
+    text = "{apart:.1f} apart, where the tabs begin," if has_tabs else "{apart:.1f} apart"
+    distance = note(text, apart=Length(distance_between(ends)))
     apart = note(
-        "ends {apart:.1f} apart at {start:.1f} and {end:.1f} degrees"
+        "ends {distance} at {start:.1f} and {end:.1f} degrees"
         if all(end.support.angle for end in ends)
-        else "ends {apart:.1f} apart; they turn freely and rest at {start:.1f} and {end:.1f} degrees",
-        apart=Length(distance_between(ends)), start=ends[0].tilt, end=ends[1].tilt,
+        else "ends {distance} turn freely and rest at {start:.1f} and {end:.1f} degrees",
+        distance=distance, start=ends[0].tilt, end=ends[1].tilt,
     )  # fmt: skip
     if strip.rod.supports.is_free:
-        apart = note(
-            "both ends are free: nothing holds them; they rest {apart:.1f} apart", apart=apart.values["apart"]
-        )
+        apart = note("both ends are free: nothing holds them; they rest {apart:.1f} apart", **distance.values)
         return Row(note("Hold"), apart, (_distance_details(ends),))
     for held, name in zip(ends, ("start", "end"), strict=True):
         if held.support.is_free:
@@ -212,15 +213,20 @@ def hold_row(strip: Strip) -> Row:
         else "{apart}; {start_load} at the start, {end_load} at the end"
     )
     load = note(loads, apart=apart, load=start, start_load=start, end_load=end)
-    shorter = strip.compressed_length
+    details, shorter = [_distance_details(ends)], strip.compressed_length
     if abs(shorter) > COMPRESSED_SHARE * (strip.rod.length - distance_between(ends)):
-        load = note(
-            "{load}; set the ends {change:.2f} closer, because the force compresses this shallow strip"
+        advice = note(
+            "set the ends {change:.2f} closer, because the force compresses this shallow strip"
             if shorter > 0
-            else "{load}; set the ends {change:.2f} farther apart, because the force stretches this shallow strip",
-            load=load, change=Length(abs(shorter)),
+            else "set the ends {change:.2f} farther apart, because the force stretches this shallow strip",
+            change=Length(abs(shorter)),
         )  # fmt: skip
-    return Row(note("Hold"), load, (_distance_details(ends),))
+        # ends are mounted with this error, which hides smaller changes
+        if abs(shorter) > MOUNTING_ERROR_MM:
+            load = sentences([load, advice])
+        else:
+            details.append(advice)
+    return Row(note("Hold"), load, details)
 
 
 def _distance_details(ends: Sequence[HeldEnd]) -> Refusal:
@@ -301,8 +307,7 @@ SMALLEST_MOVE_MM = 0.01
 """Distances below this, mm, are not reported: displacements of a strip, and gaps between it and a rail."""
 
 MOUNTING_ERROR_MM = 0.5
-"""Assumed error of the position of a rail or pin, or of the length of a cord, mm, whose effect on the strip
-is reported."""
+"""Assumed error of the position of an end, rail or pin, or of the length of a cord, mm."""
 
 
 def _mounting_rows(strip: Strip) -> Iterator[Row]:

@@ -384,7 +384,7 @@ def test_a_model_is_saved_as_a_folder(built, tmp_path, check_drawing_file):
     assert names == set(saved.files)
     assert saved.left_out == ()
     assert str(saved).splitlines() == [
-        "vase: 20 strips (1 different) on 3 sheets",
+        "vase: 20 strips (all the same) on 3 sheets",
         f"wrote {len(names)} files to {folder}",
     ]
     assert {"vase.json", "vase-cut-list.csv", "index.html", "sheets/vase-nest-1-card-200gsm.dxf"} <= names

@@ -413,7 +413,7 @@ def _labels(row, folder):
 
 
 ELSEWHERE = {
-    "points leave the verdict undecided": "tests/unit/mechanics/test_points_of_curves.py::"
+    "Undecided: the points fit ...": "tests/unit/mechanics/test_points_of_curves.py::"
     "test_a_rod_of_undecided_points_is_warned_of",
     "undecided at this precision": "tests/validation/test_every_number_of_decimals.py::"
     "test_a_handle_that_is_lost_by_rounding_is_undecided_at_the_door",

@@ -99,7 +99,7 @@ def test_a_far_nearest_curve_is_offered(server, tmp_path, width):
     with screen(server, tmp_path, width, link(design(ZIGZAG))) as studio:
         studio.until(lambda: studio.all(".cure"))
         (nearest,) = studio.all(".cure")
-        assert "far from the drawn curve" in nearest.text
+        assert "another shape" in nearest.text
         nearest.click()
         studio.until(lambda: not studio.all(".verdict.no"))
 

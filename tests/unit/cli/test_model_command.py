@@ -65,7 +65,7 @@ def test_a_model_becomes_one_folder(design, tmp_path):
     with drawing_process(["model"]) as process:  # as `main` starts it
         result = run("model", design, "-o", out, obj=process)
     assert result.exit_code == 0, result.output
-    assert "kit: 2 strips (1 different), 0 joints; 3 pieces of 2 shapes" in result.output
+    assert "kit: 2 strips (all the same); 3 pieces of 2 shapes" in result.output
     names = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
     assert {
         "index.html",
@@ -412,7 +412,7 @@ def test_the_start_page_shows_and_links_every_file(design, tmp_path):
     linked = {unquote(one) for one in re.findall(r'(?:href|src)="([^"]+)"', page)}
     written = {path.relative_to(out).as_posix() for path in out.rglob("*") if path.is_file()}
     assert linked == written - {"index.html"}
-    assert "2 strips (1 different); 3 pieces, " in page
+    assert "2 strips (all the same); 3 pieces, " in page
     assert "kit-nest-1-birch-plywood-0.8: 2 pieces take 8 % of a sheet of 600 by 400 mm." in page
 
 

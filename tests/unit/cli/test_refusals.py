@@ -25,7 +25,9 @@ CURVES = {
 
 def suggested_commands(output):
     """The arguments of all commands that are suggested, in order."""
-    return re.findall(r"^Change +This works: `.*?elastica(?:_cad)? ([^`]*)` \(", output, re.MULTILINE)
+    return re.findall(
+        r"^Change +(?:This works|Possible, but .*): `.*?elastica(?:_cad)? ([^`]*)`", output, re.MULTILINE
+    )
 
 
 def ended_by_ctrl_c(words, cwd, first="pass"):
@@ -184,7 +186,7 @@ def test_what_is_nearest_to_working_is_told_where_no_change_of_the_request_works
     )
     run(*shlex.split(sheet), "--no-step", "--no-pictures")
     assert nearest.endswith("--nearest --stable")
-    assert "(far from the drawn curve, up to " in refused.output.splitlines()[-1]
+    assert "Possible, but another shape, up to " in refused.output.splitlines()[-1]
     larger = ec.PlaneCurve.arc((0, 0), 60 * float(scale), 0, 3)
     assert ec.make_strip(larger, "oak-3", max_width=12).strain_verdict.allowed
     assert float(length) == pytest.approx(larger.length, rel=0.005)
@@ -331,7 +333,7 @@ def test_no_command_is_told_where_the_folder_reads_as_an_option(tmp_path):
     write_curves([ec.PlaneCurve.spline([(0, 0), (40, 60), (100, 0)], degree=2)], tmp_path / "a.dxf")
     words = ["strip", "a.dxf", "--sheet", "birch-plywood-0.8", "--max-width", "12", "-o", "-o"]
     refused = run(*words, cwd=tmp_path, code=2)
-    assert refused.stderr.endswith("name a folder before it, or write ./-o\n")
+    assert refused.stderr.endswith("name a folder before it, or write ./-o.\n")
 
 
 FLATTER_THAN_THEY_CAN_BE = """schema = 1
@@ -369,7 +371,30 @@ def test_limits_that_two_strips_miss_are_named_with_those_to_relax(tmp_path):
 )  # fmt: skip
 def test_what_is_missing_is_told_with_what_to_give(tmp_path, words, told):
     refused = run(words, cwd=tmp_path, code=2)
-    assert f"Error: {told}" in refused.stderr
+    assert f"! Error     {told}" in refused.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "advice"),
+    [
+        ("check arch.csv --sheet pom-1", "no option --sheet. `elastica check --help` lists its options.\n"),
+        ("strip arch.csv --max-widht 1", "Did you mean --max-width?"),
+        ("bend arch.csv --to 380", "--to needs X Y. New position of the end, mm"),
+        ("coupon birch-plywood-0.8", "Write --sheet birch-plywood-0.8.\n"),
+        ("check my arch.csv", "Leave it out, or put quotes around a name with spaces.\n"),
+        ("help rails", "did you mean rail?"),
+        ("sheets birch", "use one of birch-plywood-0.6, birch-plywood-0.8, "),
+    ],
+)
+def test_a_wrong_word_is_a_row_with_one_instruction(tmp_path, words, advice):
+    refused = run(words, cwd=tmp_path, code=2)
+    assert refused.stderr.startswith("! Error ")
+    assert advice in refused.stderr
+    assert refused.stderr.count("\n") == 1
+
+
+def test_an_option_is_explained_like_a_key(tmp_path):
+    assert "elastica strip: --rail AT" in run("help rail").output
 
 
 @pytest.mark.parametrize(
@@ -437,12 +462,12 @@ def test_a_mistyped_offset_is_named_once(smooth, code, length, tmp_path, monkeyp
     assert made.output.count("number 8 of 12") == 1
 
 
-@pytest.mark.parametrize(("noise", "first"), [
-    (0.4, "No strip can take this curve with its points as they are. If it is smoothed within 0.98 mm"),
-    (0.0, "A flat strip can take this curve"),
-    (8.0, "No strip can take this curve, even if it is smoothed within"),
+@pytest.mark.parametrize(("noise", "first", "smoothed"), [
+    (0.4, "Undecided: the points", "No strip can take this curve with its points as they are. If it is smoothed"),
+    (0.0, "A flat strip can take this curve", ""),
+    (8.0, "No strip can take this curve, even if", "No strip can take this curve, even if it is smoothed within"),
 ])  # fmt: skip
-def test_a_check_says_first_whether_points_are_fair_but_for_their_noise(noise, first, tmp_path):
+def test_a_check_says_first_whether_points_are_fair_but_for_their_noise(noise, first, smoothed, tmp_path):
     x = np.linspace(0.0, 400.0, 30)
     y = (0.001 if noise < 5 else 0.0) * x * (400 - x) + noise * np.random.default_rng(3).normal(size=30)
     np.savetxt(
@@ -451,7 +476,7 @@ def test_a_check_says_first_whether_points_are_fair_but_for_their_noise(noise, f
     told = run("check", tmp_path / "sheer.csv", "--json", code=None)
     answers = json.loads(told.stdout)
     assert all(one["advice"].startswith(first) for one in answers), told.stdout
-    assert all(not noise or any(said.startswith(first) for said in one["notes"]) for one in answers)
+    assert all(not noise or any(said.startswith(smoothed) for said in one["notes"]) for one in answers)
 
 
 def test_widths_made_of_noise_are_warned_of(tmp_path, monkeypatch):

@@ -131,7 +131,7 @@ test_unknown_name_offers_near_ones = refusal_test(
         ),
         (lambda: Sheet.named("birch-plywood-8"), "-8': use birch-plywood-6 and set thickness to 8 mm$"),
         (lambda: Sheet.named("Birch-plywood-0.5mm"), "use birch-plywood-0.6 and set thickness to 0.5 mm$"),
-        (lambda: Sheet.named("birch-plywood-0"), "did you mean"),
+        (lambda: Sheet.named("birch-plywood-0"), "use one of birch-plywood-0.6, birch-plywood-0.8$"),
         (lambda: Sheet.named("zzzz"), "known sheets: card-200gsm"),
     ]
 )
