@@ -165,7 +165,7 @@ def test_a_section_that_no_rod_can_follow_is_named_and_the_others_go_on(tmp_path
         'sections = { mesh = "sheet.obj", parallel = { normal = [0, 1, 0], offsets = [10, 99.9, 300] } }\n'
     )
     made = run("model", design, "-o", tmp_path / "kit", "--no-step", "--no-pictures", "--no-effects")
-    assert "Model       sheet: 1 strip, " in made.output
+    assert "Model       sheet: 1 strip; " in made.output
     (told,) = [line for line in made.stderr.splitlines() if "S2" in line]
     assert "S2 (section 2, from (" in told
     assert "This section is left out." in told
