@@ -212,7 +212,7 @@ def hold_row(strip: Strip) -> Row:
         if start == end
         else "{apart}; {start_load} at the start, {end_load} at the end"
     )
-    load = note(loads, apart=apart, load=start, start_load=start, end_load=end)
+    load: str = note(loads, apart=apart, load=start, start_load=start, end_load=end)
     details, shorter = [_distance_details(ends)], strip.compressed_length
     if abs(shorter) > COMPRESSED_SHARE * (strip.rod.length - distance_between(ends)):
         advice = note(
