@@ -111,6 +111,9 @@ def test_changes_by_mouse(tmp_path):
     assert (offered, hidden) == ([], True)
     assert found["undone"][0] == found["drawn"]
     assert "cannot" in found["undone"][1]
+    words, visible, offered = found["none"]
+    assert words.startswith("No change was found")
+    assert (visible, offered) == (True, [])
 
 
 @pytest.mark.campaign

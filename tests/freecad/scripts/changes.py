@@ -5,6 +5,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parent))
 
+import FreeCAD as App
 import FreeCADGui as Gui
 from inside import (
     answers,
@@ -84,6 +85,15 @@ def work():
     until(lambda: poles(drawn) == answers["drawn"])
     at_rest()
     answers["undone"] = [poles(drawn), strip.Verdict]
+
+    drawn.Placement = App.Placement(App.Vector(), App.Rotation(App.Vector(1, 0, 0), 90))
+    strip.Gravity, strip.Loads = True, ["at = 150, mass = 3"]
+    document.recompute()
+    open_panel("Elastica_Edit", strip)
+    until(lambda: panel().form.searching.text() != answers["searching"], 120)
+    answers["none"] = [panel().form.searching.text(), panel().form.searching.isVisible(), suggestions()]
+    picture("none.png")
+    button("Cancel")
 
 
 run(work)
