@@ -13,7 +13,7 @@ from unicodedata import east_asian_width
 import numpy as np
 
 from elastica_cad._types import FloatArray
-from elastica_cad._values import and_more, counted
+from elastica_cad._values import and_more, counted, is_one_of
 from elastica_cad.errors import InputError
 from elastica_cad.geometry.plane_points import box_about
 from elastica_cad.model.assembly import (
@@ -136,7 +136,7 @@ def save_assembly_sheet(
     MissingDependencyError
         matplotlib is not installed.
     """
-    if language not in ("en", *LANGUAGES):
+    if not is_one_of(language, ("en", *LANGUAGES)):
         raise InputError("The language is {given!r}. Use en, de or zh-CN.", given=language)
     steps, font, hints = list_assembly_steps(model, holders), None, list[str]()
     if language == "zh-CN" and (font := chinese_font()) is None:

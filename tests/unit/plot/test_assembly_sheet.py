@@ -167,6 +167,7 @@ def test_without_a_font_the_chinese_sheet_is_in_english_and_states_why(sheet, mo
     assert any("no font with Chinese characters" in text for text in page)
 
 
-def test_an_unknown_language_is_refused(sheet):
+@pytest.mark.parametrize("language", ["fr", np.zeros((0, 2))])
+def test_an_unknown_language_is_refused(sheet, language):
     with pytest.raises(ec.InputError, match="Use en, de or zh-CN"):
-        sheet(ec.Model([ec.Placed(BOW)]), language="fr")
+        sheet(ec.Model([ec.Placed(BOW)]), language=language)
