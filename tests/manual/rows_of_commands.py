@@ -376,7 +376,8 @@ PROVOKED = {
 ROWS_OF = {
     ("check", "arch.svg"): ("Read", "Verdict", "Widths", "Sheets"),
     MAKE: ("Size", "Strain", "Stability", "Hold", "Accuracy", "Files"),
-    NEAR: ("Curve", "Change", "Warning"),
+    NEAR: ("Curve", "Change"),
+    (*MAKE, "--max-width", "2", "--ignore-limits"): ("Warning",),
     ("strip", "arch.svg", *PLY, "--tie", "60", "240", "-o", "o"): ("Between",),
     ("sections", "bowl.obj", "--unit", "mm", "--radial", "2", "-o", "o"): ("Section",),
     ("bend", "--straight", "120", *PLY, "--to", "97", "0", "--steps", "4", "-o", "o"): ("Shape", "Force"),
@@ -427,7 +428,7 @@ ELSEWHERE = {
 @asks(f"{HOW_TO}/messages.md", "it says", "it means", "do")
 @asks(f"{HOW_TO}/messages.md", "it says", "do")
 def _messages(row, folder):
-    message = row[0].strip("*")
+    message = row[0].split("*")[1]
     assert not unknown_options(row[-1])
     if message in ELSEWHERE:
         proved_by(ELSEWHERE[message])
