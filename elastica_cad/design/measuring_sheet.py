@@ -26,6 +26,7 @@ from elastica_cad.strip.measuring import (
     Measuring,
     heights_of_marks,
     row_label,
+    upward,
 )
 
 WIDE_MM, HIGH_MM = 180.0, 60.0
@@ -187,9 +188,7 @@ def measuring_page(name: str, measuring: Measuring) -> Drawing:
     position = np.array(measuring.shape)
     x, y = position[-1] - position[0]
     position = position @ (np.array([[x, -y], [y, x]]) / np.hypot(x, y))  # turn the chord level
-    heights = heights_of_marks(position)
-    if heights[np.abs(heights).argmax()] < 0:
-        position = -position  # turn the picture: positive heights are above the chord
+    position = upward(heights_of_marks(position)) * position  # positive heights are above the chord
     low, high = position.min(axis=0), position.max(axis=0)
     scale = float(np.min([WIDE_MM, HIGH_MM] / np.maximum(high - low, [WIDE_MM, HIGH_MM])))
     points = (position - [low[0], low[1]]) * scale

@@ -329,15 +329,20 @@ def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
     """
     chord = position[-1] - position[0]
     length = float(np.hypot(*chord))
-    along, heights, side = chord / length, heights_of_marks(position), _side(heights_of_marks(design))
+    along, heights, side = chord / length, heights_of_marks(position), upward(heights_of_marks(design))
     first, last = position[1] - position[0], position[-1] - position[-2]
     angles = [np.degrees(np.arctan2(along[0] * d[1] - along[1] * d[0], along @ d)) for d in (first, last)]
     values = (length, *(side * heights), side * angles[0], -side * angles[1])
     return dict(zip((*LENGTHS, *ANGLES), map(float, values), strict=True))
 
 
-def _side(heights: FloatArray) -> float:
-    return -1.0 if heights[np.abs(heights).argmax()] < 0 else 1.0
+def upward(heights: FloatArray) -> float:
+    """Return the sign, 1.0 or -1.0, with which the largest height is positive.
+
+    Of heights that are equal within 1 % the first counts, so that rounding does not turn an S over.
+    """
+    size = np.abs(heights)
+    return -1.0 if heights[np.argmax(size > 0.99 * size.max())] < 0 else 1.0
 
 
 def rising_angles(strip: Strip) -> tuple[float, float]:
@@ -352,7 +357,7 @@ def rising_angles(strip: Strip) -> tuple[float, float]:
     [30.0, 30.0]
     """
     (first, last), rod = held_ends(strip), strip.rod
-    side = _side(heights_of_marks(rod.position, rod.s))
+    side = upward(heights_of_marks(rod.position, rod.s))
     return side * first.tilt, -side * last.tilt
 
 

@@ -271,3 +271,17 @@ def test_heights_and_angles_have_one_sign_rule_on_all_sheets(turn):
     level = chord.segments[0].start[1] + 2
     assert all((marks[str(k)] > level) == (expected[f"height_{k}"] > 0) for k in (1, 2, 3))
     assert any(text.text.startswith("Heights above the chord") for text in page.texts)
+
+
+@pytest.mark.parametrize("turn", np.linspace(0.0, 2 * np.pi, 9))
+def test_rounding_does_not_turn_over_an_s_that_is_equal_from_both_ends(turn):
+    points = np.array([(0, 0), (60, 70), (80, -70), (140, 0)])
+    curve = ec.PlaneCurve.spline(
+        points @ [[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]], degree=3
+    )
+    strip = Strip(ec.optimal_rod(curve), ec.Sheet.named("card-200gsm"), max_width=25.0)
+    measuring = Measuring.of(strip)
+    assert measuring.expected["height_1"] > 1.0 > -1.0 > measuring.expected["height_3"]
+    page = measuring_page("S", measuring)
+    marks = {text.text: text.position[1] for text in page.texts if text.text in ("1", "3")}
+    assert marks["1"] > marks["3"]
