@@ -64,9 +64,7 @@ def test_all_front_ends_list_the_same_changes(points, sheet, fields, drawn, tmp_
         main(["strip", "curve.json", "--sheet", sheet, "--max-width", "25", "-o", "out", "--json"])
     listed = json.loads(capsys.readouterr().out)["cures"]
     assert [cure["field"] for cure in listed] == fields
-    assert all(
-        cure["text"].endswith(f"({effect}).") for cure, (*_, effect) in zip(listed, expected, strict=True)
-    )
+    assert all(str(effect) in cure["text"] for cure, (*_, effect) in zip(listed, expected, strict=True))
 
 
 @pytest.mark.parametrize("field", ["sheet", "nearest"])

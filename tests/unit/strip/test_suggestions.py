@@ -72,7 +72,7 @@ def test_the_nearest_curve_is_the_last_change_if_it_is_far():
     *_, last = found
     assert last.change.field == "nearest"
     assert last.is_far
-    assert f"up to {about(last.deviation)} away" in last.effect
+    assert f"up to {about(last.deviation)} from the drawn curve" in last.effect
     assert not any(suggestion.is_far for suggestion in found[:-1])
 
 
