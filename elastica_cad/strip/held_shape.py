@@ -36,7 +36,7 @@ class Reactions:
     Examples
     --------
     >>> print(Reactions(np.array([1.0, 0.0]), 20.0, np.array([-1.0, 0.0]), -20.0))
-    the start is held by 1 N, (1, 0), and 20 N mm; the end is held by 1 N, (-1, 0), and -20 N mm
+    the start is held by a force of 1 N (x 1, y 0) and a moment of 20 N mm; the end is held by ...
     """
 
     start_force: FloatArray

@@ -183,9 +183,9 @@ def test_limits_hold_all_along_and_cost_ratio():
     assert held.bend <= asked.bend * (1 + 1e-6)
     assert np.abs(held.natural_curvature).max() <= asked.natural_curvature * (1 + 1e-6)
     assert held.ratio > plain.ratio
-    with pytest.raises(NotRealizable, match="of least ratio has"):
+    with pytest.raises(NotRealizable, match="with the least ratio has"):
         two_state_rod(first, second, limits=PairLimits(bend=plain.bend / 50))
-    with pytest.raises(NotRealizable, match="ratio of 1 at most"):
+    with pytest.raises(NotRealizable, match="a ratio of at most 1 can"):
         two_state_rod(first, second, limits=PairLimits(ratio=1.0))
 
 

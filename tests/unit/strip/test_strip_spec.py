@@ -183,7 +183,7 @@ class TestLoads:
         ({"ends": (5, 5)}, "ends hold 5: give Tab records"),
         ({"slots": (5,)}, "slots hold 5: give Slot records"),
         ({"label": 7}, "label is 7"),
-        ({"max_width": None}, "needs max_width or min_width"),
+        ({"max_width": None}, "Give max_width or min_width in mm"),
         (
             {"samples": 99, "limits": Limits(ratio=3)},
             "samples can only be set if the strip",
