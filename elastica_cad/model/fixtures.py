@@ -557,8 +557,8 @@ def crowded_blocks(blocks: Sequence[EndFixture], placed: Sequence[Placed]) -> tu
         ))  # fmt: skip
     if crossed:
         messages.append(note(
-            "{crossed}{more}: let the strips end farther apart, or hold fewer ends with blocks (settings strips "
-            "and ends)",
+            "{crossed}{more}: let the strips end farther apart, or hold fewer ends with blocks (keys "
+            "`strips` and `ends`)",
             crossed=crossed[0], more=and_more(crossed, "place"),
         ))  # fmt: skip
     return tuple(messages)
