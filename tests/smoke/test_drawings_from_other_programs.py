@@ -83,7 +83,7 @@ for look in $(seq 600); do
     sleep 0.5
 done
 for try in $(seq 15); do  # a window that is shown does not take keys at once: type until an arc is in the file
-    xdotool windowfocus "$window"
+    xdotool windowfocus "$window" key Escape Escape ctrl+m  # keys go to the command line, as by a click on it
     for typed in "${@:2}"; do
         xdotool type --delay 20 "$typed"
         xdotool key Return
