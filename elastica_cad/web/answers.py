@@ -734,10 +734,29 @@ def _read_dropped(request: Mapping[str, Any], folder: FilePath) -> Record:
     try:
         return _contents(path, name)
     except ElasticaError as problem:
-        if str(path) not in str(problem):
-            raise
-        # the temporary file means nothing to the user
-        raise InputError(str(problem).replace(str(path), name)) from problem
+        problem.refusal = _with_name(problem.refusal, path, name)
+        raise
+
+
+def _with_name(refusal: Refusal, path: FilePath, name: str) -> Refusal:
+    """Return the refusal with the name of the dropped file in place of the path of its temporary copy."""
+
+    def shown(values: Mapping[str, Any]) -> Record:
+        return {
+            key: _with_name(value, path, name) if isinstance(value, Refusal)
+            else name if str(value) == str(path)
+            else value
+            for key, value in values.items()
+        }  # fmt: skip
+
+    return Refusal(
+        refusal.kind,
+        refusal.text.replace(str(path), name),
+        shown(refusal.values),
+        shown(refusal.where),
+        refusal.changes,
+        refusal.severity,
+    )
 
 
 def _contents(path: FilePath, name: str) -> Record:

@@ -228,7 +228,12 @@ def test_a_dropped_design_opens_no_file_either(text, tmp_path, monkeypatch):
     ("name", "text"), [("my arch.svg", "<svg/>"), ("my arch.dxf", "?"), ("my arch.toml", "?")]
 )
 def test_a_dropped_file_is_called_by_its_name(name, text):
-    assert answer({"do": "read", "name": name, "text": text})["refused"]["text"].startswith(name)
+    assert answer({"do": "read", "name": name, "text": text})["refused"]["message"].startswith(name)
+
+
+def test_a_dropped_file_is_refused_in_the_language_of_the_page():
+    question = {"do": "read", "name": "my arch.svg", "text": "", "language": "de"}
+    assert "my arch.svg ist leer" in json.loads(reply(json.dumps(question).encode())[1])["refused"]["message"]
 
 
 def test_a_kind_of_file_that_is_not_made_is_named():
