@@ -60,7 +60,7 @@ test-windows: $(VENV)/test-installed
 
 # The lower bounds of every dependency in pyproject.toml, numpy 1.24 and scipy 1.10 among them, as Debian's FreeCAD has them.
 test-oldest: $(OLDEST)/installed
-	PYTHONPATH=. $(OLDEST)/bin/python -m pytest -o addopts="-q --import-mode=importlib --strict-markers" tests/oldest
+	PYTHONPATH="$(CURDIR)" $(OLDEST)/bin/python -m pytest -o addopts="-q --import-mode=importlib --strict-markers" tests/oldest
 
 lint: $(VENV)/test-installed
 	$(BIN)/ruff check .
@@ -71,7 +71,7 @@ lint: $(VENV)/test-installed
 # Campaigns: `make campaign-NAME`; CONTRIBUTING.md says what each proves. docs/trust.md keeps the last result.
 MINUTES ?= 60
 SEED ?= $(shell date +%y%m%d)
-RECORD = PYTHONPATH=. $(BIN)/python -m tests.campaign.record
+RECORD = PYTHONPATH="$(CURDIR)" $(BIN)/python -m tests.campaign.record
 SUITE = $(BIN)/python -m pytest -m campaign
 TRUST = $(BIN)/python -m tests.campaign.trust
 
