@@ -72,7 +72,7 @@ def rod_as_built(
     n, s = rod.s.size, _cell_stations(rod)
     net_widths = [layer.material(s) for layer in layers]
     material = net_widths[0]
-    # the backing may be drawn wider than the base by the tolerance of the drawing
+    # rounding in the drawing can make the backing slightly wider than the base
     backing = np.minimum(net_widths[1], material) if len(net_widths) > 1 else None
     law = None if layout.section is None else layout.section.bent(rod.bend_at(s), rod.rest_at(s))
     has = layout.stiffness(material, backing) if law is None else law.bending_stiffness(material)
@@ -122,20 +122,20 @@ def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
 
 
 CUT, CUT_GRAIN = 1.15, 0.7
-"""`CUT` is the factor on `crack_energy` for a slot in an isotropic sheet. For a sheet with grain it is
-multiplied by the ratio of sqrt(E / G) to its isotropic value, to the power of `CUT_GRAIN`.
+"""`CUT` is the factor on `crack_energy` for a slot in an isotropic sheet. In a sheet with grain, sqrt(E / G)
+differs from its isotropic value. `CUT` is then multiplied by this ratio to the power of `CUT_GRAIN`.
 
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 STEP, TAB, TAB_REACH = 1.08, 0.86, 0.05
 """Constants of the unstressed corners beside a step of the width or a tab.
 
-A strip with such a corner stores less energy, as with a crack. `STEP` and `TAB` are this energy divided by the
-energy of a crack (`crack_energy`). `TAB_REACH` is the distance of the unstressed corners from the tab, as a
+Such corners reduce the energy of the strip, as a crack does. `STEP` and `TAB` are this reduction relative to a
+crack (`crack_energy`). `TAB_REACH` is the distance of the unstressed corners from the tab, as a
 fraction of the difference between the widths of strip and tab.
 
-A tab prevents curling across the strip, so `TAB` was fitted for the Poisson ratio 0. `TAB_REACH` is for an
-isotropic sheet; the distance is proportional to sqrt(E / G). Fitted to finite elements
+`TAB` is fitted for the Poisson ratio 0, because a tab prevents curling across the strip. `TAB_REACH` is for an
+isotropic sheet. The distance is proportional to sqrt(E / G). Fitted to finite elements
 (`tests/campaign/finite_elements/idle_corners.py`).
 """
 
@@ -147,8 +147,7 @@ width. For narrower tabs the length is proportional to the square of the tab's w
 Fitted to finite elements (`tests/campaign/finite_elements/idle_corners.py`)."""
 
 FREE_EDGE = 0.63
-"""Width at both edges together that does not resist torsion, as a multiple of the thickness
-(Saint-Venant)."""
+"""Reduction of the width in torsion due to both free edges, as a multiple of the thickness (Saint-Venant)."""
 
 LEAST_SHARE = 0.01
 """Least width assumed to remain beside a slot, as a fraction of the strip's width. It prevents a division by
@@ -157,13 +156,13 @@ zero."""
 PLATES = "plates"
 
 LEAST_SHEARING = 0.8
-"""Ratio G / E over its isotropic value, below which a sheet counts as a sheet with grain."""
+"""A sheet counts as a sheet with grain if G / E is less than this fraction of the isotropic value."""
 
 SHEAR_CAUSES = frozenset({"slots", "narrow tabs", "steps of width"})
 
 
 def _cut_factors(added_lengths: Sequence[tuple[float, float]], rod: Rod) -> FloatArray:
-    """Return the factors (n,) on the stiffness at the nodes due to cuts at (position, added length), mm."""
+    """Return factors (n,) on the stiffness at the nodes, for cuts given as (position, added length), mm."""
     at, lengths = np.array(added_lengths).T
     node = np.clip(at / rod.length, 0.0, 1.0) * (rod.s.size - 1)
     before = np.minimum(node.astype(int), rod.s.size - 2)
@@ -184,10 +183,10 @@ def stiffness_factors(
     - "leaning ligaments": the stiffness of a ligament at the angle theta to the strip is multiplied by
       cos(theta), because its mirror image prevents its twist. This holds for a Poisson ratio near 0.3. At 25
       degrees the ligament is up to 7 % stiffer for a ratio of 0 and up to 4 % for 0.1.
-    - "anticlastic bending": stiffening by prevented curling across the strip, or across its ligaments.
+    - "anticlastic bending": a strip or ligament is stiffer if it cannot curl across its width.
     - "borders that curl": change of the stiffness of a laminate, because its borders curl.
 
-    The first three causes add a bend at one position. Causes without effect are left out.
+    Each of the first three causes adds a bend at one position. Causes without effect are left out.
 
     Parameters
     ----------
@@ -242,8 +241,7 @@ class Curl:
 
 
 def _curl_factor(rod: Rod, layout: Layout) -> BendFactor | None:
-    """Return the dependence of the nodes' stiffness on their curvature, or None if the strip does not curl
-    across.
+    """Return the dependence of the nodes' stiffness on their curvature, or None for a strip without curling.
 
     Plates over joints are ignored.
     """
@@ -274,9 +272,9 @@ def curling_by_design(rod: Rod, design: Rod, layout: Layout) -> Rod:
 def rod_to_bend(rod: Rod, layout: Layout, *, corrected: bool) -> Rod:
     """Return the designed rod with a stiffness that depends on its curvature.
 
-    If the widths are `corrected`, the stiffness in the designed shape is the relative stiffness K of the
-    design. Otherwise the rod is not in equilibrium until its rest shape is computed. The stiffness stays
-    constant for a single sheet whose Poisson ratio is only an estimate.
+    If the widths are `corrected` for curling, the rod keeps its stiffness in the designed shape. Otherwise it
+    is not in equilibrium until its rest shape is computed. The stiffness stays constant for a single sheet
+    whose Poisson ratio is only an estimate.
     """
     sheet = layout.section is None and layout.sheet.poisson_known
     if rod.follows_bend or isinstance(rod.law, CurlingLaw) or not (sheet or layout.backing):
@@ -305,10 +303,7 @@ def _with_factors(built: Rod, factors: Sequence[FloatArray]) -> Rod:
 def _lengths_added_by_slots(
     slots: Sequence[Slot], width: Profile, corner: float
 ) -> list[tuple[float, float]]:
-    """Return (position, added length) of each slot, mm.
-
-    A slot adds as much bend as the added length of strip.
-    """
+    """Return the position and the added length of each slot, mm: see `rod_as_built`."""
     places = []
     for slot in slots:
         points, widths = slot.center_line(width)
@@ -320,7 +315,7 @@ def _lengths_added_by_slots(
 
 
 def _crowded_slots(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
-    """Return the positions, mm, of the first two slots that are closer together than the deeper one is deep."""
+    """Return the positions, mm, of the first two slots that are closer together than the larger slot depth."""
     points = (slot.center_line(width)[0] for slot in slots)
     lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
     return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
@@ -472,12 +467,12 @@ class StripAsMade:
 
     @cached_property
     def rod(self) -> Rod:
-        """Rod with all effects on its stiffness, including the effect of its curvature.
+        """Rod with all effects on its stiffness, including the effect of curvature.
 
         It is not in equilibrium until its rest shape is computed.
         """
         rod = _with_factors(self.cut, list(self.factors.values()))
-        # a lap joint is stiffer, and its rest curvature is the one in which it was glued
+        # a lap joint is stiffer than the strip, and has another rest curvature
         if self.lap is not None:
             rod = replace(_with_factors(rod, [self.lap.share]), natural_curvature=self.lap.rest)
         return rod if self.curl is None else self.curl.on(rod)
@@ -506,7 +501,7 @@ class StripAsMade:
     def loaded(self) -> Rod:
         """Rest shape with both ends held as designed, or the design if no rest shape was found.
 
-        As in `rest`, its `stiffness` is that of the unbent strip.
+        This rod has the stiffness of the unbent strip.
         """
         try:
             return self.rest()
@@ -554,7 +549,7 @@ class StripAsMade:
 
     @property
     def _cut_breadth(self) -> FloatArray | None:
-        """Width (n,), mm, of the bands that curl side by side, or None if the strip is planed or turned."""
+        """Width (n,), mm, of the strip or of each ligament; None for planed or turned strips."""
         return _curling_width(self.layout, self.design.s) if self.layout.size is None else None
 
     def _notes(self, seats: Seats) -> tuple[str, ...]:
@@ -590,11 +585,10 @@ class StripAsMade:
 
     @cached_property
     def _leaf_ends(self) -> FloatArray:
-        """Displacement (n, 2), mm, of the full-length ply, because the neutral axis jumps where shorter plies
-        end.
+        """Displacement (n, 2), mm, of the full-length ply due to shorter plies; zero for strips without plies.
 
-        It is zero for strips without plies. The neutral axis is off the centre of the full-length ply, so the
-        force in the strip adds a moment.
+        Where a shorter ply ends, the neutral axis jumps. It is not at the centre of the full-length ply, so
+        the force in the strip adds a moment.
         """
         design, stack = self.design, self.layout.stack
         if stack is None:

@@ -372,9 +372,9 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
 
 
 def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
-    """Return a function that gives position and unit tangent at an arc length, and the breaks of the curve.
+    """Return position and unit tangent as a function of arc length, and the breaks of the curve.
 
-    A break is its arc length and the number of derivatives that are continuous there.
+    A break is a pair: its arc length, and the number of continuous derivatives there.
     """
     curve = rod.curve
     scale = curve.length / rod.length
@@ -511,7 +511,7 @@ class BoundaryMaker:
             ]
 
     def _add_faces(self, region: Region) -> None:
-        """Add the faces at every height. They are to the left of their loops, seen from above."""
+        """Add the faces at every height. Seen from above, each face is to the left of its loops."""
         shape = self.maps[region.interval]
         surfaces: list[Surface]
         if isinstance(shape, Frame):
@@ -535,7 +535,7 @@ class BoundaryMaker:
     def _add_side(self, piece: SegmentPart, shape: Map) -> None:
         """Add the side wall along a piece of a loop.
 
-        Its u is the parameter of the piece; its v is the height.
+        The parameters (u, v) of the wall are the parameter of the piece and the height.
         """
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
@@ -601,8 +601,8 @@ class BoundaryMaker:
 def _along(wall: Surface, heights: tuple[float, ...]) -> Sequence[StraightTrace | Segment]:
     """Return the edges of a side wall at `heights`, in the parameters of the wall's surface.
 
-    On a B-spline surface these curves have the knots of the surface, because CAD kernels integrate over a face
-    from knot to knot of these curves.
+    On a B-spline surface, the edges have the knots of the surface, because CAD kernels integrate over a face
+    from knot to knot of its edges.
     """
     if not isinstance(wall, SpaceSurface):
         return [StraightTrace((0.0, height), (1.0, 0.0)) for height in heights]

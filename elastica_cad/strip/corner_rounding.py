@@ -19,14 +19,14 @@ smaller angles."""
 MOST_NEWTON_STEPS = 40
 
 MOST_SHORTENED_STEPS = 6
-"""Number of steps that may be shortened before a side counts as too short. A step past the end of the side is
-shortened."""
+"""Number of Newton steps that may be shortened before a side counts as too short. A step is shortened if it
+would pass the end of the side."""
 
 CLOSE_MM = 1e-9
 """Both sides of a corner give a centre of its arc. Centres closer than this, mm, coincide."""
 
 PARALLEL = 1e-200
-"""Replacement for the zero determinant of parallel sides. The computed arc then ends beyond the sides."""
+"""Value that replaces the determinant 0 of parallel sides. The computed arc then ends beyond the sides."""
 
 CLOSE_SHARE = 1e-3
 """Tolerance of the test whether an arc crosses a side that it replaces, as a fraction of its radius.
@@ -98,7 +98,6 @@ def rounded_where_they_fit(paths: Sequence[Path], radius: float) -> list[Path | 
             turns = [arcs.get(k) for k in ring.sides]
             if all(_is_inside(arc, gap, segments) for arc, gap in zip(turns, ring.gaps, strict=True)):
                 chain = [side for k, arc in zip(ring.sides, turns, strict=True) for side in (parts[k], arc)]
-                # the arcs begin and end on their sides
                 rounded[i] = Path([side for side in chain if side is not None], closed=True)
         remaining = following
     return rounded
@@ -126,7 +125,7 @@ class _Ring:
 
 
 def _is_inside(arc: Arc | None, gap: Sequence[int], segments: Sequence[Segment]) -> bool:
-    """Return True if the arc cuts off the sides in the gap without crossing them."""
+    """Return True if the arc cuts off the sides with indices `gap` without crossing them."""
     if not gap:
         return True
     if arc is None:
@@ -165,7 +164,7 @@ def _corners(
 ) -> _Corners:
     """Return the arcs between the sides `before` (n,) and the sides `after` (n,).
 
-    `gaps` (n,) is True where sides between the two were omitted.
+    `gaps` (n,) is True for corners at which sides were omitted.
     """
     s = table.at(before, np.ones(before.size), 1)
     t = table.at(after, np.zeros(after.size), 1)
@@ -227,6 +226,6 @@ def _lengths_at_most(segments: Sequence[Segment]) -> FloatArray:
         begins = np.cumsum(counts) - counts
         sides = norm(np.diff(np.concatenate([curve.control_points for _, curve in splines]), axis=0))
         sides = np.append(sides, 0.0)
-        sides[begins[1:] - 1] = 0.0  # no side connects the control polygons of two curves
+        sides[begins[1:] - 1] = 0.0  # skip from one control polygon to the next
         sizes[[i for i, _ in splines]] = np.add.reduceat(sides, begins)
     return sizes

@@ -27,8 +27,8 @@ EDGE_MM = 0.5
 def coupon_overhang(sheet: Sheet, *, max_overhang: float = 400.0) -> float:
     """Return the free length of the coupon, mm, at which its tip sags by about half that length.
 
-    Reading errors then have the least effect. The length is rounded down to whole centimetres and is at most
-    `max_overhang`, mm.
+    At this length, reading errors have the least effect. It is rounded down to whole centimetres and is at
+    most `max_overhang`, mm.
 
     Examples
     --------
@@ -153,7 +153,7 @@ def _scale_ticks_and_labels(free: float, width: float) -> tuple[tuple[LayeredPat
         if major:
             figure = f"{left:g}"
             start = min(x + 1.0, free - text_width(figure, height) - EDGE_MM)
-            # at the upper edge, because the next number may be close
+            # the longest length is written at the other edge, clear of the next number
             y = -edge - height if x == 0.0 else edge + long + 1.0
             texts.append(Text((start, y), figure, height, 0.0, ENGRAVE))
     return tuple(paths), tuple(texts)

@@ -26,16 +26,16 @@ TRIED_SHEETS = ("birch-plywood-0.8", "pom-0.5", "card-200gsm")
 """Sheets that are tried if no sheet is given, in order of decreasing thickness."""
 
 WIDTHS_MM = (8.0, 120.0)
-"""Limits, mm, of the width that is assumed if none is given."""
+"""Least and largest width, mm, that is assumed if no width is given."""
 
 THIN_SHARE = 12
-"""Length of the curve divided by the width that is assumed if none is given."""
+"""Ratio of length to width that is assumed if no width is given."""
 
 
 def common_request(
     curve: PlaneCurve, supports: Supports | None = None, natural_curvature: NaturalCurvature = 0.0
 ) -> "StripSpec":
-    """Return the request for a strip of default width, from the first of `TRIED_SHEETS` that is thin enough."""
+    """Return a request for a strip of default width, from the first of `TRIED_SHEETS` that is thin enough."""
     from elastica_cad.strip.strip_spec import StripSpec
 
     curvature = float(np.abs(curve.survey.curvature).max())
@@ -100,10 +100,10 @@ def check_equilibrium(
 
     Condition (1): there is a line that meets the curve exactly at the zeros of its curvature and is not tangent to
     the curve. Condition (2): the curvature changes sign at each zero with a finite slope. At a pinned end the
-    curvature is zero, so the line passes through this end too. If an end is free to slide along x, the line is
-    vertical; if it slides along y, the line is horizontal. If the ends carry no force, there is no line. A natural
-    curvature is subtracted from the curvature. If a closed curve begins at an inflection, its start is moved
-    (`curve`), and a warning is added.
+    curvature is zero, so the line passes through this end too. The line is vertical if an end is free to slide
+    along x, and horizontal if it is free to slide along y. If the ends carry no force, there is no line. A natural
+    curvature is subtracted from the curvature. If a closed curve begins at an inflection, its start is moved, and
+    a warning is added.
 
     Parameters
     ----------
@@ -113,8 +113,8 @@ def check_equilibrium(
         Curvature of the unbent strip kappa_0, 1/mm.
     tolerance : float
         Largest distance of the inflections from a line, as a fraction of the length. Inflections within this
-        distance are moved onto the line (`moved`, `curve`). The same tolerance applies to setting the
-        curvature to zero at an end that is free to turn.
+        distance are moved onto the line (`moved`, `curve`). At an end that is free to turn, the curvature is
+        set to zero within the same tolerance.
 
     References
     ----------

@@ -164,7 +164,7 @@ def _without_duplicates(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    # boxes that differ by SAME_MM in each of four coordinates are at most 2 SAME_MM apart
+    # boxes whose four coordinates differ by SAME_MM are 2 SAME_MM apart in four dimensions
     alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):
@@ -185,7 +185,7 @@ def _twins(a: LayeredPath, b: LayeredPath) -> bool:
 
 
 FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
-"""Limits of the tolerance, mm, when splines are offset by half a kerf. No machine is as exact as the lower."""
+"""Least and largest tolerance, mm, for splines offset by half a kerf. No machine reaches the least one."""
 
 WIDEST_KERF_MM = 15.0
 """Largest kerf, mm. A half-inch router bit is 12.7 mm wide."""
@@ -349,9 +349,9 @@ FLAT_MM = 0.02
 
 
 def separate_parts(drawing: Drawing) -> tuple[Drawing, ...]:
-    """Return a drawing of each part: an outer cut and the inner cuts inside it, nothing else.
+    """Return a drawing of each part, with only its outer cut and the inner cuts inside it.
 
-    Cutting services cut every line of a file.
+    Other lines are left out, because cutting services cut every line of a file.
 
     Parameters
     ----------
@@ -422,7 +422,10 @@ class _Loop:
         return [Path(self._between(a, b)) for a, b in zip(starts, stops, strict=True)]
 
     def _off_corners(self, middle: float, width: float, reach: float) -> float:
-        """Return the nearest place for the middle of a bridge that is at least `width` away from corners."""
+        """Return a position for the middle of a bridge, at least `width` mm from corners and near `middle`.
+
+        If there is none within `reach` mm, return `middle`.
+        """
         for shift in np.linspace(0.0, reach, 41):
             for at in (middle + shift, middle - shift):
                 away = np.abs((self.corners - at + self.length / 2) % self.length - self.length / 2)
@@ -431,7 +434,7 @@ class _Loop:
         return middle
 
     def _between(self, a: float, b: float) -> list[Segment]:
-        """Return the segments between two arc lengths. The second may be past the start of the loop."""
+        """Return the segments from arc length a to b, mm. If b exceeds the length, continue from the start."""
         pieces: list[Segment] = []
         for turn in (0.0, self.length):
             for segment, end in zip(self.segments, self.ends + turn, strict=True):

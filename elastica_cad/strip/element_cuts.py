@@ -29,7 +29,7 @@ NOTCH_FILL = 0.5 + np.pi / 8
 """Area of a notch with a semicircular end, divided by the square of its width. The depth equals the width."""
 
 FRACTIONS = (np.arange(400) + 0.5) / 400
-"""Midpoints of 400 intervals of a widening or a hole, for integration, as fractions of its length."""
+"""Integration points along a widening or a hole, as fractions of its length: midpoints of 400 intervals."""
 
 LARGEST_WIDENING = 9.0
 """Upper limit of the search for the relative widening. Even a hole as wide as the strip needs less."""
@@ -79,18 +79,22 @@ class ElementCut:
 
     @property
     def concentration(self) -> float:
-        """Stress concentration factor at the cut minus 1, for a wide sheet in tension: 2 sqrt(depth / radius)."""
+        """Stress concentration factor at the cut minus 1, for a wide sheet in tension.
+
+        It is 2 sqrt(depth of the cut / radius of its edge).
+        """
         return 2.0 if self.hole else float(2.0 * np.sqrt(2.0))
 
     def added_length(self, width: float, sheet: Sheet) -> float:
-        """Return the added length, mm: a strip of width `width`, mm, with this cut bends as if it were
-        longer.
+        """Return the added length, mm, of the cut in a strip of width `width`, mm.
+
+        The strip bends as if it were longer by the added length.
 
         A hole of diameter d reduces the net section, and the corners beside it are unstressed. In a wide
         Kirchhoff plate, both effects add pi / 4 d^2 / width times the stress concentration
         1 + 2 (1 + nu) / (3 + nu). In a narrower strip the effect of the corners is divided by 1 + d / width.
-        Plate elements agree within 3 %. Notches are computed as slots. If they are at most 0.3 times as wide
-        as the strip, they add up to 19 % more than with plate elements.
+        Plate elements agree within 3 %. Notches are computed as slots. For notches up to 0.3 times as wide as
+        the strip, the added length is at most 19 % larger than with plate elements.
         """
         from elastica_cad.strip.as_made import CUT
 
@@ -152,7 +156,7 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
     cuts = element_cuts(rod)
     for cut in cuts:
         _require_narrower_cut(cut, float(layout.width(cut.at)))
-    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # at a free end the moment is 0
+    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # no moment at a free end
     peaks = np.zeros(len(cuts))
     for _ in range(WIDENING_ITERATIONS if cuts else 0):
         bumps = []
@@ -187,9 +191,9 @@ def _factor(bumps: Sequence["_Bump"], peaks: FloatArray, length: float) -> Profi
 
 @dataclass(frozen=True)
 class _Bump:
-    """Shape of a widening: a cubic B-spline with the value 1 at `at`, mm, and 0 beyond `reach`, mm, from there.
+    """Shape of a widening: a cubic B-spline with the value 1 at arc length `at`, mm.
 
-    `width` is the width of the strip without the widening, mm.
+    It is 0 at distances above `reach`, mm. `width` is the width of the strip without the widening, mm.
     """
 
     at: float
@@ -247,8 +251,8 @@ class StrainedCut:
 def strained_cuts(rod: Rod, layout: Layout) -> tuple[StrainedCut, ...]:
     """Return the cuts whose edges are strained beyond the limit of a brittle sheet.
 
-    The stress concentration factor exceeds 1 by less than in tension. As beside an elliptic hole in a bent
-    plate, the excess is multiplied by (1 + nu) / (3 + nu) (Goodier, Phil. Mag. 22, 1936).
+    The excess over 1 of the stress concentration factor in tension is multiplied by (1 + nu) / (3 + nu). This
+    is exact for an elliptic hole in a bent plate (Goodier, Phil. Mag. 22, 1936).
     """
     sheet = layout.sheet
     cuts = element_cuts(rod) if sheet.kind in BRITTLE else ()

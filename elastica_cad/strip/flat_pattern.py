@@ -19,7 +19,7 @@ from elastica_cad.refusals import Length
 from elastica_cad.strip.outline import pace
 
 SMOOTH = 2
-"""Number of continuous derivatives inside an edge. An offset face in a CAD kernel has one fewer."""
+"""Number of continuous derivatives inside an edge. Offsetting a face in a CAD kernel loses one derivative."""
 
 RAMP_FRACTION = 2e-5
 """A piece of a loop between two kinks counts as a step of the width if it is shorter than this fraction of
@@ -27,7 +27,7 @@ the loop."""
 
 NO_JUMP = 1e-4
 """A jump of the second derivative of a spline is smoothed if the jump times the square of the span length is
-less than this, mm. The smoothing moves the curve by at most 1 % of it."""
+less than this, mm. The smoothing moves the curve by at most 1 % of this value."""
 
 NO_STEP = 1e-5
 """Distance, mm, below which the ends of two sides are joined."""
@@ -38,11 +38,10 @@ def in_smooth_pieces(path: Path) -> Path:
 
     A step of the width becomes a line perpendicular to the strip.
 
-    In a drawing, a side is a single spline, so that a laser cuts it without stopping. It may have corners at
-    its knots, and steep ramps in place of steps of the width. But CAD kernels can fillet, offset and hollow
-    only edges that are smooth inside. Areas do not change. Points move by at most half a ramp: 5e-6 of the
-    length for the ramps of a `Profile`, and 1e-5 for the longest ramp that counts as a step
-    (`RAMP_FRACTION`).
+    In a drawing, a side is a single spline, so that a laser cuts it without stopping. Its knots may be corners,
+    and steep ramps replace steps of the width. But CAD kernels can fillet, offset and hollow only edges that are
+    smooth inside. Areas do not change. Points move by at most half a ramp: 5e-6 of the length for the ramps of a
+    `Profile`, and 1e-5 for the longest allowed ramp (`RAMP_FRACTION`).
 
     Examples
     --------
@@ -138,9 +137,9 @@ def _smoothed(segment: Segment) -> Segment:
 
 @dataclass(frozen=True, eq=False)
 class _Cut:
-    """Division of a spline into smooth parts, given by ranges of its parameter.
+    """Division of a spline into smooth parts.
 
-    Each part is extended to its range in `over`, if there is one.
+    `kept` has the parameter range of each part. The parts are extended to the ranges in `over`, if given.
     """
 
     curve: PlaneCurve
@@ -178,9 +177,9 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 
 
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
-    """Yield three parameters for each joint.
+    """Yield three parameters for each joint between two parts.
 
-    They are those of the joint, of the end of the part before it, and of the start of the part after it.
+    They belong to the joint, the end of the part before the joint, and the start of the part after it.
     """
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
@@ -279,7 +278,7 @@ def cut_across(outline: Path, holes: Sequence[Path], stations: Sequence[float]) 
 
 @dataclass
 class _Cutter:
-    """Divides the loops of a pattern by lines across the strip at the stations, and closes the parts along them."""
+    """Divides the loops of a pattern by station lines across the strip, and closes the parts along these lines."""
 
     stations: list[float]
     points: list[FloatArray] = field(default_factory=list)
@@ -288,10 +287,10 @@ class _Cutter:
     seams: dict[tuple[int, int], tuple[int, Line]] = field(default_factory=dict)
     count: int = 0
     rim: int = 0
-    """Number of pieces of the outline; their numbers are below those of the holes."""
+    """Number of pieces of the outline, which are numbered before the pieces of the holes."""
 
     def add(self, path: Path, *, backward: bool) -> None:
-        """Split a closed loop, reversed if `backward`, at the stations, and sort its pieces by interval."""
+        """Split a closed loop at the stations, and sort its pieces by interval. `backward` reverses the loop."""
         parts = [part for segment in path.segments for part in self._split(segment, len(path.segments) == 1)]
         if backward:
             parts = [(segment, a, b, not forward) for segment, a, b, forward in reversed(parts)]
@@ -392,8 +391,9 @@ class _Cutter:
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Return the corners on a corner's station line, and the direction in which the region is on the
-        left: 1 or -1.
+        """Return all corners on the station line of a corner in order of y, and a direction along it.
+
+        In this direction, 1 for +y or -1 for -y, the interval is on the left.
         """
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:
@@ -425,7 +425,7 @@ class _Cutter:
 
 
 def _split_at_repeated_corners(loop: Sequence[SegmentPart]) -> Iterator[list[SegmentPart]]:
-    """Split a loop into loops that pass each corner once, because a hole may have its tip on a station."""
+    """Split a loop at corners that it passes twice, such as the tip of a hole on a station line."""
     walk: list[SegmentPart] = []
     for piece in loop:
         walk.append(piece)

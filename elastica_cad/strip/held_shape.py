@@ -18,8 +18,8 @@ from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
 MEETING_FRACTION = 1e-4
-"""Largest distance between the ends of a closed rod, as a fraction of its length. Rods with few nodes need
-it."""
+"""Largest distance between the ends of a closed rod, as a fraction of its length. With few nodes, the ends do
+not meet exactly."""
 
 
 def closes(rod: Rod) -> bool:
@@ -204,10 +204,10 @@ def shape_responses(
 
     The start of the rod is fixed.
 
-    Moments and weights are changed while the shape is kept, which disturbs the equilibrium by d(imbalance).
-    Then the shape follows. The changes of the edge angles alpha and the end forces lambda satisfy H d(alpha)
-    + C^t d(lambda) = -d(imbalance) and C d(alpha) = d(chord). H is the Hessian of the discrete energy (paper,
-    section 7.1), and C is the derivative of the chord, the vector between the ends.
+    In the unchanged shape, changed moments and weights disturb the equilibrium by d(imbalance). Changes of the
+    edge angles alpha and the end forces lambda restore it: H d(alpha) + C^t d(lambda) = -d(imbalance) and
+    C d(alpha) = d(chord). H is the Hessian of the discrete energy (paper, section 7.1). C is the derivative of
+    the chord, the vector between the ends, with respect to alpha.
 
     Parameters
     ----------
@@ -232,8 +232,7 @@ def shape_responses(
     answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
     turned, forced = answers[:, :m], answers[:, m:]
     chord = 0.0 if apart is None else apart.T[list(discrete.held)]
-    # a rotation moves the ends of a straight rod across it, not along it, to first order: the rows can be
-    # singular
+    # to first order, rotations do not change the chord of a straight rod along it, so the rows can be singular
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
     normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     moved = np.zeros((n, m, 2))
@@ -242,8 +241,7 @@ def shape_responses(
 
 
 PHASES = 8
-"""The wave of thickness or grain along a strip has an unknown phase. The deviation is computed for this many
-phases."""
+"""Number of phases of a wave of thickness or grain for which the deviation is computed."""
 
 OPEN_FRACTIONS: Mapping[str, float] = {
     "slots": 0.24,
@@ -264,12 +262,12 @@ OPEN_PLAIN, OPEN_CURLED, OPEN_BUILT, OPEN_GRAINED = 1e-4, 2.5e-4, 3e-4, 2.2e-3
 `OPEN_PLAIN` is for any strip. `OPEN_CURLED` is for sheets that curl across the strip; it holds for nu = 0.3
 and is proportional to nu^2. `OPEN_BUILT` is for perforated and laminated strips. `OPEN_GRAINED` is added for
 perforated and laminated strips of sheets with grain, because their holes and borders are computed as
-isotropic. It is multiplied by the excess over 1 of sqrt(E / G) relative to an isotropic sheet."""
+isotropic. It is multiplied by r - 1, where r is sqrt(E / G) divided by its isotropic value."""
 
 OPEN_WIDE = 2e-3
 """Uncertainty of a wide strip of varying width as a fraction of the length, because its cross sections warp.
 
-It is multiplied by (width / length)^2 and by E / G relative to an isotropic sheet."""
+It is multiplied by (width / length)^2, and by E / G divided by its isotropic value."""
 
 
 def open_deviation(
@@ -283,8 +281,8 @@ def open_deviation(
 ) -> float:
     """Return the uncertainty of the model, mm, for a strip without errors of sheet and workmanship.
 
-    The errors of all causes in `parts` are added. Their sum is combined, as an independent error, with the
-    errors of any strip, of curling and of wide sections.
+    The errors due to the causes in `parts` are added. The root of the sum of squares then combines this sum with
+    the errors of any strip, of curling and of wide sections.
 
     Parameters
     ----------
@@ -294,7 +292,7 @@ def open_deviation(
     parts : mapping of str to float
         Deviation due to each cause before the widths compensate it, mm.
     width : float
-        Largest width of a band of the strip that curls independently, such as a ligament, mm.
+        Largest width of the strip or of a ligament, mm.
     approximated : bool
         True if the drawing only approximates the stiffness, as holes and backings do.
     crowded : bool
@@ -377,7 +375,7 @@ def sheet_effects(
         Design with the same nodes; distances are measured from its shape.
     sheet : Sheet
     breadth : (n,) array or None
-        Width at the nodes, mm, of each band of the strip between two cuts, or None if no width is cut.
+        Width of the strip or of each ligament at the nodes, mm; None for planed or turned strips.
     tolerance : MakingTolerance
     """
     n, M = rod.s.size, rod.moment
@@ -385,7 +383,7 @@ def sheet_effects(
     wave = M[:, None] * np.cos(phases)
     # E I is proportional to the cube of the thickness
     changes = {"thickness": 3 * tolerance.thickness_wave * wave}
-    # at the angle theta to the grain, the compliance 1 / E grows by up to sin^2(theta) (E / G - 2 nu - 2)
+    # at the angle t to the grain, the compliance 1 / E grows at most by the fraction sin^2(t) (E / G - 2 nu - 2)
     softer = np.sin(tolerance.grain) ** 2 * (1 / sheet.shear_ratio - 2 * sheet.poisson_ratio - 2)
     if sheet.grain != "none" and softer > 0:
         changes["grain"] = softer / 2 * wave

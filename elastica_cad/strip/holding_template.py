@@ -161,14 +161,14 @@ class HeldElement:
         Unit normals of the strip at these points. For a rail they point to the side of the rail, for a pin or
         tie to the left of the strip. For a load, this is the direction of its force.
     places : (k, 2) array
-        Coordinates of these points, mm, along the line between the ends of the strip and perpendicular to it,
-        positive to its left.
+        Coordinates of these points from the start of the strip, mm: along the line from start to end, and to
+        the left of this line.
     tilt : float
-        Direction of the strip at the first point, or of a load, relative to that line, degrees.
+        Direction of the strip at the first point, or of a load, relative to the line from start to end, degrees.
     force : float
         Force of the element on the strip, N.
     face : (2,) array, optional
-        Coordinates of the place where a one-sided rail touches the face of the strip, mm, as in `places`.
+        Point at which a one-sided rail touches the strip, in the coordinates of `places`, mm.
     """
 
     name: str

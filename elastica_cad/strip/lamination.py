@@ -26,8 +26,8 @@ from elastica_cad.strip.styles import (
 )
 
 SLACK = 3e-4
-"""A stiffness beyond its limits by less than this fraction is clipped, not refused, because the limits are
-computed at a finite number of stations."""
+"""A stiffness that exceeds a limit by less than this fraction is clipped, because the limits are computed only
+at a finite number of stations."""
 
 FIT_MM = 1e-5
 """Largest error of the backing's width, mm."""
@@ -104,7 +104,7 @@ class Laminated:
     def bounded(
         self, sheet: Sheet, *, max_width: float | None = None, min_width: float | None = None
     ) -> BoundedBacking | None:
-        """Return the limits of the stiffness and the strains at them, or None if the width of the base varies."""
+        """Return the section with limits of the backing's width; None if the width of the base varies."""
         if not is_number(self.width):
             return None
         width = float(self.width)
@@ -117,8 +117,9 @@ class Laminated:
     def _scale(
         self, rod: Rod, section: LaminatedSection, base: Profile, least: float, most: float | None
     ) -> float:
-        """Return the bending stiffness, N mm2, where K = 1: that of the rod or, without it, the largest
-        possible.
+        """Return the bending stiffness of the strip where K = 1, N mm2.
+
+        If the rod has no bending stiffness, return the largest possible value.
         """
         s = stations_of(rod.length, base, rod.profile)
         w1 = base(s)
@@ -177,7 +178,7 @@ class Laminated:
 def _infeasible(
     section: LaminatedSection, fits: ScaleRange, s: FloatArray, K: FloatArray, w1: FloatArray, least: float
 ) -> str:
-    """Return the message if no bending stiffness makes the laminate possible."""
+    """Return the message for a laminate that no bending stiffness makes possible."""
     i, j = fits.lowest_at, fits.highest_at
     ways: list[Refusal] = []
     try:
@@ -204,5 +205,5 @@ def _backing_width(rod: Rod, section: LaminatedSection, base: Profile, scale: fl
         return section.backing_width(base(s), scale * rod.profile(s))
 
     breaks = [(s, order) for s, order in (*rod.profile.breaks, *base.breaks) if order < 2]
-    # the backing is at most as wide as the base; where this clips it, the kink of its width is negligible
+    # the backing is clipped to the width of the base; the kinks due to clipping are negligible
     return Profile.fit(width, rod.length, breaks=breaks, tolerance=FIT_MM)

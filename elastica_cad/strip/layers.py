@@ -34,12 +34,12 @@ from elastica_cad.strip.slots import (
 from elastica_cad.strip.styles import Layout
 
 TICK_FRACTION = 0.3
-"""Length of a mark on each side of the centre line, as a fraction of the width. A mark that reached the edge
-would act as a notch."""
+"""Half the length of a mark across the strip, as a fraction of the width. A mark that reached the edge would act
+as a notch."""
 
 
 FLAT_MM = 1e-4
-"""Largest distance, mm, between cuts and the chords with which widths are measured."""
+"""Largest distance, mm, between a cut and the chords that replace it when widths are measured."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,7 +112,7 @@ class Layer:
         order = np.argsort(stations, kind="stable")
         at = stations[order]
         loop, (x, y), (x1, y1) = self._chords
-        # index of the first station within each chord's range of x, and number of these stations
+        # for each chord: index of the first station in its range of x, and number of stations there
         first = np.searchsorted(at, np.minimum(x, x1), side="left")
         count = np.searchsorted(at, np.maximum(x, x1), side="left") - first
         line = np.repeat(np.arange(x.size), count)
@@ -150,7 +150,7 @@ def cut_layers(
     width = layout.width
     if layout.stack is not None:
         return _cut_leaves(layout.stack, width.length, ends)
-    # register holes in the tabs align the layers of a laminate
+    # holes in the tabs align the layers of a laminate
     ends_held = add_register_holes(width, ends, layout.dots) if layout.dots else ends
     holes = (*end_holes(width, ends_held), *layout.hole_paths(ends, slots), *cord_holes)
     outline = cut_slots(flat_rim(width, ends), holes, slots, width, name=name)

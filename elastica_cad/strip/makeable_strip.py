@@ -54,9 +54,9 @@ def _correct_widths(
 ) -> FloatArray:
     """Return coefficients (m,) of the correction of the width that removes a deviation to first order.
 
-    In the same shape, a relative change f of the width changes the moment M by M f and the weight p by p f.
-    Some changes do not affect the shape: those that keep K kappa = M0 + <b, gamma>, with constant M0 and b.
-    The solution is therefore not unique, and the smallest and smoothest correction is chosen.
+    In the same shape, a relative change f of the width changes moments and weights by the fraction f. Some changes
+    do not affect the shape, because the reactions of the supports balance them. The solution is therefore not
+    unique, and the smallest and smoothest correction is chosen.
 
     Parameters
     ----------
@@ -103,9 +103,9 @@ def _without_rigid_motion(position: FloatArray, moves: FloatArray) -> FloatArray
 
 
 ROUNDS = 8
-LEAST_GAIN = 0.97  # stop if an iteration leaves more than this fraction of the deviation
-LARGEST_GUESS = 0.5  # largest logarithm of the factor on the width in the first guess
-SMALL_DEVIATION_FRACTION = 1e-5  # deviation, as a fraction of the length, that is small enough
+LEAST_GAIN = 0.97  # the search ends if an iteration leaves more than this fraction of the deviation
+LARGEST_GUESS = 0.5  # largest magnitude of the logarithm of the first factors on the width
+SMALL_DEVIATION_FRACTION = 1e-5  # deviation, as a fraction of the length, at which the search ends
 
 
 def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
@@ -172,7 +172,7 @@ def compensate_widths(strip: Strip, *, largest: float = np.inf) -> Strip:
 
 
 class _CorrectedStrip(NamedTuple):
-    """Strip with widths corrected by `coefficients`, and its deviation from the design in its holders, mm."""
+    """Strip with widths corrected by `coefficients`, its rest shape, and its deviation from the design, mm."""
 
     strip: Strip
     coefficients: FloatArray
@@ -181,7 +181,7 @@ class _CorrectedStrip(NamedTuple):
 
 
 def _correct(strip: Strip, basis: FloatArray, coefficients: FloatArray) -> _CorrectedStrip | None:
-    """Return the strip with corrected widths, or None if it cannot be made or finds no rest shape."""
+    """Return the strip with corrected widths, or None if it cannot be made or has no rest shape."""
     design, change = strip.as_made.design, basis @ coefficients
     try:
         if change.any():
@@ -344,7 +344,7 @@ class Splice:
         return Piece(name, Drawing(name, paths, (label, *mates, *numbers)), layer.sheet)
 
     def _clear_of_holes(self, whole: "_Whole", low: float, high: float) -> tuple[float, float]:
-        """Return start and end, mm, of the part of a piece under a plate, where no holes are cut."""
+        """Return the range of arc length, mm, in which a piece from `low` to `high` is under a plate."""
         joint = next(at for at in whole.joints if at in (low, high))
         return (joint, joint + self.plates.lap / 2) if joint == low else (joint - self.plates.lap / 2, joint)
 
@@ -459,7 +459,10 @@ def joined_within(strip: Strip, shop: FabricationLimits) -> Strip:
 
 
 def _is_clear_of_slot(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
-    """Return True where a plate with its centre at arc length `at`, mm, is half a slot width clear of a slot."""
+    """Return True where a plate is clear of a slot by more than half the width of the slot.
+
+    `at` is the arc length of the plate's centre, mm, and `lap` is the length of the plate, mm.
+    """
     low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
     middle, reach = (high + low) / 2, (high - low) / 2
     return np.abs(at - middle) > lap / 2 + reach + slot.width / 2

@@ -28,8 +28,8 @@ SKETCHED = 60
 """Approximate number of points of the curve in `Measuring.shape`."""
 
 UNEVEN_SHARE = 0.02
-"""Relative difference of the stiffness at equal distances from both ends, above which a strip put in end for
-end has a different shape."""
+"""Relative difference of the stiffness at equal distances from both ends, above which a strip mounted end for end
+has another shape."""
 
 CHANCE = 0.03
 """Probability that errors of reading alone are mistaken for a cause."""
@@ -39,7 +39,7 @@ NONLINEAR = 0.2
 to first order."""
 
 LIKELY = 4.0
-"""A cause is reported in addition to the likeliest one if its sum of squares is at most this much larger."""
+"""Largest excess of the sum of squared differences of a reported cause over that of the likeliest cause."""
 
 MEANINGS: Mapping[str, str] = {
     "clamp at the start": "The clamp at the start lets the strip turn by {amount:.2g} degrees. Tighten it.",
@@ -66,8 +66,8 @@ NO_ANGLES = "Not read. Read the angles too, because a clamp that turns is rarely
 READING_ERROR_MM = 2.0
 """Default standard error of a length read with a ruler.
 
-In 400 simulated readings with an error of 1.5 mm, a default of 1 mm raised 23 % false alarms. It named 86 % of the
-clamps that turned by 4 degrees. A default of 2 mm raised 3 % and named 93 %."""
+In 400 simulated readings with an error of 1.5 mm, a default of 1 mm raised 23 % false alarms and found 86 % of the
+clamps that turned by 4 degrees. A default of 2 mm raised 3 % false alarms and found 93 % of these clamps."""
 
 SLIPS: Mapping[str, str] = {
     "centimetres": "The lengths agree with the design if they are in centimetres. Write them in mm.",
@@ -88,7 +88,7 @@ EXCHANGES: Mapping[str, Mapping[str, str]] = {
         "height_1": "height_3", "height_3": "height_1", "start_angle": "end_angle", "end_angle": "start_angle",
     },
 }  # fmt: skip
-"""Readings that people write down in the wrong order: for each mistake, the reading that each name has."""
+"""For each mistake in the order of readings: the name under which each quantity was written."""
 
 THICKEST_PERCENT = 6.0
 """Largest plausible amplitude of the variation of a sheet's thickness, in percent."""
@@ -107,9 +107,9 @@ class Measuring:
     uncertain : mapping of str to float
         Uncertainty of each expected value due to model, sheet, cut and clamps.
     causes : mapping of str to tuple of mapping
-        Changes of the expected values due to each cause of `MEANINGS`, per degree, millimetre or percent, or
-        the whole change if the cause has no amount. A periodic variation of the thickness has two sets, for
-        sine and cosine.
+        Changes of the expected values due to each cause of `MEANINGS`, per degree, millimetre or percent. A
+        cause without amount has its whole change. A periodic variation of the thickness has two sets of
+        changes, for sine and cosine.
     shape : tuple of (float, float)
         Evenly spaced points of the curve, mm.
     tips : float or None
@@ -302,8 +302,9 @@ class Measuring:
                 yield rest, SLIPS[slip]
 
     def _mirrors(self, amount: float, change: Mapping[str, float]) -> bool:
-        """Return True if a height changes by more than the largest height, because moved ends cannot mirror a
-        strip.
+        """Return True if a height changes by more than the largest height.
+
+        Such a change would mirror the strip, which an error of the ends cannot do.
         """
         heights = [name for name in self.expected if name.startswith("height")]
         largest = max((abs(self.expected[name]) for name in heights), default=0.0)
@@ -324,8 +325,8 @@ def row_label(name: str) -> str:
 def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
     """Return the values to be measured on a shape with evenly spaced nodes (n, 2), mm.
 
-    Heights are positive on the side of the chord on which the design is highest. So small changes of an S do
-    not reverse them.
+    Heights are positive on the side of the chord on which the design is highest. Small changes of an S-shaped
+    strip therefore do not change their signs.
     """
     chord = position[-1] - position[0]
     length = float(np.hypot(*chord))
@@ -337,9 +338,9 @@ def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
 
 
 def upward(heights: FloatArray) -> float:
-    """Return the sign, 1.0 or -1.0, with which the largest height is positive.
+    """Return the sign, 1.0 or -1.0, of the largest height.
 
-    Of heights that are equal within 1 % the first counts, so that rounding does not turn an S over.
+    Of heights that are equal within 1 %, the first is used, so that rounding does not change the sign for an S.
     """
     size = np.abs(heights)
     return -1.0 if heights[np.argmax(size > 0.99 * size.max())] < 0 else 1.0

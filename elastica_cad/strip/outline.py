@@ -95,7 +95,7 @@ class TSlot:
             )
 
     def side(self, edge: float) -> list[tuple[float, float]]:
-        """Return the corners (x, y) of one side of the slot (y < 0), from the outer edge at x = `edge` inward."""
+        """Return the corners (x, y) of the slot with y < 0, from the outer edge at x = `edge` inward."""
         y, n, a = -self.screw / 2, -self.nut[0] / 2, edge - self.wall
         deep = edge - self.depth
         points = [(edge, y), (a, y), (a, n), (a - self.nut[1], n), (a - self.nut[1], y), (deep, y)]
@@ -191,8 +191,8 @@ class Tab:
     def corners(self, width: float) -> tuple[Line | Arc, ...]:
         """Return the outline of the tab, from the bent part outward, along the outer edge and back.
 
-        It starts at (0, -w/2) and ends at (0, w/2), and the x axis points outward. The width w is that of the
-        tab or, by default, `width`, that of the strip.
+        The x axis points outward. The outline starts at (0, -w/2) and ends at (0, w/2), where w is the width of
+        the tab or, by default, the `width` of the strip.
         """
         require_positive(width, "width")
         w, length = self.width or width, self.length
@@ -314,7 +314,7 @@ MEETING_MM = 1e-9
 """Ends of two segments meet if they are closer than this, mm."""
 
 LINEAR_TOLERANCE = 1e-10
-"""x counts as a linear function of the parameter if its relative deviation is less than this."""
+"""Largest relative deviation of x from a linear function of the parameter that counts as linear."""
 
 
 def flat_rim(width: Profile, ends: Ends) -> Path:
@@ -400,7 +400,7 @@ def pace(segment: Segment) -> tuple[float, float] | None:
 
 
 def close_chain(segments: Iterable[Segment]) -> tuple[Segment, ...]:
-    """Return the segments as a closed chain, with lines in the gaps between them."""
+    """Return a closed chain of the segments and of lines in the gaps between them."""
     chain: list[Segment] = []
     for segment in segments:
         if chain and not _meet(chain[-1], segment):
@@ -438,7 +438,7 @@ def _side(width: Profile, factor: float, *, backward: bool = False) -> Spline:
 
 
 def _without_small_shoulders(tab: Tab, width: float) -> Tab:
-    """Return the tab; it gets the width of the strip if its shoulders are too small to cut."""
+    """Return the tab, or a tab as wide as the strip if the shoulders are too small to cut."""
     small = tab.width is not None and min(abs(tab.width - width), tab.length) < SHOULDER_MM
     return replace(tab, width=None) if small else tab
 

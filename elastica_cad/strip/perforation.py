@@ -121,7 +121,7 @@ class DiamondPattern:
     def paths(self, ends: Ends, slots: Sequence[Slot] = ()) -> tuple[Path, ...]:
         """Return the holes as closed anticlockwise loops in order along the strip, clear of tabs and slots.
 
-        A part of less than half a hole is omitted if the corner radius does not fit in.
+        A part of at most half a hole is omitted if the corner radius does not fit into it.
         """
         cuts = [slot_cut(slot, self.width, beyond=slot.width) for slot in slots]
         clear = [
@@ -282,7 +282,7 @@ class _Stretch:
             return self
         inner = self.knots[(self.knots > a) & (self.knots < b)]
         knots = np.concatenate([np.repeat(a, 4), inner, np.repeat(b, 4)])
-        # keeps the mean of equal knots from rounding beyond the ends
+        # the mean of equal knots may be rounded to a value beyond the ends
         sites = np.clip(greville(knots, 3), a, b)
         values = bezier_spans(self.knots, 3).basis(sites) @ self.values
         solved = np.linalg.solve(bezier_spans(knots, 3).basis(sites), values)
@@ -309,11 +309,11 @@ class _Stretch:
 
 
 STEEP_RAD = np.radians(30.0)
-"""Warn if ligaments are inclined by more than this angle, rad, because they are then stiffer than their width
+"""Inclination of ligaments, rad, above which a warning is added. Steeper ligaments are stiffer than their width
 suggests."""
 
 TIP_FRACTION = 0.03
-"""Warn if rounded tips add more material than this fraction of the net width."""
+"""Extra material at rounded tips, as a fraction of the net width, above which a warning is added."""
 
 SLENDERNESS = 3.0
 """Default length of a diamond, as a multiple of the spacing of the columns."""
@@ -323,11 +323,11 @@ SLENDERNESS = 3.0
 class Perforated:
     """Style of a strip with an outline of given width and diamond holes.
 
-    The total width of the ligaments is proportional to the stiffness.
+    The total width of the ligaments is proportional to the stiffness (paper, section 8.1).
 
-    This holds exactly at every station of the bent part (paper, section 8.1), except near rounded tips of holes
-    (`tip_zone`). The weight per length is therefore proportional to the stiffness, as in a solid strip. Without
-    `max_width`, the ligaments are as wide as the least size of the holes allows.
+    The proportion is exact in the bent part, except near rounded tips of holes (`tip_zone`). The weight per length
+    is therefore proportional to the stiffness, as in a solid strip. Without `max_width`, the holes are as small,
+    and the ligaments as wide, as the limits allow.
 
     Parameters
     ----------
@@ -410,7 +410,7 @@ class Perforated:
         if self.corner_radius == 0 or not isinstance(layout.pattern, DiamondPattern):
             return 0.0
         s = stations_of(layout.width.length, layout.width, layout.material)
-        # half diamonds have the sharpest tips
+        # the zones are longest at half diamonds, which have the sharpest tips
         return layout.pattern.bridge / 2 + float(2 * self.corner_radius / layout.pattern.slopes(s).min())
 
     def _warnings(self, pattern: DiamondPattern, s: FloatArray) -> tuple[str, ...]:
@@ -451,7 +451,7 @@ class Perforated:
 
 
 class _Fit:
-    """Bending stiffnesses for which ligaments and holes meet all limits."""
+    """Range of the bending stiffness in which ligaments and holes meet all limits."""
 
     def __init__(self, style: Perforated, rod: Rod, sheet: Sheet, outer: Profile) -> None:
         self.style, self.rod = style, rod
@@ -484,8 +484,9 @@ class _Fit:
         self.highest = self.by_ligaments.highest
 
     def scale(self, max_width: float | None, min_width: float | None) -> float:
-        """Return the bending stiffness, N mm2, where K = 1: that of the rod or, without it, the largest for
-        `max_width`.
+        """Return the bending stiffness of the strip where K = 1, N mm2.
+
+        If the rod has no bending stiffness, return the largest value that `max_width` allows.
         """
         if self.lowest > self.highest * (1 + SEEN_APART):
             raise InputError(self._infeasible())
@@ -537,7 +538,7 @@ class _Fit:
         return scale
 
     def _infeasible(self) -> str:
-        """Return the message if no bending stiffness meets all limits."""
+        """Return the message for limits that no bending stiffness meets."""
         style, rigidity = self.style, self.section.rigidity
         i, need = self._least_outline()
         ways = []
@@ -570,10 +571,10 @@ class _Fit:
         )  # fmt: skip
 
     def _least_outline(self) -> tuple[int, float]:
-        """Return the station where the outline is too narrow, by index, and a sufficient width, mm, or
-        infinity.
+        """Return the index of the station where the outline is too narrow, and a sufficient width, mm.
 
-        An outline of constant width must be widened everywhere, which also increases the least net width.
+        The width is infinite if none is sufficient. An outline of constant width must be widened everywhere,
+        which also increases the least net width.
         """
         rigidity = self.section.rigidity
         need = self.lowest * self.K / rigidity + self.holes
@@ -591,7 +592,7 @@ class _Fit:
         return section.scale_range(self.w - 2 * columns * self.style.least_hole, self.K).feasible
 
     def _too_little(self, scale: float) -> str:
-        """Return which limit a bending stiffness violates, and where."""
+        """Return a message on the limit that a bending stiffness violates, and on the position."""
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             i = self.by_ratio.lowest_at
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])

@@ -25,7 +25,7 @@ from elastica_cad.strip.slots import Cuts, Slot, end_numbers
 from elastica_cad.strip.strip import Placed, Strip, strip_names
 
 SAME_SIZE_MM, SIZE_STATIONS = 1e-3, 65
-"""`SAME_SIZE_MM` is the largest difference in thickness or diameter, mm, between equal strips. They are
+"""`SAME_SIZE_MM` is the largest difference in thickness or diameter, mm, between equal strips. The sizes are
 compared at `SIZE_STATIONS` stations."""
 
 SIZE_TOLERANCE = 1e-6
@@ -34,10 +34,10 @@ SIZE_TOLERANCE = 1e-6
 The parts are compared by length, bounding box and square root of the area."""
 
 ROD_KIND = "rod"
-"""Kind of sheets that are rods or flat bars, which are sold by length."""
+"""Value of `Sheet.kind` for rods and flat bars, which are sold by length."""
 
 SAME_BEND_RAD = 1e-4
-"""Largest difference between natural curvatures of equal strips, times the length of the strip, rad."""
+"""Largest difference between the natural curvatures of equal strips, multiplied by their length, rad."""
 
 SLOT_DIGITS = 6
 """Number of decimals, mm, to which sizes of slots are compared. Copies of a slot differ by rounding
@@ -357,7 +357,7 @@ def distinct(names: Iterable[str]) -> list[str]:
 
 
 def count_pieces(pieces: Iterable[Piece]) -> tuple[Piece, ...]:
-    """Return the first piece of each name with its quantity, because equal holders have equal names."""
+    """Return one piece for each name, with the total quantity. Pieces with the same name are equal."""
     first: dict[str, Piece] = {}
     for piece in pieces:
         known = first.get(piece.name)
@@ -368,8 +368,8 @@ def count_pieces(pieces: Iterable[Piece]) -> tuple[Piece, ...]:
 def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tuple[Piece, ...]:
     """Return a piece with its quantity for each layer of each group of equal strips.
 
-    If different parts have the same label, a number is added. With `numbered`, the ends are engraved 1 and 2,
-    like the slots that hold them.
+    Numbers are appended to labels that occur more than once. With `numbered`, the ends are engraved with 1 and 2,
+    like the slots that hold the ends.
     """
     pieces: list[Piece] = []
     taken = {part.name for part in parts}
@@ -395,8 +395,7 @@ def strip_pieces(parts: Sequence[EqualStrips], *, numbered: bool = False) -> tup
 
 
 def _stock(strip: Strip, layer: Layer) -> tuple[Sheet, float | None]:
-    """Return the sheet from which a layer is cut, and the mass, g, of a planed or turned strip, otherwise
-    None.
+    """Return the sheet of a layer, and the mass, g, of a planed or turned strip or None for other strips.
 
     A planed strip is cut from a sheet of its largest thickness; a turned strip is a rod.
     """

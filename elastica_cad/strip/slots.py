@@ -32,7 +32,7 @@ from elastica_cad.strip.lettering import (
 )
 
 QUARTER_TURN_DEG = 90.0
-"""Least inclination of a slot, degrees, that is refused."""
+"""Inclination, degrees, at and above which a slot is refused."""
 
 STRAIGHT_MM = 1e-7
 """Largest deviation from a line, mm, of a side of a slot that is drawn as a line."""
@@ -67,14 +67,14 @@ class Slot:
         Edge of the flat pattern at which the slot opens: y > 0 or y < 0.
     lean : float
         Inclination of the slot: the angle between its centre line and the direction across the strip, rad. If it
-        is positive, x increases towards the edge. Strips of `elastica_cad.build123d` and `elastica_cad.cadquery`
-        take it in degrees.
+        is positive, x increases towards the edge. In `elastica_cad.build123d` and `elastica_cad.cadquery`, `lean`
+        is in degrees.
     relief : "square" or "round"
         Shape of the inner end. A semicircle extends beyond the given depth.
     mate : str
         Name of the part that is inserted in the slot, engraved beside it.
     path : (k, 2) array, optional
-        Centre line in the flat pattern from the inner end to the edge, mm. It replaces depth and lean.
+        Centre line in the flat pattern from the inner end to the edge, mm. A path replaces `depth` and `lean`.
     widths : (k,) array, optional
         Width at every point of `path`, mm.
 
@@ -178,7 +178,7 @@ def _left_of(tangents: FloatArray) -> FloatArray:
 class _Side:
     """A side of a slot as points (n, 2), mm, from its inner end to the edge.
 
-    `direction` is the direction at the edge. `bent` is a spline, or None for a straight side.
+    `direction` is the tangent at the edge. `bent` is the spline of a curved side, or None for a straight side.
     """
 
     points: FloatArray
@@ -206,7 +206,7 @@ def _sides(slot: Slot, width: Profile) -> tuple[_Side, _Side]:
 
 
 def _side(points: FloatArray, knots: FloatArray, controls: FloatArray) -> _Side:
-    """Return the side through points (n, 2); it is a line if they are collinear."""
+    """Return the side through points (n, 2): a line if the points are collinear, otherwise a spline."""
     chord = points[-1] - points[0]
     off = (points - points[0]) @ left_of(chord) / np.hypot(*chord)
     if len(points) == 2 or np.abs(off).max() < STRAIGHT_MM:
@@ -223,12 +223,12 @@ SAME_POINT_MM = 1e-9
 """Distance, mm, below which points are equal."""
 
 SAME_PARAMETER = 1e-6
-"""Positions on a segment whose parameters differ by less than this may coincide. Their distance decides."""
+"""Difference of the parameters of two positions on a segment, below which their distance is checked."""
 
 REACHES = (1.0, 4.0, 16.0)
 """Lengths by which the sides of a slot are extended to the edge, as multiples of the width of the slot.
 
-They are tried in this order until the sides meet the edge."""
+The lengths are tried in this order until the sides meet the edge."""
 
 
 @dataclass(frozen=True)
@@ -283,7 +283,7 @@ def cut_slots(
 
 
 class _Edge:
-    """The outline with its chords, which make the search for crossings with many slots fast."""
+    """Chords of the outline, for a fast search of crossings with many slots."""
 
     def __init__(self, outline: Path) -> None:
         self.segments = outline.segments
@@ -360,7 +360,7 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
 
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
-    """Return the part of a segment between two parameters, or an empty list if they are nearly equal."""
+    """Return a list with the part of a segment between two parameters; empty if the part has no length."""
     if u1 - u0 < SAME_PARAMETER and np.hypot(*(segment.at(u1) - segment.at(u0))) < SAME_POINT_MM:
         return []
     return [trim_segment(segment, u0, u1)]
@@ -480,8 +480,8 @@ LETTER_HEIGHTS_MM = (2.0, 1.5, 1.0)
 """Heights of letters, mm, in the order in which they are tried. Engraved letters below 1 mm are not legible."""
 
 NUMBER_PLACES_MM = (2.0, 4.0, 7.0, 11.0)
-"""Distances of the number of an end from the end of the bent part, mm, in the order in which they are tried.
-The number stays visible beside a holder."""
+"""Distances between an engraved end number and the end of the bent part, mm, in the order of trial. At these
+distances, holders do not cover the number."""
 
 LABEL_SHARES = (1.0, 0.7, 0.5, 0.35, 0.25)
 """Heights of a label, as fractions of the usual height, in the order in which they are tried."""
@@ -543,8 +543,8 @@ def end_numbers(
 def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, float] | None = None) -> Text:
     """Return the label on the centre line of a strip, as near to the middle as possible and clear of all cuts.
 
-    It is smaller where space is short. If no position is clear, it is in the middle. `span` is the allowed
-    range along the strip, mm; by default the whole bent part.
+    The label is made smaller if necessary. If no position is clear, the label is in the middle. `span` is the
+    allowed range along the strip, mm; by default the whole bent part.
     """
     low, high = span or (0.0, width.length)
     length = high - low
@@ -567,8 +567,8 @@ def label_off_cuts(label: str, width: Profile, cuts: Cuts, span: tuple[float, fl
 def label_on_tabs(label: str, tabs: Sequence[tuple[float, float, float]], cuts: Cuts) -> Text:
     """Return the label across one of the `tabs` (start x, end x and width, mm), clear of all cuts.
 
-    Where space is short, it is smaller or beside the middle of the tab. If no position is clear, it is in the
-    middle of the first tab.
+    If necessary, the label is smaller or beside the middle of the tab. If no position is clear, the label is in
+    the middle of the first tab.
     """
 
     def text(tab: tuple[float, float, float], share: float, place: float, side: float) -> Text:
@@ -597,7 +597,7 @@ def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: C
 
 
 def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
-    """Yield possible texts for a slot, large ones first: beyond the inner end and on either side."""
+    """Yield texts at the possible positions beyond the inner end of a slot and beside it, large letters first."""
     points, _ = slot.center_line(width)
     inward = -1.0 if slot.side == "upper" else 1.0
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()

@@ -27,21 +27,22 @@ from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.tapered_solids import RoundSolid, side_view
 
 COLLINEAR_TOLERANCE = 1e-14
-"""Collinearity tolerance of `convex_corners`: twice the area of a triangle over the square of the largest
-extent."""
+"""Tolerance for collinear points in `convex_corners`: twice the area of their triangle, divided by the square of
+the largest extent."""
 
 
 def centred_thickness(strip: Strip) -> float:
     """Return the thickness, mm, that is centred on the curve.
 
-    It is that of all layers together, or of the full-length ply of a stack.
+    It is the total thickness of all layers, or the thickness of the full-length ply of a stack.
     """
     return strip.layers[-1 if strip.layout.stack is None else 0].high
 
 
 def _joint_places(strip: Strip) -> dict[str, tuple[float, float, int]]:
-    """Return x and y, mm, of every joint in the flat strip, and the sign of the joint's x axis along the
-    strip.
+    """Return (x, y, sign) of every joint in the flat strip, with x and y in mm.
+
+    The sign is 1 if the x axis of the joint is along the strip, else -1.
     """
     places = {"start": (0.0, 0.0, -1), "end": (strip.rod.length, 0.0, 1)}
     for number, hole in enumerate(strip.holes, start=1):
@@ -67,14 +68,14 @@ def turned(frame: Frame, sign: int) -> Frame:
 
 
 GLUE_MM = 5e-4
-"""Gap between the sheets of a body, mm. CAD kernels lose parts of touching solids, and fail with a gap of
+"""Gap between the sheets of a body, mm. CAD kernels lose parts of solids that touch, and fail if the gap is
 1e-4 mm."""
 
 JOINT_GAP_MM = 0.01
 """Gap between the ends of a closed strip, mm. It is far larger than the tolerance of CAD kernels."""
 
 FEW_SPANS = 8
-"""Number of spans up to which a spline is extruded without comparing the area computed by CAD kernels."""
+"""Largest number of spans of a spline that is extruded without a check of its area in CAD kernels."""
 
 AREA_TOLERANCE = 1e-4
 """Largest error of the area of a face in a CAD kernel, as a fraction of the area of the part."""
@@ -166,7 +167,7 @@ class FlatSolid:
 
     @property
     def is_prism(self) -> bool:
-        """True if the plate can be extruded. CAD kernels misread extruded splines with many spans."""
+        """True if the plate can be extruded. CAD kernels compute wrong areas below splines with many spans."""
         segments = (segment for loop in (self.outline, *self.holes) for segment in loop.segments)
         splines = [
             spline for spline in segments if isinstance(spline, Spline) and not spline.curve.is_rational
@@ -182,7 +183,7 @@ class FlatSolid:
 
 
 def _misread_area(sides: Sequence[Spline]) -> float:
-    """Return the error of the areas below splines, mm2, that one quadrature rule for all spans causes."""
+    """Return the error of the areas below splines, mm2, if one quadrature rule is used for all spans."""
     points, weights = GAUSS_RULE
     off = 0.0
     for side in sides:
@@ -410,7 +411,7 @@ class BentSolid:
 
 
 def glued(records: Sequence["BodyRecord | PrismSolid"]) -> "tuple[BodyRecord | PrismSolid, ...]":
-    """Return the sheets of a strip with gaps of `GLUE_MM`, to be put into a single body.
+    """Return the sheets of a strip for a single body, with gaps of `GLUE_MM` between the sheets.
 
     OpenCASCADE needs solids that share faces or do not touch. Shared faces are unreliable where base and
     backing are equally wide.
@@ -444,7 +445,7 @@ def bent_colors(strip: Strip, color: tuple[float, ...] | None = None) -> tuple[t
 
 
 BodyRecord: TypeAlias = FlatSolid | BentSolid | RoundSolid
-"""A body of a strip: a plate or extruded side view, a bent sheet, or a round rod."""
+"""A body of a strip: an extruded plate or side view, a bent sheet, or a round rod."""
 
 
 def frame_beside(strip: Strip, frame: Frame) -> Frame:

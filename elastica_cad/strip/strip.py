@@ -99,11 +99,11 @@ FILLETS = (
     (3.505, -2.109, 0.069),
 )
 DEEPEST, GRAIN = 20.0, 0.7
-"""Constants of `corner_factor`. `DEEPEST` is the largest ratio t / r in the chart: shoulder depth over fillet
-radius. `GRAIN` is the exponent of sqrt(E / G), relative to an isotropic sheet, for sheets with grain.
+"""Constants of `corner_factor`, where t is the depth of the shoulder and r is the radius of the fillet.
 
-In `FILLETS`, row i is multiplied by (2 t / width)^i and column j by (t / r)^(j / 2). The exponent is fitted to
-finite elements (`tests/campaign/finite_elements/shoulders.py`)."""
+`DEEPEST` is the largest ratio t / r in the chart. In `FILLETS`, row i is multiplied by (2 t / width)^i and
+column j by (t / r)^(j / 2). `GRAIN` is the exponent of sqrt(E / G) divided by its isotropic value. This exponent
+is fitted to finite elements (`tests/campaign/finite_elements/shoulders.py`)."""
 
 
 def corner_factor(sheet: Sheet, width: float, tab: float) -> float:
@@ -111,10 +111,10 @@ def corner_factor(sheet: Sheet, width: float, tab: float) -> float:
 
     Strip and tab are bent by the same moment. The factor is based on a flat bar in tension with shoulders of
     depth t and fillets of radius r (Pilkey, Peterson's Stress Concentration Factors, chart 3.1). In a bent
-    plate its excess over 1 is multiplied by (1 + nu) / (3 + nu), as beside an elliptic hole (Goodier, Phil.
-    Mag. 22, 1936). The fillet radius is assumed to be the thickness of the sheet. In a sharp corner, the mean
-    strain over a quarter of the thickness is about the same. It is lower if the tab is clamped up to the
-    shoulder. Solid elements in CalculiX agree within 15 %.
+    plate, the excess of the factor over 1 is multiplied by (1 + nu) / (3 + nu), as beside an elliptic hole
+    (Goodier, Phil. Mag. 22, 1936). The fillet radius is assumed to be the thickness of the sheet. In a sharp
+    corner, the mean strain over a quarter of the thickness is about the same. The strain is lower if the tab is
+    clamped up to the shoulder. Solid elements in CalculiX agree within 15 %.
 
     Parameters
     ----------
@@ -205,7 +205,7 @@ def _overstrained_tabs(layout: Layout, ends: Ends, strains: Sequence[LayerStrain
         shoulders += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow)
             for layer in strains
-            # a strip strained beyond the limit at its end has its own warning
+            # another warning reports a strip that is strained beyond the limit at this end
             if layer.strain[station] <= layer.limit
         ]
     return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
@@ -231,10 +231,10 @@ def _breadth_message(width: Profile, tapered: dict[str, Profile], digits: str) -
 
 
 def _mark_on_backing(curvature: FloatArray) -> str:
-    """Return "INSIDE" or "OUTSIDE": the side of the bend that the engraved face of a laminate is on.
+    """Return "INSIDE" or "OUTSIDE": the side of the bend to which the engraved face of a laminate points.
 
-    Seen from the start, the backing is on the right of the curve. If the curvature changes sign, the word is
-    for the start of the strip and is followed by "AT START".
+    Seen from the start, the backing is on the right of the curve. If the curvature changes sign, "AT START" is
+    added, because the word is valid only there. For a straight strip, return an empty string.
     """
     small = STRAIGHT_FRACTION * float(np.abs(curvature).max(initial=0.0))
     bent = curvature[np.abs(curvature) > small]
@@ -263,7 +263,7 @@ def _backing_message(mark: str) -> str:
 
 
 def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str:
-    """Return how the ends of a closed strip are joined, and the load there. `lap` and `width` are in mm."""
+    """Return a sentence on the joint of a closed strip and its load. `lap` and `width` are in mm."""
     how = (
         note(
             "bend the tab of {lap} at the end of the strip along the curve, and glue it to the inside of the start",
@@ -352,8 +352,7 @@ def _warn_of_creep(factor: float, strained: LayerStrain, crept: Callable[[], Cre
 
 
 _sideways: WeakKeyDictionary[Rod, dict[Hashable, SidewaysStability]] = WeakKeyDictionary()
-"""Cache of `strip_sideways`. The first key is the rod; the second contains everything that sets the cross
-sections."""
+"""Cache of `strip_sideways`. The first key is the rod; the second key determines the cross sections."""
 
 
 def strip_sideways(rod: Rod, layout: Layout) -> SidewaysStability:
@@ -394,14 +393,14 @@ class Strip:
     sheet : Sheet
         Sheet from which the strip is cut.
     max_width, min_width : float, optional
-        Largest and least width, mm. At least one is required, because widths are otherwise known only up to a
+        Largest and least width, mm. At least one is required, because the rod determines widths only up to a
         factor. With both, `max_width` determines the widths, and `min_width` is a limit. If the rod has a bending
-        stiffness in N mm2, it determines the widths, and both are limits.
+        stiffness in N mm2, this stiffness determines the widths, and `max_width` and `min_width` are limits.
     style : Plain, Perforated or Laminated
-        Style of the strip: solid, with holes, or with a glued backing. The last two have an outline of given
-        width. `max_width` and `min_width` are then limits of the total width of the ligaments, or of the backing.
+        Style of the strip: solid, with holes, or with a glued backing. In a strip with holes, `max_width` and
+        `min_width` limit the total width of the ligaments. In a laminate, they limit the width of the backing.
     ends : pair of Tab
-        Tabs at the start and at the end. In a closed strip, the first is ignored, and the second is the lap.
+        Tabs at the start and at the end. In a closed strip, the first tab is ignored, and the second is the lap.
     slots : tuple of Slot
         Slots for other strips, which become part of the outline.
     label : str
@@ -450,7 +449,7 @@ class Strip:
             raise InputError(
                 f"the rod is a {type(self.rod).__name__}: give a Rod, such as the result of optimal_rod"
             )
-        if self.rod.follows_bend:  # the widths are computed from the stiffness in this shape
+        if self.rod.follows_bend:  # the widths follow from the stiffness in the bent shape
             object.__setattr__(self, "rod", as_bent(self.rod))
         object.__setattr__(self, "sheet", Sheet.of(self.sheet))
         require_style(self.style)
@@ -517,14 +516,14 @@ class Strip:
 
     @property
     def tapered(self) -> dict[str, Profile]:
-        """Varying "thickness" or "diameter", mm, of a strip that does not vary in width; otherwise empty."""
+        """The "thickness" or "diameter", mm, that varies along the strip; empty if only the width varies."""
         section, size = self.layout.section, self.layout.size
         if section is None or size is None or section.quantity not in ("thickness", "diameter"):
-            return {}  # in a stack of plies, their number varies instead
+            return {}  # in a stack, the number of plies varies
         return {section.quantity: size}
 
     def breadth(self, digits: str = ".2f") -> str:
-        """Return a text such as "20.00 mm wide, 2.00 to 3.00 mm thick"; the thickness is included if it varies."""
+        """Return a text such as "20.00 mm wide, 2.00 to 3.00 mm thick", without a constant thickness."""
         return _breadth_message(self.width, self.tapered, digits)
 
     @cached_property
@@ -551,7 +550,7 @@ class Strip:
         return cut_layers(self.layout, self.ends, self.slots, holes, name=self.label or "strip")
 
     def cut_as(self, other: "Strip") -> "Strip":
-        """Return this strip with the computed layers of another strip that has the same `cut_key`."""
+        """Copy the computed layers of another strip with the same `cut_key`, and return this strip."""
         vars(self)["layers"] = other.layers
         return self
 
@@ -592,7 +591,7 @@ class Strip:
     def is_closed(self) -> bool:
         """True if the strip is closed.
 
-        It then has only the second tab, which is glued to the inside of its start.
+        A closed strip has only the second tab, which is glued to the inside of the start.
         """
         return closes(self.rod)
 
@@ -770,7 +769,7 @@ class Strip:
         """Length, mm, by which the force along the strip shortens it in the designed shape; negative if the
         force stretches it.
 
-        The strip rests on the drawn curve if its ends are held closer together by this length.
+        The strip takes the drawn curve if its ends are held closer together by this length.
         """
         rod = self.rod_to_bend
         assert rod.compression is not None
@@ -828,8 +827,8 @@ class Strip:
     def reactions(self) -> Reactions:
         """Return the forces (N) and moments (N mm) that the supports exert on the strip.
 
-        The internal force is -lambda B (Eq. 2), with the bending stiffness B. The supports therefore push the
-        start by lambda(0) B and the end by -lambda(L) B.
+        The internal force is -lambda B, where B is the bending stiffness and lambda(s) is from Eq. 2. The
+        supports therefore push the start with lambda(0) B and the end with -lambda(L) B.
         """
         B, moment = self.bending_stiffness, self.rod.moment
         start, end = B * self.rod.support_forces
@@ -842,10 +841,10 @@ class Strip:
     def drawings(self) -> tuple[Drawing, ...]:
         """Return the drawing of each sheet, the base first.
 
-        All have the same origin and the same holes in the tabs.
+        All drawings have the same origin and the same holes in the tabs.
 
         In a laminate, the position of the backing is marked on the base. Both sheets are engraved with INSIDE
-        or OUTSIDE, the side of the bend that the engraved face is on.
+        or OUTSIDE, the side of the bend to which the engraved face points.
         """
         lap = self.ends[1].length if self.is_closed else 0.0
         engraved = f"{self.engraved} {self._backing_mark}".strip()

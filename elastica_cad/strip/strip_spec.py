@@ -89,7 +89,10 @@ def _with_masses_in_plane(loads: Loads, share: float) -> Loads:
 
 
 def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight | None:
-    """Return the weight for `optimal_rod`. `share` is the fraction of a weight that acts in the plane."""
+    """Return the weight of the loads for `optimal_rod`, or None without weight.
+
+    `share` is the fraction of a weight that acts in the plane of the curve.
+    """
     felt = _with_masses_in_plane(loads, share)
     if isinstance(felt, Weight):
         return felt
@@ -116,7 +119,7 @@ def _direction(direction: object) -> tuple[float, ...]:
 NEAREST_CALL = (
     "limits=ec.Limits() asks for the nearest curve that a strip can take, which strip.rod.curve then is."
 )
-"""Instruction for Python users, added to errors about a curve that may not change."""
+"""Note for Python users, added to errors about a curve that must not change."""
 
 
 def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
@@ -206,7 +209,7 @@ def _limits_with_sheet_and_widths(
 ) -> Limits:
     """Return the limits, narrowed by the sheet and the requested widths.
 
-    The width of a solid strip must be within both `limits.width` and `max_width` and `min_width`.
+    A solid strip must meet `limits.width` as well as `max_width` and `min_width`.
     """
     if (
         limits.sheet is not None
@@ -269,9 +272,9 @@ def _ratio_of_widths(max_width: float, min_width: float, sheet: Sheet, shop: Fab
 
 @contextmanager
 def changes_suggested_in_python(curve: PlaneCurve, may_change: bool) -> Iterator[None]:
-    """Add a note to errors about the curve: the argument that lets the curve change.
+    """Add a note to errors about the curve, which shows the argument that lets the curve change.
 
-    The nearest curve itself is not computed, because this can take too long.
+    The nearest curve is not computed, because the computation can take too long.
     """
     try:
         yield
@@ -297,13 +300,13 @@ class StripSpec(EqualByValue):
     sheet : Sheet or str
         Sheet of the strip, or the name of a built-in sheet.
     frame : Frame, optional
-        Plane of the curve in space. It is needed for directions in space.
+        Plane of the curve in space. Directions in space need a frame.
     max_width, min_width : float, optional
         Largest and least width, mm: see `Strip`.
     style : Plain, Perforated or Laminated
         Style of the strip: solid, with holes, or with a glued backing.
     limits, keep : Limits, Keep, optional
-        Limits of the strip, and properties of the curve to keep. If one of them is given, `nearest_rod` may change
+        Limits of the strip, and properties of the curve to keep. With `limits` or `keep`, `nearest_rod` may change
         the curve. Otherwise the strip takes the curve exactly.
     gravity : Gravity, bool or sequence of float, optional
         True for the weight of the sheet along -y of the drawing. Two numbers are a direction in the drawing, and
@@ -321,12 +324,12 @@ class StripSpec(EqualByValue):
     samples : int, optional
         Number of nodes of the rod; chosen automatically by default.
     ends : pair of Tab
-        Tabs at the start and at the end. In a closed strip, the first is ignored, and the second is the lap, which
-        is glued to the inside of the start.
+        Tabs at the start and at the end. In a closed strip, the first tab is ignored, and the second is the lap,
+        which is glued to the inside of the start.
     seam_position : float, optional
         Arc length on the drawn curve, mm, at which a closed strip begins and ends. All positions along the strip
-        are measured from there. By default it is the point of least curvature, or the start of the drawn curve
-        with `limits` or `keep`. None for an open curve.
+        are measured from there. The default is the point of least curvature or, with `limits` or `keep`, the start
+        of the drawn curve. None for an open curve.
     straight_ends : bool
         If True, a straight first or last piece of the curve becomes a tab if the direction of its end is fixed.
         Only the part between the tabs is bent, and positions along the strip are measured from its start. The tabs
@@ -647,7 +650,7 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def run_ins(self) -> StraightEnds:
-        """Drawn curve, and its bent part between straight ends that become tabs."""
+        """Drawn curve, divided into its bent part and straight ends that become tabs."""
         if not self.straight_ends or (self.curve.has_corners and not self.smooth):
             return StraightEnds(self.curve, self.curve)
         return StraightEnds.of(self.curve, self.supports, self.natural_curvature)
@@ -700,17 +703,17 @@ class StripSpec(EqualByValue):
 
     @cached_property
     def _curve_from_seam(self) -> PlaneCurve:
-        """Curve to which the strip is bent, starting at the seam if it is closed.
+        """Curve to which the strip is bent. A closed curve starts at the seam.
 
-        By default, a closed curve that may not change starts at the point of least curvature.
+        By default, the seam of a curve that must not change is at the point of least curvature.
         """
         curve = self.run_ins.bent
-        # the request for the rod reports the corners
+        # the computation of the rod reports the corners
         if not curve.is_closed or (curve.has_corners and not self.smooth):
             return curve
         if self.seam_position is not None:
             return begin_at(curve, self.seam_position)
-        # its stations are counted from the start of the curve
+        # stations of a rest curvature are measured from the start of the curve
         counted = isinstance(self.natural_curvature, RestCurvature)
         return curve if self.limits or self.keep or counted else begin_at(curve, flattest_place(curve))
 
@@ -720,27 +723,27 @@ class StripSpec(EqualByValue):
         sheet = self.material
         if self.compensate is not None or self.law is not None or not isinstance(self.style, Plain):
             return False
-        # the compensation supports neither loads nor weight together with elements between the ends
+        # the compensation supports neither loads nor the weight of a strip with elements between its ends
         free = not self.loads and not (self.between and self.gravity_in_plane is not None)
         return sheet.poisson_known and sheet.poisson_ratio > 0 and free
 
     @property
     def _width_law(self) -> WidthLaw:
-        """Section law of a solid strip with the requested largest width or, without it, the least width."""
+        """Section law of a solid strip for the requested largest width or, if it is None, the least width."""
         if self.max_width is not None:
             return WidthLaw(self.material, 0.0, self.max_width)
         return WidthLaw(self.material, self.min_width or 0.0, np.inf)
 
     def _section(self, share: float) -> BoundedLaw | None:
-        """Return the section law.
+        """Return the section law, or None if the width is proportional to the stiffness.
 
-        Its density is multiplied by the fraction of the weight that acts in the plane.
+        Its density is multiplied by `share`, the fraction of the weight that acts in the plane of the curve.
         """
         law: BoundedLaw | None = self.law
         felt = self.gravity_in_plane
         asks_for_margin = self.limits is not None and self.limits.margin is not None
         if law is None and self.makes_up_for_curl and (felt is not None or asks_for_margin):
-            # if the strip bends as a plate, the section law determines its weight and stability
+            # weight and stability of a strip that bends as a plate follow from the section law
             law = self._width_law
             share = 1.0 if felt is None else (self.material.elasto_gravity_length / felt.length) ** 3
         if law is None and felt is None and isinstance(self.style, Laminated):
@@ -798,7 +801,7 @@ class StripSpec(EqualByValue):
         """Return the strip of a rod, without joints, compensation or checks for the workshop."""
         if self.makes_up_for_curl and rod.section is None:
             rod = replace(rod, section=self._width_law)
-        # the style computes the section of a laminate from the rod's stiffness
+        # the style of a laminate computes the section from the stiffness of the rod
         if isinstance(self.style, Laminated):
             rod = replace(rod, section=None)
         tabs_note = self.tabs_message
@@ -848,7 +851,7 @@ class StripSpec(EqualByValue):
         return self.changed(**{change.field: change.value})
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
-        """Return the layers for the rod of a laminate. Gravity must act fully in the plane of the curve."""
+        """Return the layers of a laminate for its rod. Gravity must act fully in the plane of the curve."""
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
             raise InputError(
                 "the own weight of a laminate acts fully in the plane of the curve and follows from its "

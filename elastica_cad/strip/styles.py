@@ -53,7 +53,7 @@ MOST_EXTREMES = 200
 """Largest number of local extremes that get additional stations. More extremes are rounding errors."""
 
 GUIDE_MM = 0.5
-"""The edges of the backing are marked where they are farther than this from the edges of the base, mm."""
+"""Largest difference between the widths of base and backing, mm, without marks for the edges of the backing."""
 
 
 NO_WIDTH = note(
@@ -174,7 +174,7 @@ class Layout:
 
     @property
     def guides(self) -> tuple[Path, ...]:
-        """Lines on the base that mark the edges of the backing; none if both are nearly equally wide."""
+        """Lines on the base that mark the edges of the backing; none if the widths are nearly equal."""
         if self.backing is None:
             return ()
         s = stations_of(self.width.length, count=201)
@@ -183,8 +183,9 @@ class Layout:
         return tuple(Path([side]) for sides in long_sides(self.backing.width) for side in sides)
 
     def law(self, material: FloatArray, backing: FloatArray | None) -> tuple[StiffnessLaw, FloatArray]:
-        """Return the stiffness law for net widths (n,), mm, of sheet and backing, and the law's variable
-        (n,).
+        """Return the stiffness law, and the values (n,) of its variable.
+
+        `material` and `backing` are the net widths (n,) of the layers, mm.
         """
         if self.backing is None or backing is None:
             return PlainSection(self.sheet), material
@@ -197,7 +198,7 @@ class Layout:
         if self.backing is None:  # the strain of a single sheet does not depend on its width
             return PlainSection(self.sheet).strains(bends.amount)
         outer = self.width(bends.s)
-        # the profile of a backing may exceed the base by its tolerance
+        # rounding can make the backing slightly wider than the base
         law, parameter = self.law(outer, np.minimum(self.backing.width(bends.s), outer))
         return law.strains(bends.amount, parameter)
 
@@ -247,7 +248,7 @@ class Plain:
     ) -> Layout:
         """Return the flat pattern of a rod.
 
-        The bending stiffness of the rod determines the widths or, if it is None, the given widths do.
+        The bending stiffness of the rod determines the widths. If it is None, `max_width` or `min_width` does.
         """
         require_laid_out(rod, sheet, max_width, min_width)
         if rod.section is not None:
@@ -341,7 +342,10 @@ def _laid_out_by_section(rod: Rod, section: BoundedLaw, sheet: Sheet) -> Layout:
 
 
 def _bend_between_steps(rod: Rod, s: FloatArray) -> FloatArray:
-    """Return kappa - kappa_0 (n,), 1/mm, at stations s; it is interpolated across steps of the stiffness."""
+    """Return the bend kappa - kappa_0 (n,), 1/mm, at stations s (n,), mm.
+
+    The bend is interpolated across steps of the stiffness.
+    """
     bend = rod.bend_at(s)
     for step in rod.profile.steps:
         inside = (s > step[0]) & (s < step[1])
@@ -401,14 +405,14 @@ def stations_of(length: float, *profiles: Profile, count: int = 2001) -> FloatAr
 def correct_layout(
     style: Style, rod: Rod, sheet: Sheet, correction: Profile, **widths: float | None
 ) -> Layout:
-    """Return the flat pattern in a style for a rod whose stiffness is multiplied by a correction."""
+    """Return the flat pattern of a rod whose stiffness is multiplied by a correction."""
     drawn = rod.profile
     corrected = Profile.fit(
         lambda s: drawn(s) * correction(s), rod.length, breaks=drawn.breaks, knots=correction.knots,
         tolerance=CORRECTION_TOLERANCE * float(drawn.extremes[1]),
     )  # fmt: skip
     layout = style.laid_out(rod.with_stiffness(corrected), sheet, **widths)
-    # `with_stiffness` scales the corrected K to a minimum of 1, so the stiffness is scaled back
+    # `with_stiffness` divides the corrected K by its minimum, so the stiffness for K = 1 is divided by it too
     return replace(layout, bending_stiffness=layout.bending_stiffness / float(corrected(rod.s).min()))
 
 

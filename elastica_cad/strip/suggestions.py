@@ -33,10 +33,10 @@ FIRST_FIELDS = ("smooth", "split_corners", "nearest")
 """Fields whose changes are tested first."""
 
 MOST_TRIED = 3
-"""Largest number of changes of one field that are tested. Each test takes as long as the request."""
+"""Largest number of changes of one field that are tested. Each test takes as long as the refused computation."""
 
 MOST_WIDENED = 2
-"""Largest number of widths that are tested with one change. Each refusal names the next width."""
+"""Largest number of widths that are tested with one change. Each refusal suggests the next width."""
 
 WIDEST_SHARE = 0.5
 """Largest width of a strip as a fraction of its length. A wider strip bends as a plate."""
@@ -45,7 +45,7 @@ MOST_PIECES = 8
 """Largest number of strips into which a curve is divided at its corners."""
 
 MOST_CORNERS = 100
-"""Largest number of corners of a curve whose nearest curve is tested. With more, the search takes too long."""
+"""Largest number of corners of a curve for which the nearest curve is tested. More corners take too long."""
 
 
 @dataclass(frozen=True)
@@ -164,8 +164,8 @@ def suggest(
 
     The first are changes of the curve: a moved control point, smoothing, separate strips between corners, and the
     nearest curve. Then come a rail, pin or tie, other fields that the refusal names, another sheet, and another
-    size. A strip is suitable if it is stable and strained within the limit of its sheet. If it is farther from the
-    drawn curve than 3 % of the curve's size, it is the last suggestion.
+    size. A strip is suitable if it is stable and strained within the limit of its sheet. Strips farther from the
+    drawn curve than 3 % of the curve's size are suggested last.
 
     Parameters
     ----------
@@ -192,7 +192,7 @@ def suggest(
         return
     count, far = 0, []
     widths = MOST_WIDENED if fields is None or "max_width" in fields else 0
-    # if the width is the problem, another width alone is enough
+    # if the width was refused, other changes are tested without another width
     is_width = "max_width" in {change.field for change in problem.refusal.changes}
     for changes in _changes(spec, problem):
         tried = (change for change in changes if fields is None or change.field in fields)
@@ -259,11 +259,10 @@ def _is_unloaded(spec: StripSpec) -> bool:
 
 
 def _other_sheets(spec: StripSpec, share: float) -> Iterator[Change]:
-    """Yield changes to other sheets: the thickest of each kind that withstands the curve, the same kind
-    first.
+    """Yield changes to other sheets: for each kind, the thickest sheet that withstands the curve.
 
-    `share` is the strain divided by the limit of the present sheet. For a sheet defined by the user, only
-    sheets of the same kind are considered.
+    The kind of the present sheet is first. For a sheet defined by the user, only this kind is considered.
+    `share` is the strain divided by the limit of the present sheet.
     """
     own, listed = spec.material, spec.material.name in sheet_names()
     bears = share * own.max_strain / own.thickness
@@ -289,7 +288,7 @@ def _requests(
             return [spec.changed(curve=spec.curve.transformed(np.diag([scale, scale, 1.0])), shop=shop)]
         case "split_corners", _:
             pieces = split_at_corners(spec.curve)
-            drawn = spec.curve.degree > 1  # corners of a polyline do not join separate strips
+            drawn = spec.curve.degree > 1  # a polyline is not divided at its corners
             apart = drawn and 1 < len(pieces) <= MOST_PIECES and not (spec.slots or spec.may_change)
             return [spec.changed(curve=piece) for piece in pieces] if apart else []
         case "nearest", _ if len(spec.curve.tangent_breaks) > MOST_CORNERS:
@@ -303,8 +302,7 @@ def _held(
 ) -> Suggestion | None:
     """Return the suggestion for a change, or None if the strip is impossible or unsuitable.
 
-    If the strip is refused for its width, the width that the message names is tried next. At most `widths` widths
-    are tried.
+    If the strip is refused because of its width, the suggested width is tried next, at most `widths` times.
     """
     width = None
     for _ in range(widths + 1):

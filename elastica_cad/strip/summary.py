@@ -177,7 +177,7 @@ def instability(strip: Strip, verdict: Stability) -> Refusal | None:
 
 
 COMPRESSED_SHARE = 0.05
-"""Compression along the strip is reported above this fraction of the excess of its length over the chord."""
+"""Reported compression of the strip, as a fraction of the difference between its length and its chord."""
 
 
 def hold_row(strip: Strip) -> Row:
@@ -221,7 +221,7 @@ def hold_row(strip: Strip) -> Row:
             else "set the ends {change:.2f} farther apart, because the force stretches this shallow strip",
             change=Length(abs(shorter)),
         )  # fmt: skip
-        # ends are mounted with this error, which hides smaller changes
+        # a change below the mounting error is only a detail
         if abs(shorter) > MOUNTING_ERROR_MM:
             load = sentences([load, advice])
         else:
@@ -304,7 +304,7 @@ def _with_side_of_bar(text: Refusal, direction: FloatArray | None) -> Refusal:
 
 
 SMALLEST_MOVE_MM = 0.01
-"""Distances below this, mm, are not reported: displacements of a strip, and gaps between it and a rail."""
+"""Smallest displacement of a strip, and smallest gap between strip and rail, that is reported, mm."""
 
 MOUNTING_ERROR_MM = 0.5
 """Assumed error of the position of an end, rail or pin, or of the length of a cord, mm."""

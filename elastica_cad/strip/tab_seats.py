@@ -16,7 +16,7 @@ from elastica_cad.mechanics.rod import Rod
 from elastica_cad.refusals import Length, note
 
 STEEPEST_RAD = np.radians(80.0)
-"""Largest turn of a tab, rad, above which the holder does not hold the tab."""
+"""Largest turn of a tab, rad, up to which contact with the holder is searched."""
 
 STOP_RAD = np.radians(0.05)
 """Step of the search for the largest turn of a tab, rad."""
@@ -28,7 +28,7 @@ wall."""
 
 @dataclass(frozen=True)
 class EndPose:
-    """Rest position of an end relative to the design: `shift` to the left, mm, and `turn` anticlockwise, rad."""
+    """Displacement of an end at rest from the design: `shift` to the left, mm, and `turn` anticlockwise, rad."""
 
     shift: float = 0.0
     turn: float = 0.0
@@ -82,8 +82,9 @@ class TabSeat:
 
     @cached_property
     def edges(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """`into` and `left` (k,) of all points, mm, and the touched face of the tab: 1 for left, -1 for
-        right.
+        """Coordinates `into` and `left` (k,) of all points, mm, and the faces (k,) that they can touch.
+
+        The face is 1 for the left and -1 for the right face of the tab.
         """
         into, left = np.concatenate([self.left, self.right]).T.copy()
         return into, left, np.repeat([1.0, -1.0], [len(self.left), len(self.right)])
@@ -165,15 +166,15 @@ STEP_FRACTION = 0.05  # largest shift of an end in a step, as a fraction of the 
 STEP_RAD = 0.15  # largest turn of an end in a step, rad
 # penalty for an overlap relative to the forces; larger than most Lagrange multipliers of contacts
 OVERLAP_PENALTY = 100.0
-TAB_PIECES = 16  # number of pieces of a tab; the error of its turn at the end of the bent part is 0.5 %
+TAB_PIECES = 16  # number of rigid pieces of an elastic tab; the error of its slope at the bent part is 0.5 %
 
 
 @dataclass(frozen=True, eq=False)
 class SeatedEnd:
     """End of a strip with play, whose tab is a chain of rigid pieces with elastic joints.
 
-    The unknowns are its shift, its turn and the angles of the m pieces of its tab. Turn and angles are multiplied
-    by the length of the strip, so that all unknowns are in mm.
+    The unknowns are the shift and the turn of the end, and the angles of the m pieces of the tab. Turn and angles
+    are multiplied by the length of the strip, so that all unknowns are in mm.
 
     Attributes
     ----------
@@ -205,9 +206,9 @@ class SeatedEnd:
 
     @property
     def bending(self) -> FloatArray:
-        """Hessian (m, m), 1/mm, of the bending energy of the tab over the stiffness B of the rod.
+        """Hessian (m, m), 1/mm, of the bending energy of the tab, divided by the stiffness B of the rod.
 
-        Its unknowns are the angles of the pieces.
+        The variables are the angles of the pieces.
         """
         return np.asarray(self.stiffness / self.piece * _chain(self.pieces))
 
@@ -230,14 +231,16 @@ class SeatedEnd:
         """Return the derivatives of the energy over the bending stiffness B with respect to shift and turn,
         1/mm2.
 
-        They are force and moment of the holder on the rod. The argument `left` is the result of the method `left`.
+        The derivatives are the force and, divided by `length`, the moment of the holder on the rod. The argument
+        `left` is the result of the method `left`.
         """
         k, sign = -self.index, -1.0 if self.index else 1.0
         return sign * float(rod.force[k] @ left), -sign * float(rod.moment[k]) / length
 
     def walls(self, part: FloatArray, length: float) -> tuple[FloatArray, FloatArray]:
-        """Return the derivatives (k, 2 + m) of the gaps by the unknowns `part` of this end, and the gaps
-        (k,), mm.
+        """Return the derivatives (k, 2 + m) of the gaps with respect to the unknowns, and the gaps (k,), mm.
+
+        `part` (2 + m,) has the unknowns of this end.
         """
         pose = float(part[0]), float(part[1]) / length
         gaps = self.seat.gaps(*pose, self.way)
@@ -252,8 +255,7 @@ class SeatedEnd:
 
 def _chain(pieces: int) -> FloatArray:
     """Return the Hessian (m, m) of the energy of a chain of m pieces whose joints have stiffness 1."""
-    # the first joint is next to the bent part, which belongs to it for half a piece only, so it is twice as
-    # stiff
+    # the first joint represents only half a piece, because the tab begins there, so it is twice as stiff
     springs = np.ones(pieces)
     springs[:1] = 2.0
     joints = np.eye(pieces) - np.eye(pieces, k=-1)
@@ -305,7 +307,7 @@ MOST_STEPS = 60
 RENEWED_SHARE = (
     0.003  # step above which the stiffness of the ends is computed again, as a fraction of the length
 )
-SHORTER_STEP, LONGER_STEP = 0.5, 2.0  # factors on the largest step after a reversal, and after other steps
+SHORTER_STEP, LONGER_STEP = 0.5, 2.0  # factors on the step limit after a reversed step, and after other steps
 DIFFERENCE_FRACTION = 1e-5  # step of the finite differences of reactions, as a fraction of the length
 SETTLED_FRACTION = 1e-9  # step length at which the search ends, as a fraction of the length of the strip
 LEAST_EIGENVALUE_FRACTION = 1e-6  # least eigenvalue of a stiffness matrix, relative to the largest eigenvalue
@@ -375,7 +377,7 @@ def rest_in_seats(
         before, step, pushes = step, solution.x, solution.row_multipliers * np.abs(firm).max()
         moved = np.abs(step).max()
         settled = moved <= SETTLED_FRACTION * design.length and moved < reach
-        # if this step reverses the previous step, that step was too long for the linear prediction
+        # a reversed step shows that the previous step was too long for the linear prediction
         reach = SHORTER_STEP * moved if step @ before < 0 else LONGER_STEP * reach
         q = q + step
         rod = problem.bent(q, rod)
@@ -400,7 +402,7 @@ def rest_in_seats(
 
 @dataclass(frozen=True, eq=False)
 class _ContactProblem:
-    """Search for the rest shape of a strip with play. Its unknowns q (n,) are those of the ends (`SeatedEnd`)."""
+    """Search for the rest shape of a strip with play. The vector q (n,) has the unknowns of each `SeatedEnd`."""
 
     made: Rod
     design: Rod
@@ -496,7 +498,7 @@ class _ContactProblem:
         mm.
         """
         length = self.design.length
-        # H: Hessian of the energy of the tabs, 1/mm3; the rod's part is added below
+        # H: Hessian of the energy of the tabs, 1/mm3; the energy of the rod is added below
         H = _block_diagonal(
             [_block_diagonal([np.zeros((2, 2)), end.bending / length**2]) for end in self.seated]
         )
@@ -523,11 +525,11 @@ def _made_definite(stiffness: FloatArray) -> FloatArray:
 
 
 SPRING_STIFFNESSES = (1.0, 0.1, 0.01)
-"""Spring stiffness in the first steps, as a multiple of load / length. Stiff springs limit these steps."""
+"""Spring stiffness in the first iterations, as a multiple of load / length. Stiff springs limit the steps."""
 
 SOFTEST_SPRING = 1e-4
-"""Spring stiffness in all later steps, as a multiple of load / length. The error decreases by about this factor in
-each step."""
+"""Spring stiffness in later iterations, as a multiple of load / length. Each iteration reduces the error by about
+this factor."""
 
 MOST_LEAN_ITERATIONS = 36
 """Largest number of iterations in `lean_against`; usually about six are needed."""
@@ -550,10 +552,7 @@ class Lean:
     piece: float
 
     def touched(self, wall: FloatArray) -> tuple[float, float]:
-        """Return where the resting tab touches a wall of the displaced holder, and the slope of the tab
-        there.
-
-        The position is in mm into the tab.
+        """Return the point at which the resting tab touches a wall, in mm into the tab, and its slope there.
 
         Parameters
         ----------
@@ -579,8 +578,8 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
     """Return the displacement of a holder that gives the loaded tab its designed position.
 
     Force and moment of the strip press the tab against some points of the holder. The holder is displaced
-    until these points touch the tab in its designed position. While an end touches no wall, nothing but a
-    spring resists the load. Each iteration uses softer springs, until the displacement no longer changes.
+    until these points touch the tab in its designed position. Springs resist the load until the tab touches a
+    wall. Each iteration uses softer springs, until the displacement no longer changes.
 
     Parameters
     ----------
@@ -608,7 +607,7 @@ def lean_against(design: Rod, index: int, seat: TabSeat, tab_stiffness: float = 
             g[2:] = H[2:, 2:] @ q[2:]
         step = _constrained_step(H, g, end.walls(q, length), length, [0], scale=H[0, 0]).x
         q[2:] += step[2:]
-        # the displacement of the holder is the negative step
+        # the holder moves in the opposite direction to the step of the tab
         shift, turn = shift - float(step[0]), turn - sign * float(step[1]) / length
         if np.abs(step).max() <= LEAN_STEP_FRACTION * length:
             break

@@ -200,12 +200,15 @@ class _RoundBoundary:
     def skin(
         self, pieces: list[tuple[FloatArray, FloatArray]], share: float, frame: Frame, *, outward: bool
     ) -> list[list[int]]:
-        """Add the faces at the fraction `share` of the outer radius, and return the edges of each circle."""
+        """Add the outer faces or the faces of the bore, and return the edges of each circle.
+
+        `share` is their radius as a fraction of the outer radius.
+        """
         around, cosines, sines = _half_turn()
         z = frame.z_axis
 
         def control_net(rows: FloatArray, sign: float) -> FloatArray:
-            """Return the control points (n, m, 3) of a half surface: n around the axis and m along it."""
+            """Return the control points (n, m, 3) of a half surface: n around the axis and m along the axis."""
             axis, across = frame.point(rows[:, :2]), share * frame.direction(rows[:, 2:4])
             up = share * rows[:, 4, None] * z
             return np.asarray(axis + sign * (cosines[:, None, None] * across + sines[:, None, None] * up))
@@ -262,7 +265,7 @@ def _half_turn() -> tuple[FloatArray, FloatArray, FloatArray]:
     knots = np.pad(inner, DEGREE, mode="edge")
     u = np.linspace(0.0, 1.0, 40 * HALF_TURN_SPANS + 1)
     weights = np.ones(u.size)
-    weights[[0, -1]] = 1e6  # so that the two halves meet
+    weights[[0, -1]] = 1e6  # both halves must meet exactly
     fitted = make_lsq_spline(
         u, np.column_stack([np.cos(np.pi * u), np.sin(np.pi * u)]), knots, DEGREE, w=weights
     )

@@ -28,8 +28,8 @@ from elastica_cad.strip.strip import Strip, strip_sideways
 from elastica_cad.strip.styles import Bends
 
 RESOLUTION_FRACTION = 1e-4
-"""Tolerance, as a fraction of a step, of the place in the movement at which the strip snaps, is overstrained
-or crosses itself."""
+"""Tolerance of the position at which the strip snaps, is overstrained or crosses itself, as a fraction of a
+step."""
 
 CONSTANT_FORCE_FRACTION = 1e-4
 """A force counts as constant in a step if it decreases by less than this fraction of the largest force."""
@@ -64,7 +64,7 @@ class Travel:
     travel : (k,) array
         Length of the path of the end relative to the start, from its designed position up to each step, mm.
     turn : (k,) array
-        Angle by which the held end that turns most has turned up to each step, rad.
+        Turn from the design up to each step, rad, of the held end that turns most.
     start_force, end_force : (k, 2) array
         Forces of the supports on the strip, N.
     start_moment, end_moment : (k,) array
@@ -220,7 +220,7 @@ class Travel:
     def force_falls_at(self) -> float | None:
         """Travel, mm, at which the force along the path of the end first decreases.
 
-        None if the force increases until the strip snaps or the path ends, or if there is no travel.
+        It is None if the force increases until the strip snaps or the path ends, or if there is no travel.
         """
         if self.is_turn or self.is_still:
             return None
@@ -237,7 +237,7 @@ class Travel:
 
     @cached_property
     def _at_rest(self) -> Rod:
-        """Rod in equilibrium before the ends are moved. The weight may differ from that of the design."""
+        """Rod in equilibrium before the ends are moved. Its weight may differ from the weight of the design."""
         return bend(self.strip.rod_to_bend)
 
     def _first_failure(self, fails: Callable[[Rod], bool]) -> float | None:
@@ -254,7 +254,7 @@ class Travel:
         changed: dict[str, Any] = {name: step.pop(name) for name in ("loads", "between") if name in step}
         course = Course.of(replace(good, **held), [step])
         before, after = np.append(0.0, self.path_length)[k - 1 : k + 1]
-        # a step that adds or removes elements happens at once
+        # elements are added or removed at the start of a step
         at_once = "between" in changed and len(require_elements(changed["between"])) != len(start.between)
         low, high = 0.0, 0.0 if at_once else 1.0
         while high - low > RESOLUTION_FRACTION:

@@ -41,17 +41,17 @@ class FabricationLimits:
     Parameters
     ----------
     least_width : float, optional
-        Least width of a strip, a tab or a tongue, mm. By default that of the sheet record, or else 3 times the
-        thickness and at least 3 mm.
+        Least width of a strip, a tab or a tongue, mm. By default the value of the sheet record, otherwise 3 times
+        the thickness and at least 3 mm.
     least_ligament : float, optional
-        Least width of material between the holes of a perforated strip, mm. By default that of the sheet record,
-        or else 0.5 mm.
+        Least width of material between the holes of a perforated strip, mm. By default the value of the sheet
+        record, otherwise 0.5 mm.
     least_bridge : float, optional
-        Least width of material between the cuts of a ring or a plate, mm. By default that of the sheet record, or
-        else the thickness and at least 2 mm.
+        Least width of material between the cuts of a ring or a plate, mm. By default the value of the sheet record,
+        otherwise the thickness and at least 2 mm.
     stock : (float, float), optional
-        Longer and shorter side of the largest sheet, mm. By default those of the sheet record, or else 3050 by
-        1525 mm.
+        Longer and shorter side of the largest sheet, mm. By default the values of the sheet record, otherwise 3050
+        by 1525 mm.
     lap : float, optional
         Length of the plates that join the pieces of a strip longer than the stock, mm. By default such strips are
         refused.
@@ -139,13 +139,13 @@ DEFAULT_LIMITS = FabricationLimits()
 # number of points on a length of cut equal to the least width; widths then have an error of 1 %
 SAMPLES_PER_WIDTH = 12
 LONGEST_PART = 2.0  # length of chords in the search for pairs, as a multiple of the least width
-# points face each other if the cosines between their connection and both normals are at least this; in a
-# corner wider than 50 degrees, no points do
+# least cosine of the angle between a normal and the connection of points that face each other; in corners wider
+# than 50 degrees, no points face each other
 LEAST_FACING_COSINE = 0.9
-# largest slope of the width along the strip at which `_is_obviously_wide` applies: each edge then slopes by
-# 26 degrees
+# largest slope of the width along the strip for which `_is_obviously_wide` is valid; each edge then slopes by 26
+# degrees
 STEEPEST_WIDTH_SLOPE = 1.0
-# distances, as fractions of the least width, that are searched one after the other
+# successive search distances, as fractions of the least width
 _SEARCH_DISTANCES = np.array([1 / 16, 1 / 4, 1])
 CHORD_ERROR_FRACTION = 0.02  # chord error of the cuts as a fraction of the least width
 
@@ -181,7 +181,7 @@ def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: flo
     >>> [place.width for place in find_thin_places([plate], [hole], 2.0)]
     [1.0]
     """
-    # material between chords of two holes looks too wide by both chord errors
+    # between chords of two holes, the measured width is too large by two chord errors
     reach = (1 + 2 * CHORD_ERROR_FRACTION) * least
     parts = _Chords.of(outlines, holes, CHORD_ERROR_FRACTION * least).divided(LONGEST_PART * least)
     near = parts.at(_chords_near_others(parts, reach))
@@ -231,7 +231,7 @@ def _opposed_points(
     The first point of each pair is among `searching`. Points and normals are compared in one search: the
     normals times `least` are appended to the coordinates.
     """
-    # the normals of points that face each other add up to at most 2 sin(acos(LEAST_FACING_COSINE))
+    # the sum of the normals of two facing points is at most 2 sin(acos(LEAST_FACING_COSINE)) long
     here, there = np.hstack([points, least * normals])[searching], np.hstack([points, -least * normals])
     radius = np.hypot(reach, 2 * least * np.sqrt(1 - LEAST_FACING_COSINE**2))
     i, j = near_pairs(here, there, float(radius))
@@ -274,7 +274,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
     order = np.argsort(width, kind="stable")
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
-    thinnest, known = ranks.copy(), None  # smallest rank by width in each group so far
+    thinnest, known = ranks.copy(), None  # least rank by width found so far in the group of each place
     while known is None or not np.array_equal(thinnest, known):
         known = thinnest.copy()
         np.minimum.at(thinnest, i, known[j])
@@ -328,8 +328,9 @@ class _Chords:
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
-        """Return True (m,) for each chord with the chord of the same row of `others` within `least` mm across
-        the material.
+        """Return True (m,) where the chord in the same row of `others` is in front of a chord.
+
+        In front means less than `least` mm away across the material.
         """
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
@@ -420,11 +421,11 @@ def find_strip_faults(
     >>> print(find_strip_faults(thin)[0])  # doctest: +ELLIPSIS
     A: only 1.5 mm wide at ... mm from the start of the curve (birch-plywood-0.8 needs 3 mm). ...
     """
-    if strip.layout.size is not None:  # its section law already limits its size
+    if strip.layout.size is not None:  # the section law already limits the size
         return ()
     shop = shop or FabricationLimits()
     name = strip.label or "strip"
-    joined = shop.lap is not None  # such strips may be longer than the stock
+    joined = shop.lap is not None  # joined strips may be longer than the stock
     backing = strip.layout.backing
     sheets = (strip.sheet,) if backing is None else (strip.sheet, backing.sheet)
     stocks = [shop.stock_for(sheet) for sheet in sheets]
@@ -476,7 +477,7 @@ def find_plate_faults(
 ) -> tuple[Fault, ...]:
     """Return thin bridges between the cuts of a ring, base or rail, and a size beyond the stock.
 
-    `called` names the slots, which are the first holes; `drilled` names the last holes.
+    `called` has the names of the slots, which are the first holes. `drilled` has the names of the last holes.
     """
     shop = limits_or_default(shop)
     least, stock = shop.bridge_for(sheet), shop.stock_for(sheet)
@@ -519,7 +520,7 @@ def find_slot_faults(name: str, slots: Sequence[tuple[str, float, float]]) -> tu
 def find_shoulder_faults(name: str, shoulders: Sequence[tuple[str, float, float]]) -> tuple[Fault, ...]:
     """Return faults of strips that would penetrate the plate beside their tabs.
 
-    Each shoulder is (name of the strip, depth in the plate, strip thickness), mm.
+    Each shoulder is (name of the strip, depth by which it enters the plate, strip thickness), mm.
     """
     return tuple(
         Fault(
@@ -544,7 +545,7 @@ def _is_obviously_wide(strip: Strip, least: float) -> bool:
     for tab in strip.ends:
         if tab.width or tab.corner_radius or tab.chamfer or tab.taper or tab.holes or tab.t_slot is not None:
             return False
-    # the slope of a spline is between the slopes of its control polygon
+    # a spline is nowhere steeper than its control polygon
     rises, runs = np.abs(np.diff(width.coefficients)), width.greville[1:] - width.greville[:-1]
     return min(width.extremes[0], strip.rod.length) >= least and bool(
         (rises < STEEPEST_WIDTH_SLOPE * runs).all()
@@ -554,7 +555,7 @@ def _is_obviously_wide(strip: Strip, least: float) -> bool:
 def _thin_strip(
     name: str, strip: Strip, layer: Layer, least: float, web: float, *, noisy: bool
 ) -> Iterator[Fault]:
-    """Yield the places where a layer is narrower than `least` mm, or than `web` mm beside holes."""
+    """Yield faults where a layer is narrower than `least` mm, or narrower than `web` mm beside holes."""
     pattern = strip.layout.pattern is not None
     holes = () if pattern else layer.holes  # perforated strips have their own limit, `ligament`
     places = find_thin_places([layer.outline], holes, least)
