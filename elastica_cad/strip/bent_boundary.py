@@ -185,7 +185,7 @@ MOST_SPANS = 4000  # largest number of spans in a face; a curve that needs more 
 PROBES = np.array([0.06, 0.27, 0.5, 0.73, 0.94])
 LEAST_SPANS = 3  # least number of spans in an edge; kernels fail to fillet edges of one or two spans
 MOST_PARTS = 4  # largest number of parts into which one refinement divides a span
-SAFETY_FACTOR = 1.1  # the error gives the number of parts for a span; this factor increases it to be safe
+SAFETY_FACTOR = 1.1  # safety factor on the number of parts of a span, which is computed from the error
 FLAT_WALL_MM = 1e-9  # a side wall is a plane if its y changes by less than this, mm
 LARGEST_INITIAL_TURN = 0.2  # largest change of direction in an initial span, rad
 
@@ -286,7 +286,7 @@ class BentMap:
 
     @cached_property
     def _smoothness(self) -> tuple[FloatArray, IntArray]:
-        """Interior knots, and the number of continuous derivatives at each of them."""
+        """Interior knots, and the number of continuous derivatives at each knot."""
         knots, counts = knot_runs(self.knots)
         return knots[1:-1], DEGREE - counts[1:-1]
 
@@ -372,9 +372,9 @@ def _refuse_tight(maps: Sequence[BentMap], reach: float) -> None:
 
 
 def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
-    """Return position and unit tangent as a function of arc length, and the breaks of the curve.
+    """Return a function from arc length to position and unit tangent, and the breaks of the curve.
 
-    A break is a pair: its arc length, and the number of continuous derivatives there.
+    A break is its arc length and its number of continuous derivatives.
     """
     curve = rod.curve
     scale = curve.length / rod.length
@@ -535,7 +535,7 @@ class BoundaryMaker:
     def _add_side(self, piece: SegmentPart, shape: Map) -> None:
         """Add the side wall along a piece of a loop.
 
-        The parameters (u, v) of the wall are the parameter of the piece and the height.
+        The parameter u of the wall is the parameter of the piece, and v is the height.
         """
         low = self.at_piece[piece.number]
         surface = self._wall(piece, shape, self.edges[low], self.edges[low + 1])
@@ -629,7 +629,6 @@ def _plane_through(origin: FloatArray, along: FloatArray, up: FloatArray) -> Fra
 
 
 def _y_limits(segment: Segment) -> tuple[float, float]:
-    """Return the least and largest y of a segment, or of the control points of a spline."""
     if isinstance(segment, Line):
         (_, y), (_, to_y) = segment.start.tolist(), segment.end.tolist()
         return min(y, to_y), max(y, to_y)

@@ -153,7 +153,7 @@ def _scale_ticks_and_labels(free: float, width: float) -> tuple[tuple[LayeredPat
         if major:
             figure = f"{left:g}"
             start = min(x + 1.0, free - text_width(figure, height) - EDGE_MM)
-            # the longest length is written at the other edge, clear of the next number
+            # the longest length is at the other edge, clear of the next number
             y = -edge - height if x == 0.0 else edge + long + 1.0
             texts.append(Text((start, y), figure, height, 0.0, ENGRAVE))
     return tuple(paths), tuple(texts)

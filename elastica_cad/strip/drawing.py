@@ -164,7 +164,7 @@ def _without_duplicates(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    # boxes whose four coordinates differ by SAME_MM are 2 SAME_MM apart in four dimensions
+    # four coordinates that each differ by SAME_MM have the distance 2 SAME_MM
     alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):
@@ -422,9 +422,9 @@ class _Loop:
         return [Path(self._between(a, b)) for a, b in zip(starts, stops, strict=True)]
 
     def _off_corners(self, middle: float, width: float, reach: float) -> float:
-        """Return a position for the middle of a bridge, at least `width` mm from corners and near `middle`.
+        """Return the place nearest to `middle` that is at least `width` mm from corners.
 
-        If there is none within `reach` mm, return `middle`.
+        If no place within `reach` mm is, return `middle`.
         """
         for shift in np.linspace(0.0, reach, 41):
             for at in (middle + shift, middle - shift):

@@ -79,10 +79,7 @@ class ElementCut:
 
     @property
     def concentration(self) -> float:
-        """Stress concentration factor at the cut minus 1, for a wide sheet in tension.
-
-        It is 2 sqrt(depth of the cut / radius of its edge).
-        """
+        """Stress concentration factor minus 1 in a wide sheet in tension: 2 sqrt(depth / radius of the cut)."""
         return 2.0 if self.hole else float(2.0 * np.sqrt(2.0))
 
     def added_length(self, width: float, sheet: Sheet) -> float:

@@ -139,7 +139,7 @@ def _smoothed(segment: Segment) -> Segment:
 class _Cut:
     """Division of a spline into smooth parts.
 
-    `kept` has the parameter range of each part. The parts are extended to the ranges in `over`, if given.
+    `kept` has the parameter ranges of the parts. `over` has the ranges to which the parts are extended.
     """
 
     curve: PlaneCurve
@@ -179,7 +179,7 @@ def _cut(segment: Segment, ramp: float) -> _Cut | None:
 def _joints(curve: PlaneCurve, kinks: list[float], ramp: float) -> Iterator[tuple[float, float, float]]:
     """Yield three parameters for each joint between two parts.
 
-    They belong to the joint, the end of the part before the joint, and the start of the part after it.
+    They are the parameters at the joint, at the end of the part before, and at the start of the part after it.
     """
     speed = abs(float(curve.control_points[-1, 0] - curve.control_points[0, 0]) / np.ptp(curve.domain))
     while kinks:
@@ -391,9 +391,9 @@ class _Cutter:
         return loops
 
     def _run(self, corner: int, interval: int, on_seam: list[list[int]]) -> tuple[list[int], int]:
-        """Return all corners on the station line of a corner in order of y, and a direction along it.
+        """Return the corners on the station line of a corner, from low to high y, and a direction along it.
 
-        In this direction, 1 for +y or -1 for -y, the interval is on the left.
+        The direction is 1 (up) or -1 (down), with the interval on the left.
         """
         for row, step in ((interval, 1), (interval - 1, -1)):
             if 0 <= row < len(on_seam) and corner in on_seam[row]:

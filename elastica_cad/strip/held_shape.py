@@ -18,8 +18,8 @@ from elastica_cad.refusals import Length, note, sentences
 from elastica_cad.strip.tab_seats import EndPose, TabSeat
 
 MEETING_FRACTION = 1e-4
-"""Largest distance between the ends of a closed rod, as a fraction of its length. With few nodes, the ends do
-not meet exactly."""
+"""Largest distance between the ends of a closed rod, as a fraction of its length. The ends of rods with few nodes
+do not meet exactly."""
 
 
 def closes(rod: Rod) -> bool:
@@ -232,7 +232,7 @@ def shape_responses(
     answers = solve_tridiagonal(*discrete.hessian, np.hstack([-imbalance, rows.T]))
     turned, forced = answers[:, :m], answers[:, m:]
     chord = 0.0 if apart is None else apart.T[list(discrete.held)]
-    # to first order, rotations do not change the chord of a straight rod along it, so the rows can be singular
+    # to first order, rotations do not change the length of a straight rod, so the rows can be singular
     turned = turned + forced @ np.linalg.lstsq(rows @ forced, chord - rows @ turned, rcond=None)[0]
     normals = np.column_stack([-tangents[:, 1], tangents[:, 0]])
     moved = np.zeros((n, m, 2))
@@ -281,8 +281,8 @@ def open_deviation(
 ) -> float:
     """Return the uncertainty of the model, mm, for a strip without errors of sheet and workmanship.
 
-    The errors due to the causes in `parts` are added. The root of the sum of squares then combines this sum with
-    the errors of any strip, of curling and of wide sections.
+    The errors due to the causes in `parts` are added. The sum is then combined, as an independent error, with
+    errors of any strip, of curling and of wide sections.
 
     Parameters
     ----------

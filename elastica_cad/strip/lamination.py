@@ -26,8 +26,8 @@ from elastica_cad.strip.styles import (
 )
 
 SLACK = 3e-4
-"""A stiffness that exceeds a limit by less than this fraction is clipped, because the limits are computed only
-at a finite number of stations."""
+"""A stiffness that exceeds a limit by less than this fraction is clipped, because the limits are computed
+only at some stations."""
 
 FIT_MM = 1e-5
 """Largest error of the backing's width, mm."""
@@ -178,7 +178,6 @@ class Laminated:
 def _infeasible(
     section: LaminatedSection, fits: ScaleRange, s: FloatArray, K: FloatArray, w1: FloatArray, least: float
 ) -> str:
-    """Return the message for a laminate that no bending stiffness makes possible."""
     i, j = fits.lowest_at, fits.highest_at
     ways: list[Refusal] = []
     try:

@@ -459,10 +459,7 @@ def joined_within(strip: Strip, shop: FabricationLimits) -> Strip:
 
 
 def _is_clear_of_slot(slot: Slot, width: Profile, at: FloatArray | float, lap: float) -> Any:
-    """Return True where a plate is clear of a slot by more than half the width of the slot.
-
-    `at` is the arc length of the plate's centre, mm, and `lap` is the length of the plate, mm.
-    """
+    """Return True where a plate centred at arc length `at`, mm, is half a slot width clear of a slot."""
     low, high = slot_cut(slot, width, beyond=slot.width).bounds[:, 0]
     middle, reach = (high + low) / 2, (high - low) / 2
     return np.abs(at - middle) > lap / 2 + reach + slot.width / 2

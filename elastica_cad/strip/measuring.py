@@ -302,10 +302,7 @@ class Measuring:
                 yield rest, SLIPS[slip]
 
     def _mirrors(self, amount: float, change: Mapping[str, float]) -> bool:
-        """Return True if a height changes by more than the largest height.
-
-        Such a change would mirror the strip, which an error of the ends cannot do.
-        """
+        """Return True if a height changes by more than the largest height, as in a mirrored strip."""
         heights = [name for name in self.expected if name.startswith("height")]
         largest = max((abs(self.expected[name]) for name in heights), default=0.0)
         return any(amount * abs(change[name]) > largest for name in heights)

@@ -444,7 +444,7 @@ def _without_small_shoulders(tab: Tab, width: float) -> Tab:
 
 
 def _end_widths(width: Profile) -> tuple[float, float]:
-    return float(width.coefficients[0]), float(width.coefficients[-1])  # the knots are clamped
+    return float(width.coefficients[0]), float(width.coefficients[-1])
 
 
 def _in_strip(rim: Iterable[Line | Arc], x: float, direction: int) -> list[Line | Arc]:

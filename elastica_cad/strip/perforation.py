@@ -538,7 +538,6 @@ class _Fit:
         return scale
 
     def _infeasible(self) -> str:
-        """Return the message for limits that no bending stiffness meets."""
         style, rigidity = self.style, self.section.rigidity
         i, need = self._least_outline()
         ways = []
@@ -592,7 +591,6 @@ class _Fit:
         return section.scale_range(self.w - 2 * columns * self.style.least_hole, self.K).feasible
 
     def _too_little(self, scale: float) -> str:
-        """Return a message on the limit that a bending stiffness violates, and on the position."""
         if self.by_ratio.lowest > self.by_ligaments.lowest:
             i = self.by_ratio.lowest_at
             share = 1 - scale * self.K[i] / (self.section.rigidity * self.w[i])

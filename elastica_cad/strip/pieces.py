@@ -69,7 +69,6 @@ def cut_key(strip: Strip) -> Hashable:
 
 
 def _sizes(slot: Slot) -> FloatArray:
-    """Return all dimensions of a slot, mm, and its inclination, rad."""
     paths = [np.ravel(part) for part in (slot.path, slot.widths) if part is not None]
     return np.concatenate([[slot.at, slot.width, slot.depth or 0.0, slot.lean], *paths])
 

@@ -360,7 +360,7 @@ def _between(chain: Sequence[Segment], start: _Place, end: _Place) -> list[Segme
 
 
 def _piece(segment: Segment, u0: float, u1: float) -> list[Segment]:
-    """Return a list with the part of a segment between two parameters; empty if the part has no length."""
+    """Return the part of a segment between two parameters, or an empty list if the part has no length."""
     if u1 - u0 < SAME_PARAMETER and np.hypot(*(segment.at(u1) - segment.at(u0))) < SAME_POINT_MM:
         return []
     return [trim_segment(segment, u0, u1)]
@@ -597,7 +597,7 @@ def _clear(box: FloatArray, width: Profile, taken: Sequence[FloatArray], cuts: C
 
 
 def _choices(slot: Slot, cut: FloatArray, width: Profile) -> Iterator[Text]:
-    """Yield texts at the possible positions beyond the inner end of a slot and beside it, large letters first."""
+    """Yield texts for a slot, large letters first, at positions beyond its inner end and on either side."""
     points, _ = slot.center_line(width)
     inward = -1.0 if slot.side == "upper" else 1.0
     end = cut[:, 1].min() if inward < 0 else cut[:, 1].max()

@@ -205,7 +205,7 @@ def _overstrained_tabs(layout: Layout, ends: Ends, strains: Sequence[LayerStrain
         shoulders += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow)
             for layer in strains
-            # another warning reports a strip that is strained beyond the limit at this end
+            # otherwise the strip is strained beyond the limit at this end, which has another warning
             if layer.strain[station] <= layer.limit
         ]
     return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
@@ -234,7 +234,7 @@ def _mark_on_backing(curvature: FloatArray) -> str:
     """Return "INSIDE" or "OUTSIDE": the side of the bend to which the engraved face of a laminate points.
 
     Seen from the start, the backing is on the right of the curve. If the curvature changes sign, "AT START" is
-    added, because the word is valid only there. For a straight strip, return an empty string.
+    added. For a straight strip, return an empty string.
     """
     small = STRAIGHT_FRACTION * float(np.abs(curvature).max(initial=0.0))
     bent = curvature[np.abs(curvature) > small]
@@ -263,7 +263,6 @@ def _backing_message(mark: str) -> str:
 
 
 def _joint_message(lap: float, width: float, held: Reactions, place: str) -> str:
-    """Return a sentence on the joint of a closed strip and its load. `lap` and `width` are in mm."""
     how = (
         note(
             "bend the tab of {lap} at the end of the strip along the curve, and glue it to the inside of the start",

@@ -89,10 +89,7 @@ def _with_masses_in_plane(loads: Loads, share: float) -> Loads:
 
 
 def _hung_weight(loads: Loads, share: float, gravity: Gravity | None) -> Weight | None:
-    """Return the weight of the loads for `optimal_rod`, or None without weight.
-
-    `share` is the fraction of a weight that acts in the plane of the curve.
-    """
+    """Return the weight for `optimal_rod`. `share` is the fraction that acts in the plane of the curve."""
     felt = _with_masses_in_plane(loads, share)
     if isinstance(felt, Weight):
         return felt
@@ -144,7 +141,6 @@ def _check_seam(seam_position: float | None, curve: PlaneCurve) -> None:
 def _check_section_law(
     law: BoundedLaw, sheet: Sheet, style: Style, ends: Sequence[Tab], slots: Sequence[Slot], *, sized: bool
 ) -> None:
-    """Raise InputError if the section law cannot be combined with another field of the request."""
     shaped = bool(slots) or any(tab != Tab(tab.length) for tab in ends)
     shaped = shaped and getattr(law, "quantity", "") != "width"
     if not isinstance(style, Plain) or sized or shaped:
@@ -708,7 +704,7 @@ class StripSpec(EqualByValue):
         By default, the seam of a curve that must not change is at the point of least curvature.
         """
         curve = self.run_ins.bent
-        # the computation of the rod reports the corners
+        # `rod_spec` reports the corners
         if not curve.is_closed or (curve.has_corners and not self.smooth):
             return curve
         if self.seam_position is not None:

@@ -339,7 +339,6 @@ def _rounded_move(mm: float) -> Length | Refusal:
 
 
 def _element_text(action: ElementForce, rod: Rod, force: float) -> Refusal:
-    """Return a text with the position and the force (N) of an element."""
     if action.is_one_sided and force == 0:
         places = Listed(map(Length, np.round(action.s, 1).tolist()))
         gap = -violation(action, ShapeOfRod.of(rod))

@@ -200,10 +200,7 @@ class _RoundBoundary:
     def skin(
         self, pieces: list[tuple[FloatArray, FloatArray]], share: float, frame: Frame, *, outward: bool
     ) -> list[list[int]]:
-        """Add the outer faces or the faces of the bore, and return the edges of each circle.
-
-        `share` is their radius as a fraction of the outer radius.
-        """
+        """Add the faces whose radius is `share` times the outer radius, and return the edges of each circle."""
         around, cosines, sines = _half_turn()
         z = frame.z_axis
 

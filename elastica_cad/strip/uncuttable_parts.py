@@ -328,10 +328,7 @@ class _Chords:
         return replace(whole, middle=whole.middle + place * whole.vector, vector=whole.vector / count)
 
     def has_in_front(self, others: "_Chords", least: float) -> BoolArray:
-        """Return True (m,) where the chord in the same row of `others` is in front of a chord.
-
-        In front means less than `least` mm away across the material.
-        """
+        """Return True (m,) where the chord in the same row of `others` is within `least` mm across the material."""
         ends = others.middle - self.middle + np.array([-0.5, 0.5])[:, None, None] * others.vector
         normals = self.inward
         ahead = np.sum(ends * normals, axis=2)
