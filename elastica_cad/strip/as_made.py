@@ -47,7 +47,7 @@ def rod_as_built(
     """Return the rod with the stiffness and weight of the cut strip.
 
     Slots, solid ends and rounded tips of holes are included. The stiffness of a node is the inverse of the
-    mean compliance between the middles of the edges beside it. Masses hung on the strip are unchanged.
+    mean compliance between the middles of the adjacent edges. Masses hung on the strip are unchanged.
 
     Parameters
     ----------
@@ -58,8 +58,8 @@ def rod_as_built(
     layers : sequence of Layer
         Layers as they are cut.
     added_lengths : sequence of (float, float)
-        Position, mm, and added length, mm, of cuts that the layers do not contain. The added length is the
-        length of strip that bends by the angle that the cut adds.
+        Position, mm, and added length, mm, of cuts that the layers do not contain. The strip bends at a cut as
+        if it were longer by the added length.
 
     Returns
     -------
@@ -115,7 +115,7 @@ def _cell_stations(rod: Rod) -> FloatArray:
 
 
 def _cell_means(values: FloatArray, nodes: int) -> FloatArray:
-    """Return the means of values at `_cell_stations` over half an edge before and after each node."""
+    """Return the mean, for each node, of values at `_cell_stations` between the middles of the adjacent edges."""
     halves = values.reshape(2 * (nodes - 1), CUTS // 2).mean(axis=1)
     inner = (halves[1:-1:2] + halves[2::2]) / 2
     return np.concatenate([halves[:1], inner, halves[-1:]])
@@ -181,8 +181,8 @@ def stiffness_factors(
     - "narrow tabs": unstressed corners at ends that are wider than their tabs.
     - "steps of width": unstressed corners on the wider side of a jump of the width, for solid strips.
     - "leaning ligaments": the stiffness of a ligament at the angle theta to the strip is multiplied by
-      cos(theta), because its mirror image prevents its twist. This holds for a Poisson ratio near 0.3. At 25
-      degrees the ligament is up to 7 % stiffer for a ratio of 0 and up to 4 % for 0.1.
+      cos(theta), because its mirror image prevents twisting. This holds for a Poisson ratio near 0.3. At 25
+      degrees, ligaments are up to 7 % stiffer for the Poisson ratio 0, and up to 4 % stiffer for 0.1.
     - "anticlastic bending": a strip or ligament is stiffer if it cannot curl across its width.
     - "borders that curl": change of the stiffness of a laminate, because its borders curl.
 
@@ -195,7 +195,7 @@ def stiffness_factors(
     layout : Layout
     slots : sequence of Slot
     tab_widths : pair of float or None
-        mm, or None for a tab as wide as the strip's end.
+        Widths of the tabs, mm; None for a tab as wide as the strip's end.
     """
     width, nu = layout.width, min(layout.sheet.poisson_ratio, 0.5)
     grain = float(np.sqrt(even_shear_ratio(nu) / layout.sheet.shear_ratio))
@@ -227,6 +227,7 @@ class Curl:
     designed : (n,) array
         Factors on the stiffness at the nodes in the designed shape.
     factor : BendFactor
+        Function from curvatures to factors on the stiffness.
     """
 
     designed: FloatArray
@@ -315,7 +316,7 @@ def _lengths_added_by_slots(
 
 
 def _crowded_slots(slots: Sequence[Slot], width: Profile) -> tuple[float, ...]:
-    """Return the positions, mm, of the first two slots that are closer together than the larger slot depth."""
+    """Return the positions, mm, of the first two slots whose distance is less than the larger slot depth."""
     points = (slot.center_line(width)[0] for slot in slots)
     lines = sorted((float(line[:, 0].mean()), float(np.ptp(line[:, 1]))) for line in points)
     return next(((a, b) for (a, d), (b, e) in pairwise(lines) if b - a < max(d, e)), ())
@@ -413,8 +414,7 @@ class StripAsMade:
     curl : Curl, optional
         Dependence of the nodes' stiffness on their curvature.
     crowded : tuple of float
-        Positions, mm, of two slots that are closer together than the depth of the deeper slot; empty if there
-        are none.
+        Positions, mm, of two slots whose distance is less than the larger slot depth; empty if there are none.
     """
 
     design: Rod

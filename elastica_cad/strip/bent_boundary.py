@@ -237,7 +237,7 @@ class BentMap:
     def curves(
         self, parts: Sequence[tuple[Segment, float, float]], heights: Sequence[float]
     ) -> list[list[SpaceCurve]]:
-        """Return the curves in space that parts of flat segments are bent into, at every height.
+        """Return the curves in space into which parts of flat segments are bent, at every height.
 
         Each part is a segment with its first and last parameter. Its curves have the same B-spline basis at
         all heights.
@@ -390,7 +390,7 @@ def _shape_of(rod: Rod) -> tuple[Shape, list[tuple[float, int]]]:
 def _smoothness(curve: PlaneCurve, t: float, continuity: int) -> int:
     """Return the number of geometrically continuous derivatives of the curve at a knot.
 
-    The derivatives by the parameter may be less continuous.
+    Fewer derivatives with respect to the parameter may be continuous.
     """
     if continuity >= 2:
         return continuity
@@ -554,7 +554,7 @@ class BoundaryMaker:
         straight = isinstance(segment, Line)
         if isinstance(shape, BentMap) and not _is_perpendicular(segment):
             least, most = _y_limits(segment)
-            # the walls are planes, because CAD kernels can fuse coplanar walls of strips side by side
+            # straight walls are planes, because CAD kernels can fuse coplanar walls of adjacent strips
             if most - least < FLAT_WALL_MM:
                 side = -1.0 if segment.end[0] > segment.start[0] else 1.0
                 frame = shape.frame.shifted(z=(least + most) / 2)

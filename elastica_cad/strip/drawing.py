@@ -164,7 +164,7 @@ def _without_duplicates(items: list[LayeredPath]) -> tuple[LayeredPath, ...]:
     if not items:
         return ()
     boxes = np.array([item.path.bounds for item in items]).reshape(-1, 4)
-    # four coordinates that each differ by SAME_MM have the distance 2 SAME_MM
+    # boxes are points with four coordinates, so small differences add up to sqrt(4) SAME_MM
     alike = np.transpose(near_pairs(boxes, boxes, 2 * SAME_MM))
     dropped: set[int] = set()
     for i, j in sorted(alike.tolist()):
@@ -185,7 +185,7 @@ def _twins(a: LayeredPath, b: LayeredPath) -> bool:
 
 
 FINEST_KERF_MM, COARSEST_KERF_MM = 1e-5, 10.0
-"""Least and largest tolerance, mm, for splines offset by half a kerf. No machine reaches the least one."""
+"""Least and largest tolerance, mm, for splines offset by half a kerf. No machine is more exact."""
 
 WIDEST_KERF_MM = 15.0
 """Largest kerf, mm. A half-inch router bit is 12.7 mm wide."""
@@ -424,7 +424,7 @@ class _Loop:
     def _off_corners(self, middle: float, width: float, reach: float) -> float:
         """Return the place nearest to `middle` that is at least `width` mm from corners.
 
-        If no place within `reach` mm is, return `middle`.
+        If there is no such place within `reach` mm, return `middle`.
         """
         for shift in np.linspace(0.0, reach, 41):
             for at in (middle + shift, middle - shift):

@@ -153,7 +153,7 @@ def widened_for_cuts(rod: Rod, layout: Layout, laid_out: Callable[[Profile], Lay
     cuts = element_cuts(rod)
     for cut in cuts:
         _require_narrower_cut(cut, float(layout.width(cut.at)))
-    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # no moment at a free end
+    cuts = tuple(cut for cut in cuts if 0 < cut.at < rod.length)  # at a free end a cut has no effect
     peaks = np.zeros(len(cuts))
     for _ in range(WIDENING_ITERATIONS if cuts else 0):
         bumps = []
@@ -248,8 +248,8 @@ class StrainedCut:
 def strained_cuts(rod: Rod, layout: Layout) -> tuple[StrainedCut, ...]:
     """Return the cuts whose edges are strained beyond the limit of a brittle sheet.
 
-    The excess over 1 of the stress concentration factor in tension is multiplied by (1 + nu) / (3 + nu). This
-    is exact for an elliptic hole in a bent plate (Goodier, Phil. Mag. 22, 1936).
+    The excess over 1 of the stress concentration factor in tension is multiplied by (1 + nu) / (3 + nu), as
+    beside an elliptic hole in a bent plate (Goodier, Phil. Mag. 22, 1936).
     """
     sheet = layout.sheet
     cuts = element_cuts(rod) if sheet.kind in BRITTLE else ()

@@ -64,7 +64,7 @@ def in_smooth_pieces(path: Path) -> Path:
 
 
 MOST_SPANS = 6
-"""Largest number of spans of an edge, if the face of its body has many edges.
+"""Largest number of spans of an edge of a face with many edges.
 
 OpenCASCADE computes the area of a face with a fixed number of points for each edge."""
 
@@ -199,7 +199,7 @@ def _extended(curve: PlaneCurve, first: float, last: float) -> PlaneCurve:
     return PlaneCurve(knots, interpolated(sites, values, knots, degree), degree, None)
 
 
-ON_SEAM = 1e-7  # a point closer to a station line, mm, is on the line
+ON_SEAM = 1e-7  # largest distance, mm, between a station line and a point on it
 
 
 @dataclass(frozen=True, eq=False)
@@ -235,7 +235,7 @@ class SegmentPart:
 
 @dataclass(frozen=True, eq=False)
 class Region:
-    """Connected part of the pattern between two stations. `interval` is the number of stations before it."""
+    """Connected part of the pattern between two stations. `interval` is the number of stations before the part."""
 
     interval: int
     loops: tuple[tuple[SegmentPart, ...], ...]

@@ -184,7 +184,7 @@ def about(mm: float) -> Length:
 
 
 def deviation_from(design: Rod, place: FloatArray) -> float:
-    """Return the largest distance, mm, between the nodes `place` (n, 2) of a shape and those of the design.
+    """Return the largest distance, mm, between the nodes `place` (n, 2) of a shape and the nodes of the design.
 
     A closed strip has no fixed position, so its shape is first moved and turned to fit the design.
     """

@@ -73,7 +73,7 @@ class Layer:
 
     @property
     def high(self) -> float:
-        """Height of the upper face, mm, measured like `low`."""
+        """Height of the upper face above the lower face of the base, mm."""
         return self.low + self.sheet.thickness
 
     def called(self, strip: str) -> str:
@@ -291,9 +291,9 @@ END_MM = 1e-6
 itself."""
 
 PLATE_END, PLATE_CUT = 0.25, 0.82
-"""Lengths on which a glued plate does not stiffen the strip: at each end of the plate, and over the joint.
+"""Lengths without stiffening by a glued plate: at each end of the plate, and over the joint.
 
-They are multiples of the plate's thickness.
+Both are multiples of the plate's thickness.
 
 `PLATE_END` is fitted to the strips of `docs/finite_elements.md`. `PLATE_CUT` is for strip and plate cut half
 through: an edge crack in bending adds the angle of 5.7 total thicknesses (Tada, Paris and Irwin 1973)."""
@@ -333,7 +333,7 @@ class LapJoint:
         length, lap_width : float
             Length and width of the tab, mm.
         """
-        # a node stands for the strip between the midpoints of its two edges
+        # a node represents the strip between the midpoints of its two edges
         edges = np.concatenate([[0.0], (rod.s[1:] + rod.s[:-1]) / 2, [rod.length]])
         covered = np.clip((length - edges[:-1]) / np.diff(edges), 0.0, 1.0)
         both = width + lap_width

@@ -220,7 +220,7 @@ class Splice:
 
     @property
     def pieces(self) -> tuple[Piece, ...]:
-        """Pieces to cut: those of every layer, each followed by the plates glued over its joints.
+        """Pieces of every layer, followed by the plates that are glued over the joints of the layer.
 
         Marks on the pieces show where the plates end.
         """
@@ -258,7 +258,7 @@ class Splice:
     def deviation(self) -> float:
         """Deviation of the bent strip due to the stiffness of the plates, mm.
 
-        If the widths compensate it, this is the remaining deviation.
+        If the widths compensate the plates, this is the remaining deviation.
         """
         held = replace(self.strip, plates=self.plates).held()
         return held.deviation if held.corrected else held.parts["plates"]
@@ -441,7 +441,7 @@ def splice(strip: Strip, stock: float, lap: float, *, backing_stock: float | Non
 
 
 def spliced(strip: Strip, shop: FabricationLimits) -> Splice | None:
-    """Return the strip cut into pieces, or None if it fits the stock or the shop sets no `lap`."""
+    """Return the strip cut into pieces, or None if it fits the stock or `shop.lap` is None."""
     if shop.lap is None:
         return None
     stocks = [shop.stock_for(layer.sheet)[0] for layer in strip.layers]
@@ -498,7 +498,7 @@ def make_within(
 ) -> Strip:
     """Return the strip as it is made: joined from pieces if too long, with compensated widths on request.
 
-    `noisy` has the same meaning as in `find_strip_faults`.
+    For `noisy`, see `find_strip_faults`.
 
     Raises
     ------

@@ -19,8 +19,7 @@ MARKS = (0.25, 0.5, 0.75)
 LENGTHS, ANGLES = ("chord", "height_1", "height_2", "height_3"), ("start_angle", "end_angle")
 """Names of the measured quantities: distance of the ends, heights of marks, and angles of tabs.
 
-Lengths are in mm and angles in degrees. Heights are measured from the line between the ends, and angles relative
-to it."""
+Lengths are in mm and angles in degrees. Heights and angles are measured from the line between the ends."""
 
 UNITS = dict.fromkeys(LENGTHS, "mm") | dict.fromkeys(ANGLES, "degrees")
 
@@ -39,7 +38,7 @@ NONLINEAR = 0.2
 to first order."""
 
 LIKELY = 4.0
-"""Largest excess of the sum of squared differences of a reported cause over that of the likeliest cause."""
+"""Difference from the least sum of squares, up to which a less likely cause is also reported."""
 
 MEANINGS: Mapping[str, str] = {
     "clamp at the start": "The clamp at the start lets the strip turn by {amount:.2g} degrees. Tighten it.",
@@ -88,7 +87,7 @@ EXCHANGES: Mapping[str, Mapping[str, str]] = {
         "height_1": "height_3", "height_3": "height_1", "start_angle": "end_angle", "end_angle": "start_angle",
     },
 }  # fmt: skip
-"""For each mistake in the order of readings: the name under which each quantity was written."""
+"""Mistakes in the order of readings. For each mistake: the name under which each quantity was written."""
 
 THICKEST_PERCENT = 6.0
 """Largest plausible amplitude of the variation of a sheet's thickness, in percent."""
@@ -200,8 +199,8 @@ class Measuring:
     ) -> tuple[Row, ...]:
         """Return rows with a verdict, further likely causes, the reading errors, and each measured value.
 
-        A cause is reported on two conditions. Without it the readings are improbable, and with it they agree
-        within reading errors and expected uncertainty. The likeliest cause by least squares is the first.
+        A cause is reported on two conditions. Without the cause, the readings are improbable. With the cause,
+        they agree within reading errors and expected uncertainty. The likeliest cause by least squares is first.
 
         Parameters
         ----------
@@ -337,7 +336,8 @@ def _measured(position: FloatArray, design: FloatArray) -> dict[str, float]:
 def upward(heights: FloatArray) -> float:
     """Return the sign, 1.0 or -1.0, of the largest height.
 
-    Of heights that are equal within 1 %, the first is used, so that rounding does not change the sign for an S.
+    Of heights that are equal within 1 %, the first is used. Rounding then does not change the sign for an S-shaped
+    strip.
     """
     size = np.abs(heights)
     return -1.0 if heights[np.argmax(size > 0.99 * size.max())] < 0 else 1.0
@@ -360,7 +360,7 @@ def rising_angles(strip: Strip) -> tuple[float, float]:
 
 
 def heights_of_marks(position: FloatArray, s: FloatArray | None = None) -> FloatArray:
-    """Return the distances of the marks from the chord, mm, positive to the left of it.
+    """Return the distances of the marks from the chord, mm, positive to the left of the chord.
 
     Without arc lengths `s` (n,), the points (n, 2) are taken as evenly spaced.
     """

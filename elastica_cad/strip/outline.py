@@ -307,11 +307,11 @@ Ends = tuple[Tab, Tab]
 USUAL_TABS: Any = (Tab(), Tab())
 
 SHOULDER_MM = 1e-3
-"""A shoulder beside a tab is omitted if it is narrower than this, mm, because it cannot be cut and CAD
+"""Least width of a shoulder beside a tab, mm. Narrower shoulders are omitted, because they cannot be cut and CAD
 kernels fail."""
 
 MEETING_MM = 1e-9
-"""Ends of two segments meet if they are closer than this, mm."""
+"""Largest distance, mm, between the ends of two segments that meet."""
 
 LINEAR_TOLERANCE = 1e-10
 """Largest relative deviation of x from a linear function of the parameter that counts as linear."""
@@ -370,7 +370,7 @@ def add_register_holes(width: Profile, ends: Ends, diameter: float) -> Ends:
 def graph(knots: FloatArray, values: FloatArray, degree: int = 3, *, backward: bool = False) -> Spline:
     """Return the graph of a spline function y(x) with coefficients `values` (m,), directed along x.
 
-    If `backward`, it is directed against x.
+    `backward` reverses the direction.
     """
     return graphs(knots, values[None], degree, backward=backward)[0]
 

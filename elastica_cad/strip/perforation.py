@@ -55,9 +55,9 @@ class DiamondPattern:
 
     Let H = width - material be the total width of the holes, n = `columns`, and t = material / (2 n + 2). T(s)
     rises from 0 to 1 over half a row and falls again. Full diamonds have the width T H / n. Diamonds in the gaps
-    have the width (1 - T) H / n, and the half diamonds at the edges have half of it. At every station the widths
-    of all holes add up to H. Every ligament has the width t, or 2 t where two ligaments join. T is constant over
-    the length `bridge` between two rows, which separates the tips of the holes.
+    have the width (1 - T) H / n, and the half diamonds at the edges have half this width. At every station, the
+    widths of all holes add up to H. Every ligament has the width t, or 2 t where two ligaments join. T is constant
+    over the length `bridge` between two rows, which separates the tips of the holes.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ class DiamondPattern:
 
     @cached_property
     def joints(self) -> FloatArray:
-        """Stations (2 rows + 1,), mm, at the tips of diamonds, where the diamonds beside them are widest."""
+        """Stations (2 rows + 1,), mm, at the tips of diamonds, where the neighbouring diamonds are widest."""
         return np.linspace(0.0, self.width.length, 2 * self.rows + 1)
 
     def __post_init__(self) -> None:
@@ -439,7 +439,7 @@ class Perforated:
         """Return the largest extra width (n,), mm, that rounded tips leave near each joint of the pattern.
 
         A corner with half angle a and radius r begins where the sharp corner is 2 r (sec a - tan a) wide.
-        Half diamonds have half the angle of full diamonds, so they begin farther from the joint.
+        Half diamonds have half the angle of full diamonds, so their corners begin farther from the joint.
         """
         slope = pattern.slopes(pattern.joints)
         others, halves = (

@@ -40,8 +40,7 @@ SAME_BEND_RAD = 1e-4
 """Largest difference between the natural curvatures of equal strips, multiplied by their length, rad."""
 
 SLOT_DIGITS = 6
-"""Number of decimals, mm, to which sizes of slots are compared. Copies of a slot differ by rounding
-errors."""
+"""Number of decimals of sizes of slots, mm, that are compared. Copies of a slot differ by rounding errors."""
 
 POINTS_PER_SEGMENT = 6
 """Number of points of each segment at which two loops are compared."""
@@ -133,7 +132,7 @@ class FlatShape:
 
     `layers` has the cut loops of the part. `size` (k,) is the thickness or diameter, mm, of a planed or
     turned part at evenly spaced stations. `bent` (k,) is the natural curvature of a pre-bent strip times its
-    length, rad. For other parts, both are None.
+    length, rad. For other parts, `size` and `bent` are None.
     """
 
     layers: tuple[Layer, ...]
@@ -164,7 +163,7 @@ class FlatShape:
             (p.outline, *p.holes) == (q.outline, *q.holes)
             for p, q in zip(self.layers, other.layers, strict=True)
         ):
-            return True  # copies share their loop objects
+            return True  # copies of a strip share the same loops
         if np.abs(self.size_of_loops - other.size_of_loops).max() > SIZE_TOLERANCE * self.size_of_loops[0]:
             return False
         ways = FLIPS if self.bent is None else FLIPS[:1]  # turning a pre-bent strip changes its curvature
@@ -315,7 +314,7 @@ class Piece:
 LONGEST_WORD = 60
 """Largest number of characters of a label in a file name, because file systems limit names to 255 bytes."""
 
-_DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # devices of Windows
+_DEVICE = re.compile(r"^(con|prn|aux|nul|(?:com|lpt)[0-9¹²³])(?=\.|$)", re.IGNORECASE)  # Windows devices
 
 
 def file_word(text: str) -> str:

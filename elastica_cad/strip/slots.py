@@ -436,7 +436,7 @@ class Cut:
         return _around(points) if self.gone or self.line.closed else points
 
     def reaches(self, box: FloatArray, edge: FloatArray) -> bool:
-        """Return True if the line crosses a box (4, 2), or if the box has no material in it."""
+        """Return True if the line crosses a box (4, 2), or if there is no material in the box."""
         low, high = box_about(box)
         if bool(np.any(np.all((self.points > low) & (self.points < high), axis=1))):
             return True
@@ -504,8 +504,8 @@ def mating_marks(
 ) -> tuple[Text, ...]:
     """Return the names of the inserted parts, engraved at their slots, clear of cuts, `marks` and other texts.
 
-    A name is at the inner end of its slot or beside the slot, as large as possible. It is omitted if it does
-    not fit.
+    A name is at the inner end of its slot or beside the slot, as large as possible. A name that does not
+    fit is omitted.
     """
     cuts = Cuts(holes, marks, slots=[rim for _, rim in slots])
     boxes = [box_about(_text_box(text)) for text in taken]

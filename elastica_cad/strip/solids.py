@@ -296,11 +296,11 @@ class BentSolid:
     def layers(cls, strip: Strip, frame: Frame | None = None) -> tuple["BodyRecord", ...]:
         """Return every sheet of the bent strip.
 
-        Their total thickness is centred on the curve. Only the base has joints.
+        The total thickness of the sheets is centred on the curve. Only the base has joints.
 
         In a stack of glued plies, the full-length ply is centred on the curve, and the other plies are on its
-        upper face. The lap of a closed strip is a separate body on the inside, where it is glued. Errors are
-        those of `of`.
+        upper face. The lap of a closed strip is a separate body on the inside, where it is glued. For errors,
+        see `of`.
         """
         require_record(strip, Strip, "what is bent", "a Strip")
         frame = frame_or_plain(frame)

@@ -205,7 +205,7 @@ def _overstrained_tabs(layout: Layout, ends: Ends, strains: Sequence[LayerStrain
         shoulders += [
             Shoulder(at, width, tab.width, layer.sheet, float(layer.strain[station]) * wide / narrow)
             for layer in strains
-            # otherwise the strip is strained beyond the limit at this end, which has another warning
+            # a strip strained beyond the limit has another warning
             if layer.strain[station] <= layer.limit
         ]
     return tuple(shoulder for shoulder in shoulders if not shoulder.verdict.allowed)
@@ -522,7 +522,7 @@ class Strip:
         return {section.quantity: size}
 
     def breadth(self, digits: str = ".2f") -> str:
-        """Return a text such as "20.00 mm wide, 2.00 to 3.00 mm thick", without a constant thickness."""
+        """Return a text such as "20.00 mm wide, 2.00 to 3.00 mm thick". A constant thickness is left out."""
         return _breadth_message(self.width, self.tapered, digits)
 
     @cached_property
@@ -579,7 +579,7 @@ class Strip:
     def mirrored(self) -> "Strip":
         """Return the strip turned over about its centre line (y to -y).
 
-        It bends into the same curve. A symmetric strip is returned unchanged.
+        The new strip bends into the same curve. A symmetric strip is returned unchanged.
         """
         start, end = (tab.mirrored() for tab in self.ends)
         if not self.slots and (start, end) == self.ends:
@@ -718,7 +718,7 @@ class Strip:
     def bending_stiffness(self) -> float:
         """Bending stiffness E I where the relative stiffness K is 1, N mm2.
 
-        Forces of the rod times this value are in N.
+        Forces of the rod multiplied by this value are in N.
         """
         return self.layout.bending_stiffness
 
@@ -751,8 +751,8 @@ class Strip:
     def rod_to_bend(self) -> Rod:
         """Rod for moving the ends of the strip: see `bend_strip`.
 
-        Its stiffness includes the effect of curling across the strip. It also stretches and shortens under
-        axial force.
+        Its stiffness includes the effect of curling across the strip. The rod also stretches and shortens
+        under axial force.
         """
         from elastica_cad.strip.as_made import rod_to_bend
 
@@ -856,7 +856,7 @@ class Strip:
 
     @property
     def backing_side(self) -> str:
-        """Sentence on the side of the bend on which the backing of a laminate is; empty for other strips."""
+        """Sentence that states on which side of the bend the backing of a laminate is; empty for other strips."""
         return _backing_message(self._backing_mark)
 
     @property

@@ -57,7 +57,7 @@ GravityOption: TypeAlias = Gravity | bool | Sequence[float] | None
 
 Loads: TypeAlias = "tuple[PointMass | PointForce, ...] | Weight"
 """Loads of a request: masses and forces in addition to the weight of the strip, or a `Weight` that replaces
-it."""
+this weight."""
 
 
 def pull_in_plane(gravity: GravityOption, sheet: Sheet, frame: Frame | None) -> tuple[Gravity | None, float]:
@@ -704,7 +704,7 @@ class StripSpec(EqualByValue):
         By default, the seam of a curve that must not change is at the point of least curvature.
         """
         curve = self.run_ins.bent
-        # `rod_spec` reports the corners
+        # corners are refused when the rod is computed
         if not curve.is_closed or (curve.has_corners and not self.smooth):
             return curve
         if self.seam_position is not None:
@@ -847,7 +847,7 @@ class StripSpec(EqualByValue):
         return self.changed(**{change.field: change.value})
 
     def _layers(self, style: Laminated, gravity: Gravity) -> LaminateLayers:
-        """Return the layers of a laminate for its rod. Gravity must act fully in the plane of the curve."""
+        """Return the layers for the rod of a laminate. Gravity must act fully in the plane of the curve."""
         if abs(gravity.length / self.material.elasto_gravity_length - 1) > SAME_LENGTH:
             raise InputError(
                 "the own weight of a laminate acts fully in the plane of the curve and follows from its "

@@ -53,7 +53,7 @@ MOST_EXTREMES = 200
 """Largest number of local extremes that get additional stations. More extremes are rounding errors."""
 
 GUIDE_MM = 0.5
-"""Largest difference between the widths of base and backing, mm, without marks for the edges of the backing."""
+"""Difference between the widths of base and backing, mm, below which the backing is not marked on the base."""
 
 
 NO_WIDTH = note(

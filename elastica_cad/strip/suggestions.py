@@ -192,7 +192,7 @@ def suggest(
         return
     count, far = 0, []
     widths = MOST_WIDENED if fields is None or "max_width" in fields else 0
-    # if the width was refused, other changes are tested without another width
+    # if the width was refused, other fields are tested without a change of width
     is_width = "max_width" in {change.field for change in problem.refusal.changes}
     for changes in _changes(spec, problem):
         tried = (change for change in changes if fields is None or change.field in fields)

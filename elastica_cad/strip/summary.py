@@ -177,7 +177,7 @@ def instability(strip: Strip, verdict: Stability) -> Refusal | None:
 
 
 COMPRESSED_SHARE = 0.05
-"""Reported compression of the strip, as a fraction of the difference between its length and its chord."""
+"""Least compression that is reported, as a fraction of the difference between the length and the chord."""
 
 
 def hold_row(strip: Strip) -> Row:
@@ -221,7 +221,7 @@ def hold_row(strip: Strip) -> Row:
             else "set the ends {change:.2f} farther apart, because the force stretches this shallow strip",
             change=Length(abs(shorter)),
         )  # fmt: skip
-        # a change below the mounting error is only a detail
+        # a change below the mounting error is only added to the details
         if abs(shorter) > MOUNTING_ERROR_MM:
             load = sentences([load, advice])
         else:
@@ -372,7 +372,7 @@ def direction_in_drawing(angle: float) -> Refusal:
 
 
 def not_computed_row() -> Row:
-    """Return the row on accuracy of a strip with elements or point forces, for which it is not computed."""
+    """Return the row on accuracy of a strip with elements or point forces, for which accuracy is not computed."""
     return Row(note("Accuracy"), note("not computed for a strip with rails, pins, ties or point forces"))
 
 

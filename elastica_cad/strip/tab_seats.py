@@ -328,8 +328,8 @@ def rest_in_seats(
 
     Tabs can shift across, turn and bend, but not slide along the strip. Contacts have no friction. Sequential
     quadratic programming minimizes the energy under the condition that tabs do not overlap their holders. The
-    gradient consists of forces and moments of the rod (Eq. 2). The Hessian consists of their finite differences
-    and the change of the contact forces with the angles.
+    gradient consists of forces and moments of the rod (Eq. 2). The Hessian consists of finite differences of these
+    forces and moments, and of the change of the contact forces with the angles.
 
     Parameters
     ----------
@@ -552,7 +552,7 @@ class Lean:
     piece: float
 
     def touched(self, wall: FloatArray) -> tuple[float, float]:
-        """Return the point at which the resting tab touches a wall, in mm into the tab, and its slope there.
+        """Return how far into the tab, mm, the resting tab touches a wall, and the slope of the tab there.
 
         Parameters
         ----------
@@ -566,8 +566,8 @@ class Lean:
 
     @cached_property
     def _at_rest(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Slopes of the pieces of the resting tab (k,), and the coordinates `into` and `left` of their ends
-        (k + 1,), mm.
+        """Slopes (k,) of the pieces of the resting tab, and the coordinates `into` and `left` (k + 1,) of the
+        ends of the pieces, mm.
         """
         slopes = np.resize(self.slopes, max(self.slopes.size, 1))  # a rigid tab is a single straight piece
         bent = np.append(0.0, np.cumsum(slopes)) * self.piece

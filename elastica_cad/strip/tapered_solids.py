@@ -36,8 +36,8 @@ FACE_MM = 1e-4
 def side_view(strip: Strip, *, bent: bool = False) -> Path:
     """Return the side view of a strip of varying thickness, anticlockwise, with straight tabs.
 
-    If it is flat, x is the arc length from the start of the bent part, and y = 0 is mid-thickness. If it is bent,
-    it follows the curve of the strip.
+    For a flat strip, x is the arc length from the start of the bent part, and y = 0 is mid-thickness. For a bent
+    strip, the view follows the curve of the strip.
 
     Examples
     --------
@@ -106,7 +106,7 @@ def _bent_face(strip: Strip, size: Profile, side: int) -> PlaneCurve:
 
 
 HALF_TURN_SPANS = 8
-"""Number of spans of the spline of degree 5 that approximates half a circle. The error is 1e-8 of its radius."""
+"""Number of spans of the spline of degree 5 that approximates half a circle. The error is 1e-8 of the radius."""
 
 DEGREE = 5
 

@@ -70,7 +70,7 @@ class Travel:
     start_moment, end_moment : (k,) array
         Moments of the supports on the strip, N mm, positive anticlockwise.
     force_along : (k,) array
-        Component along the path of the force on the end, N. It is negative if the strip pulls the end forward.
+        Component along the path of the force on the end, N; negative if the strip pulls the end forward.
     energy : (k,) array
         Bending energy, N mm (mJ).
     strain, stress : (k,) array
@@ -156,7 +156,7 @@ class Travel:
         return self.start_moment if start > end else self.end_moment
 
     def place_message(self, at: float) -> Refusal:
-        """Return a text for the position `at` in the movement. Its unit is `unit`."""
+        """Return a text for the position `at` in the movement. The unit of `at` is `unit`."""
         at = require_number(at, "the place", self.unit)
         if self.is_still:
             return note("{percent:.3g} % of the change", percent=at)

@@ -23,12 +23,12 @@ from elastica_cad.strip.perforation import Perforated
 from elastica_cad.strip.strip import Strip
 from elastica_cad.strip.styles import PLAIN, Plain, outline_field
 
-LEAST_STRIP_MM = 3.0  # narrower strips break when they are lifted out, whatever the sheet
-LEAST_WIDTH_THICKNESSES = 3.0  # least width, in thicknesses, because a narrower strip twists
+LEAST_STRIP_MM = 3.0  # least width of a strip, mm; narrower strips break when they are lifted out
+LEAST_WIDTH_THICKNESSES = 3.0  # least width of a strip in thicknesses; narrower strips twist
 LEAST_BRIDGE_MM = 2.0  # least width of material between two cuts of a plate, because both cuts heat it
 LEAST_LIGAMENT_MM = 0.5  # least width of material between two laser cuts; less may burn away
 LARGEST_PANEL_MM = (3050.0, 1525.0)  # size, mm, of the largest sheet of plywood or board that is sold
-# largest width of a vertical slot that holds its tab, as a multiple of the tab's thickness
+# largest width of a slot that holds its tab, as a multiple of the tab's thickness
 WIDEST_SLOT_THICKNESSES = 6.0
 FILLED_SLOT_MM = 1.6  # largest width, mm, of a slot that can hold a thin tab with glue on both sides
 LARGEST_SLENDERNESS = 600.0  # ratio of length to least width above which a flat strip is too floppy to handle
@@ -136,7 +136,7 @@ DEFAULT_LIMITS = FabricationLimits()
 """Limits for parts whose workshop is unknown."""
 
 
-# number of points on a length of cut equal to the least width; widths then have an error of 1 %
+# number of points along a cut per least width; the error of widths is then 1 %
 SAMPLES_PER_WIDTH = 12
 LONGEST_PART = 2.0  # length of chords in the search for pairs, as a multiple of the least width
 # least cosine of the angle between a normal and the connection of points that face each other; in corners wider
@@ -166,7 +166,7 @@ class ThinPlace:
 def find_thin_places(outlines: Sequence[Path], holes: Sequence[Path], least: float) -> tuple[ThinPlace, ...]:
     """Return the places where the material between two cuts is narrower than `least`, the narrowest first.
 
-    Places closer together than `least` are reported as one, the narrowest.
+    Of places closer together than `least`, only the narrowest is reported.
 
     Parameters
     ----------
@@ -228,7 +228,7 @@ def _opposed_points(
 ) -> tuple[IntArray, IntArray]:
     """Return index pairs (k,) of points at most `reach` apart whose normals are nearly opposite.
 
-    The first point of each pair is among `searching`. Points and normals are compared in one search: the
+    The first point of each pair is among `searching`. One search compares points and normals, because the
     normals times `least` are appended to the coordinates.
     """
     # the sum of the normals of two facing points is at most 2 sin(acos(LEAST_FACING_COSINE)) long
@@ -243,7 +243,7 @@ def _widths_across(
 ) -> tuple[IntArray, IntArray, FloatArray]:
     """Return index pairs (k,) of points that face each other across the material, and their distances, mm.
 
-    Each point is paired with the closest one only. Short distances are searched first, because a long search
+    Each point is paired only with the closest point. Short distances are searched first, because a long search
     distance gives very many pairs between close slots.
     """
     pairs: list[tuple[IntArray, IntArray, FloatArray]] = []
@@ -274,7 +274,7 @@ def _thinnest_of_each_group(middle: FloatArray, width: FloatArray, least: float)
     order = np.argsort(width, kind="stable")
     i, j = near_pairs(middle[order], middle[order], least)
     ranks = np.arange(order.size)
-    thinnest, known = ranks.copy(), None  # least rank by width found so far in the group of each place
+    thinnest, known = ranks.copy(), None  # least rank by width, found so far, in the group of each place
     while known is None or not np.array_equal(thinnest, known):
         known = thinnest.copy()
         np.minimum.at(thinnest, i, known[j])
@@ -343,11 +343,11 @@ LARGER_THAN_STOCK = 2.0
 places."""
 
 LEAST_LENGTH_RATIO = 4.0
-"""Least ratio of length to width of a suggested strip. At half this ratio it would bend as a plate."""
+"""Least ratio of length to width of a suggested strip. A strip of half this ratio bends as a plate."""
 
 LAP_THICKNESSES = 20
-"""Suggested length of the plates that join pieces, as a multiple of the thickness. From about 12 on, the glue
-joint is as strong as the sheet."""
+"""Suggested length of the plates that join pieces, as a multiple of the thickness. From about 12 thicknesses on,
+the glue joint is as strong as the sheet."""
 
 MOST_LISTED = 3  # number of narrow positions of a part that a message lists
 
@@ -409,7 +409,7 @@ def find_strip_faults(
 ) -> tuple[Fault, ...]:
     """Return all faults that prevent a strip from being cut and handled, those of the base first.
 
-    Set `noisy` for a curve through noisy measured points; the advice is then to smooth it.
+    Set `noisy` for a curve through noisy measured points. The advice is then to smooth the curve.
 
     Examples
     --------
@@ -472,7 +472,7 @@ def find_plate_faults(
     called: Sequence[str] = (),
     drilled: Sequence[str] = (),
 ) -> tuple[Fault, ...]:
-    """Return thin bridges between the cuts of a ring, base or rail, and a size beyond the stock.
+    """Return faults of a ring, base or rail: thin bridges between its cuts, and a size beyond the stock.
 
     `called` has the names of the slots, which are the first holes. `drilled` has the names of the last holes.
     """
@@ -554,7 +554,7 @@ def _thin_strip(
 ) -> Iterator[Fault]:
     """Yield faults where a layer is narrower than `least` mm, or narrower than `web` mm beside holes."""
     pattern = strip.layout.pattern is not None
-    holes = () if pattern else layer.holes  # perforated strips have their own limit, `ligament`
+    holes = () if pattern else layer.holes  # perforated strips have another limit, `ligament`
     places = find_thin_places([layer.outline], holes, least)
     necks = [place for place in places if place.loops == (0, 0) and place.width < least * (1 - SEEN_APART)]
     free: list[ThinPlace] = []
