@@ -139,8 +139,8 @@ DEFAULT_LIMITS = FabricationLimits()
 # number of points along a cut per least width; the error of widths is then 1 %
 SAMPLES_PER_WIDTH = 12
 LONGEST_PART = 2.0  # length of chords in the search for pairs, as a multiple of the least width
-# least cosine of the angle between a normal and the connection of points that face each other; in corners wider
-# than 50 degrees, no points face each other
+# For points that face each other: least cosine of the angle between a normal and the connection of the points.
+# In corners wider than 50 degrees, no points face each other.
 LEAST_FACING_COSINE = 0.9
 # largest slope of the width along the strip for which `_is_obviously_wide` is valid; each edge then slopes by 26
 # degrees
