@@ -1,15 +1,14 @@
 """Forces and equations of elements between the ends of a discrete rod while the rod is bent.
 
-Let f be the force on the strip at arc length s, c(s) the position of the strip there, and E the energy of the rod.
-The rest shape is a stationary point of
+Let E be the energy of the rod, c(s) its position at arc length s, and f the force of an element on the strip. A
+pin or rail is at the point P. A cord of length l connects the strip at arc lengths p and q, in the direction of the
+unit vector e(psi). The rest shape is a stationary point of
 
     E + sum over pins and rails <f, P - c(s)> + sum over ties <f, c(q) - c(p) - l e(psi)>
 
-in the edge angles, in the forces f, in the arc length s at each rail, and in the direction psi of each cord. A
-pin fixes the point c(s) of the strip at the point P. At a rail, stationarity in s makes f normal to the strip. A
-cord of length l connects the strip at arc lengths p and q; stationarity in psi makes f parallel to the unit
-vector e(psi). If no end is held along an axis, the translation of the whole rod along this axis is an additional
-unknown.
+with respect to the edge angles, the forces f, the arc length s at each rail and the angle psi of each cord. The
+condition for s makes f normal to the strip. The condition for psi makes f parallel to e(psi). If no end is held
+along an axis, the translation of the whole rod along this axis is an additional unknown.
 """
 
 from dataclasses import dataclass, replace
@@ -41,20 +40,20 @@ if TYPE_CHECKING:
 class ElementEquations:
     """Residuals of the elements and their derivatives.
 
-    The unknowns of each element are the two components of its force. A rail also has the arc length of its
-    contact point, and a tie its length times the angle of the cord. Translations of the rod along free axes
-    follow. Residuals of force components are position errors, mm. The other residuals are forces, 1/mm2.
+    The first two unknowns of an element are the components of its force. The third unknown of a rail is the arc
+    length of its contact point. The third unknown of a tie is the length times the angle of its cord. The last
+    unknowns are the translations of the rod along free axes. The residuals of force components are position errors,
+    mm. All other residuals are forces, 1/mm2.
 
     Attributes
     ----------
     rows : (k, n) array
-        Derivatives of the residuals by the angles of the edges.
+        Derivatives of the residuals with respect to the angles of the edges.
     pulls : (k, n) array
-        Derivatives by the unknowns of the axial force of each edge, times the length of the edge over the
-        nominal length. The axial force is the component of lambda (the negative internal force) along the
-        edge.
+        Derivatives of the axial force of each edge with respect to the unknowns, times its length divided by the
+        nominal length. The axial force is the component of lambda (the negative internal force) along the edge.
     corner : (k, k) array
-        Derivatives of the residuals by the unknowns.
+        Derivatives of the residuals with respect to the unknowns.
     residual : (k,) array
     places : (k,) bool array
         True for residuals that are position errors.
@@ -78,10 +77,10 @@ class MountedElements:
         unknowns.
     supports : Supports
     anchor : (2,) array
-        Coordinates, mm, of the end from which positions are computed, for x and y separately. This end is the
-        start if the start holds the coordinate, otherwise the end.
+        Coordinates x and y, mm, from which positions are computed: of the start where the start is held, otherwise
+        of the end.
     load : (2,) array
-        Sum of the known forces over the least bending stiffness, 1/mm2.
+        Sum of the known forces divided by the least bending stiffness, 1/mm2.
     edge_length : float
         Length of an edge, mm.
     """
@@ -119,7 +118,7 @@ class MountedElements:
         return self.edge_length * (self._between(action, len(tangents)) @ tangents)
 
     def place(self, s: float, tangents: FloatArray, order: int = 0) -> FloatArray:
-        """Return the position (2,) of the strip at arc length s, mm, or its derivative by s."""
+        """Return the position (2,), mm, of the strip at arc length s, or its derivative of the given order."""
         weights = edge_weights(s, self.edge_length, len(tangents), order)
         reach = self.edge_length * (weights @ tangents)
         if order:
@@ -127,7 +126,7 @@ class MountedElements:
         return np.asarray(self.anchor + reach - self._from_end * self.edge_length * tangents.sum(axis=0))
 
     def force(self, numbers: FloatArray, edges: int) -> FloatArray:
-        """Return the contribution (n, 2) of the elements to the force lambda of the edges, 1/mm2."""
+        """Return the part (n, 2) of the edge forces lambda, 1/mm2, that the elements cause."""
         force = np.zeros((edges, 2))
         for action in self.solved(numbers):
             if isinstance(action.element, Tie):
@@ -137,7 +136,7 @@ class MountedElements:
         return force
 
     def equations(self, tangents: FloatArray, numbers: FloatArray) -> ElementEquations:
-        """Return the equations for unknowns (k,) and edge tangents (n, 2) times length over nominal length."""
+        """Return the equations for unknowns `numbers` (k,) and edge vectors (n, 2) in nominal edge lengths."""
         n, k, h = len(tangents), numbers.size, self.edge_length
         across = h * left_of(tangents).T
         rows, pulls, corner = np.zeros((k, n)), np.zeros((k, n)), np.zeros((k, k))
@@ -160,7 +159,7 @@ class MountedElements:
                 rows[pair] = across * weights
                 residual[pair] = h * (weights @ tangents) - length * e
                 if self.turns_freely:
-                    # fix the direction of the cords; the rod could turn as a whole
+                    # fix the direction of the cords, because the rod could turn as a whole
                     corner[more, more] = 1.0
                 else:
                     residual[more] = -f @ left_of(e)
@@ -192,7 +191,7 @@ class MountedElements:
         return ElementEquations(rows, pulls, corner, residual, places)
 
     def solved(self, numbers: FloatArray) -> tuple[ElementForce, ...]:
-        """Return the elements with the forces and positions for given unknowns (k,)."""
+        """Return the elements with the forces and arc lengths of the unknowns `numbers` (k,)."""
         actions, at = [], 0
         for action in self.actions:
             f, s = numbers[at : at + 2], action.s
@@ -208,7 +207,7 @@ class MountedElements:
         return tuple(actions)
 
     def shift(self, numbers: FloatArray) -> FloatArray:
-        """Return the translation (2,), mm, of the whole rod, which is among the unknowns."""
+        """Return the translation (2,), mm, of the whole rod, from the unknowns `numbers` (k,)."""
         shift = np.zeros(2)
         free = self.free_axes
         shift[free] = numbers[numbers.size - len(free) :]
@@ -234,7 +233,8 @@ MEETS_SHARE = 1e-9
 PULLS_SHARE = 1e-9
 """Force in the wrong direction, as a fraction of the largest force, that counts as a rounding error."""
 
-_FOOT_STEPS = 30  # largest number of Newton steps to the point of the strip that is nearest to a rail
+# largest number of Newton steps in the search for the point of the strip nearest to a rail
+_FOOT_STEPS = 30
 
 
 @dataclass(frozen=True, eq=False)
@@ -256,7 +256,7 @@ class ShapeOfRod:
         return cls(rod.discrete.tangents, rod.length / (rod.s.size - 1), rod.position[0])
 
     def at(self, s: float, order: int = 0) -> FloatArray:
-        """Return the position (2,) at arc length s, mm, or its derivative by s."""
+        """Return the position (2,), mm, at arc length s, or its derivative of the given order."""
         weights = edge_weights(float(s), self.edge_length, len(self.tangents), order)
         return np.asarray(self.start * (order == 0) + self.edge_length * (weights @ self.tangents))
 
@@ -266,7 +266,7 @@ class ShapeOfRod:
         s = self.edge_length * float(np.hypot(*(nodes - point).T).argmin())
         for _ in range(_FOOT_STEPS):
             off, slope = point - self.at(s), self.at(s, 1)
-            # at least 0.3, because Newton steps diverge near the centre of curvature
+            # a smaller value than 0.3 would make Newton's method diverge near the centre of curvature
             spread = max(float(slope @ slope - off @ self.at(s, 2)), 0.3)
             before, s = s, float(np.clip(s + off @ slope / spread, 0.0, self.length))
             if abs(s - before) <= 1e-13 * self.length:
@@ -275,13 +275,14 @@ class ShapeOfRod:
 
 
 def mounted(rod: "Rod", between: tuple[Element, ...] | None) -> tuple[ElementForce, ...]:
-    """Return the present elements of a rod as they are mounted, or new elements that replace them.
+    """Return the mounted elements of a rod: its present elements, or new elements `between`.
 
-    A pin or rail at a point away from the strip moves the strip to this point. A pin with the same index as a
-    present pin keeps its arc length. The length of a tie without `length` is the distance between its two points.
+    A pin or rail at a point away from the strip moves the strip to this point. A new pin with the same index as a
+    present pin has the arc length of the present pin. The length of a tie without `length` is the distance between
+    its two points.
     """
     if not (rod.between if between is None else between):
-        return ()  # do not compute the curve, because a rod with jumps of its curvature has no spline
+        return ()  # before the curve is computed, because a rod with jumps of the curvature has no spline
     curve = rod.curve
     shape = curve if rod.compression is None or rod.shape is not None else ShapeOfRod.of(rod)
     if between is None:
@@ -319,7 +320,7 @@ def _new(
     s = PlacedElement.on(element, curve, curve).s
     force = np.zeros((s.size, 2))
     if before is not None and type(before.element) is type(element):
-        force = before.force  # an element that exerted a force starts taut
+        force = before.force  # the new element is initially taut if the old element exerted a force
     if isinstance(element, Tie):
         return _kept(ElementForce(element, s, force), curve, shape)
     if isinstance(element, Pin) and before is not None and isinstance(before.element, Pin):
@@ -352,7 +353,7 @@ def wrong_force(action: ElementForce, shape: ShapeOfRod) -> float:
 
 
 def with_side(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
-    """Return a one-sided rail with the direction of its push, if it was unknown. Other elements are unchanged."""
+    """Return a one-sided rail with the direction in which it pushes; return other elements unchanged."""
     mount = action.mounting
     if mount.side or not (isinstance(action.element, Rail) and action.element.one_sided):
         return action
@@ -373,7 +374,7 @@ def violation(action: ElementForce, shape: ShapeOfRod) -> float:
 
 
 def touching(action: ElementForce, shape: ShapeOfRod) -> ElementForce:
-    """Return a slack element: its force is 0, and a rail is at the nearest point of the strip."""
+    """Return the element without force; a rail then touches the nearest point of the strip."""
     s = action.s
     if isinstance(action.element, Rail):
         s = np.array([shape.foot(np.array(action.mounting.point))])

@@ -1,4 +1,7 @@
-"""Rest shapes by Newton's method while supports or loads change, and branches of buckled shapes."""
+"""Rest shapes by Newton's method while supports or loads change, and branches of buckled shapes.
+
+The path of a continuation is the interval from 0 (start) to 1 (required supports and loads).
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -11,29 +14,33 @@ from elastica_cad.mechanics.discrete_rod import lowest_constrained, solve_border
 from elastica_cad.mechanics.rod_system import Residual, RodState, RodSystem, Step
 from elastica_cad.refusals import Length
 
-TOLERANCE = 1e-10  # largest relative error of moments and positions in `bend`
+# largest relative error of moments and positions in a rest shape
+TOLERANCE = 1e-10
 # largest rotation of an edge in a step; linearised cos and sin then have an error of one eighth
 LARGEST_TURN_RAD = 0.5
-SMALL_TURN_RAD = 0.02  # largest rotation of an edge in steps near a crossing of two branches
+# largest rotation of an edge in a step near a crossing of two branches of equilibria
+SMALL_TURN_RAD = 0.02
 # rotation along an unstable mode in each step of a minimisation, far above rounding errors
 SADDLE_PUSH_RAD = 0.05
-ASTRAY_RAD = float(np.pi)  # largest rotation of an edge in a step of a minimisation before the line search
-# largest rotation of an edge in a step of a minimisation below which Newton's method takes over
+# largest rotation of an edge in a step of a minimisation before the line search
+ASTRAY_RAD = float(np.pi)
+# rotation of an edge in a step of a minimisation below which Newton's method replaces the minimisation
 NEAR_REST_RAD = 1e-2
-# largest rotation in a Newton step after which the next step, about its square, is below rounding errors
+# rotation of an edge in a Newton step below which Newton's method ends; the next step is about its square
 CONVERGED_RAD = 1e-9
 MOST_DESCENT_STEPS = 300
-# accuracy, as a fraction of the path, with which the point is located where an element becomes slack or taut
+# accuracy, as a fraction of the path, of the point at which an element becomes slack or taut
 STOP_SHARE = 1e-3
-LEAST_STEP = 1e-7  # least step, as a fraction of the path; the end of a branch is located with this accuracy
+# least step, as a fraction of the path; the end of a branch is located with this accuracy
+LEAST_STEP = 1e-7
 
 Stop = Callable[[RodState, float], bool]
-"""Function that returns True for a state, reached after a fraction of the path, at which to stop."""
+"""Function of a state and of the completed fraction of the path; returns True to stop the continuation."""
 
 
 @dataclass(frozen=True, eq=False)
 class Reached:
-    """Last state of a continuation; `fraction` is the completed fraction of its path."""
+    """Last state of a continuation, completed fraction of the path, and number of steps."""
 
     state: RodState
     fraction: float
@@ -86,8 +93,8 @@ def correct(
     Parameters
     ----------
     kept : Residual, optional
-        Imbalance of moments and position errors that the solution keeps, as artificial loads of a
-        continuation.
+        Imbalance of moments, and position errors, that remain in the solution; by default 0. A continuation
+        reduces them in steps.
     turn : float
         Largest rotation of an edge, rad, in a step and in total.
     damping : float
@@ -143,19 +150,18 @@ def follow(
     turn: float = LARGEST_TURN_RAD,
     before: RodSystem | None = None,
 ) -> Reached:
-    """Continue from a state to an equilibrium: its imbalance is treated as a load and reduced to zero in steps.
+    """Continue from a state to an equilibrium by reducing the imbalance of the state to zero in adaptive steps.
 
     Positions and angles of the ends change linearly from present to required values. Weight, forces,
-    stiffness and supports change in proportion. Steps are adaptive. The continuation ends where the branch
-    turns back, and soon after the first state for which `stop` returns True.
+    stiffness and supports change in proportion. The continuation ends early if the branch turns back, or if
+    `stop` returns True.
 
     Parameters
     ----------
     turn : float
         Largest rotation of an edge in a step, rad.
     before : RodSystem, optional
-        System with the loads at the start. The loads change linearly, so intermediate states are rest shapes
-        under a fraction of the change.
+        System with the initial loads, which change linearly to the final loads. By default the loads are constant.
     """
     if is_balanced(state):
         return Reached(_polish(state), 1.0, 0)
@@ -165,7 +171,7 @@ def follow(
     )
 
     def loaded(t: float) -> RodSystem:
-        # return the same object, because states cache results for it
+        # return the identical system if the loads are constant, because a state caches results for its system
         return between_loads(before, final, t) if before is not None and changes else final
 
     start = state.under(loaded(0.0)).residual
@@ -189,9 +195,8 @@ def trace(
 ) -> Reached:
     """Follow the equilibria of `problem(t)` from `state` at t = `start` towards t = 1 in adaptive steps.
 
-    Along a branch, the number of unstable modes changes only where another branch crosses it. Crossings are
-    passed in small steps. A long step that changes the number may have reached another branch, so a shorter
-    step replaces it.
+    Along a branch, the number of unstable modes changes only at crossings with other branches, which are passed in
+    small steps. A long step that changes this number may have reached another branch, so it is shortened.
     """
     t, step, count = start, 1.0 - start, 0
     modes: int | None = None
@@ -243,13 +248,12 @@ def relax(state: RodState) -> RodState | None:
     if start is None:
         return None
     rest = _minimise_energy(start, np.inf)
-    # Newton's method may diverge near a kink of a hardening material, which is a thousand times as stiff
-    # there
+    # Newton's method may diverge near a kink of a hardening material, beyond which it is much stiffer
     return _minimise_energy(start, ASTRAY_RAD) if rest is None else rest
 
 
 def _minimise_energy(state: RodState, astray: float) -> RodState | None:
-    """Minimise the energy; return None on failure. Longer steps than `astray` (rad) are shortened."""
+    """Minimise the energy in steps of at most `astray` rad; return None on failure."""
     system = state.system
     softest = 1e-3 * system.edge_length / system.length**2
     for _ in range(MOST_DESCENT_STEPS):
@@ -298,9 +302,9 @@ def _descend(state: RodState, step: Step, factor: float) -> RodState | None:
 
 
 def _place_ends(state: RodState) -> RodState | None:
-    """Return the state with correct positions of ends and elements, by the least change of angles.
+    """Return the state after the least change of angles that corrects the positions of ends and elements.
 
-    The forces of an axially elastic rod change too.
+    In an axially elastic rod, the forces change too.
     """
     moves = np.logical_not(state.places)
     unit = np.where(moves, state.system.length**2, 1.0)
@@ -334,7 +338,8 @@ def _residual_beyond(state: RodState, kept: Residual | None) -> Residual:
 def _relative_error(state: RodState, residual: Residual) -> float:
     """Return the larger of the relative errors of moments and positions.
 
-    Moments are relative to the moments of the rod, but at least to the moments of a bend of 1e-3 rad.
+    Errors of moments are relative to the moments of the rod, or to the moments of a bend of 1e-3 rad if these are
+    larger.
     """
     length = state.system.length
     unit = max(state.scale, 1e-3 / length)
@@ -342,12 +347,15 @@ def _relative_error(state: RodState, residual: Residual) -> float:
     return max(imbalance / unit, state.missed(residual.miss))
 
 
-# largest difference of edge angles of a straight rod; a larger angle is visible in 10 m drawn to a micrometre
+# largest difference of the edge angles of a straight rod; it displaces an end of a rod of 10 m by a micrometre
 STRAIGHT_RAD = 1e-7
-DECIDING_TURN_RAD = 0.5  # angle between the held ends above which this angle determines the side
-FIRST_CHORD = 0.9  # first distance between the ends of a buckled rod, as a fraction of the length
-LOAD_RESOLUTION = 1e-7  # accuracy of the bisected buckling load, as a fraction of the full load
-# amplitudes of the buckled shape; the largest one that converges is used
+# angle between the clamped ends above which the rod bends to the side of this angle by default
+DECIDING_TURN_RAD = 0.5
+# least distance between the ends of the first buckled rod, as a fraction of the length
+FIRST_CHORD = 0.9
+# accuracy of the bisected buckling load, as a fraction of the full load
+LOAD_RESOLUTION = 1e-7
+# amplitudes of the buckled shape, tried in this order until Newton's method converges
 AMPLITUDES_RAD = (0.2, 0.05, 0.01, 0.002)
 
 
@@ -357,7 +365,10 @@ def is_straight(state: RodState) -> bool:
 
 
 def stretch(state: RodState) -> RodState:
-    """Return the straight, unloaded state along the line between the ends, or along the only held coordinate."""
+    """Return the straight, unloaded state in the direction from start to end.
+
+    If both ends hold only x or only y, the direction is along this axis.
+    """
     system, chord = state.system, np.zeros(2)
     chord[list(system.held)] = system.chord
     angle = _nearest_angle(_direction(state), chord)
@@ -396,7 +407,7 @@ def _direction(state: RodState) -> float:
     if len(system.held) < 2 or float(np.hypot(*chord)) < 1e-9 * system.length:
         return present
     angle = _nearest_angle(present, chord)
-    # if the end must move to the other side of the start, keep the direction
+    # if the chord has the opposite direction, keep the present direction
     return angle if abs(angle - present) < np.pi / 2 else present
 
 
@@ -425,7 +436,7 @@ def _buckle_by_shortening(state: RodState, side: int, mode: int) -> RodState:
     system, angle = state.system, float(state.angles[0])
     length, edge = system.length, system.edge_length
     tangent = np.array([np.cos(angle), np.sin(angle)])
-    # the requested distance of the ends determines the first displacement
+    # move the ends to their required distance, but not closer than `FIRST_CHORD`
     distance = float(np.linalg.norm(system.chord))
     chord = length * min(max(distance / length, FIRST_CHORD), 1 - 1e-12)
     first = replace(
@@ -480,7 +491,7 @@ def _buckle_by_load(state: RodState, side: int, mode: int) -> RodState:
 def _reach_amplitude(
     system: RodSystem, straight: RodState, shape: FloatArray, amplitude: float, factor: float
 ) -> tuple[RodState, float] | None:
-    """Return the equilibrium with a given amplitude of `shape`, and its load factor."""
+    """Return the equilibrium in which `shape` has the given amplitude, and the load factor."""
     state = straight.moved(Step(shape, np.zeros_like(straight.reactions)), amplitude)
     for _ in range(25):
         now = state.under(system.loaded(factor))
@@ -503,7 +514,7 @@ def _reach_amplitude(
 
 
 def _mode(state: RodState, side: int, mode: int) -> tuple[float, FloatArray]:
-    """Return the eigenvalue (1/mm2) number `mode` of the second variation per length, and its eigenvector.
+    """Return eigenvalue (1/mm2) and eigenvector number `mode`, from 1, of the second variation per length.
 
     The first half-wave is to the left (side +1) or right (side -1) of the direction from start to end.
     """

@@ -1,6 +1,7 @@
-"""Stiffness of least ratio for which a rod is in equilibrium on a curve.
+"""Stiffness of least ratio with which a rod is in equilibrium on a curve.
 
-The rod has no weight, weight proportional to its stiffness, weight in newtons, or the weight of a section.
+The ratio is the largest divided by the least stiffness along the rod. The rod has no weight, weight proportional to
+its stiffness, weight in newtons, or the weight of a section.
 """
 
 from dataclasses import dataclass, replace
@@ -34,7 +35,7 @@ from elastica_cad.mechanics.theorem1 import NotRealizable
 from elastica_cad.refusals import FieldName, Length, note
 
 LEAST_SHARE = 1e-6
-"""Least ratio of least to largest stiffness, if only the largest is limited; strips below it cannot be built."""
+"""Least stiffness of a strip that can be built, as a fraction of its largest stiffness."""
 
 
 class OverloadError(InputError):
@@ -67,7 +68,7 @@ def balance_of(request: RodRequest) -> BalancedStiffness:
 
 
 def balance_without_weight(request: RodRequest) -> BalancedStiffness:
-    """Return the weightless stiffness of least ratio (paper, Eq. 4) on the whole curve or at the nodes only."""
+    """Return the stiffness of least ratio of a rod without weight (paper, Eq. 4)."""
     problem, numbers, cut = _weightless(request)
     state = problem.least(numbers, smooth=bool(request.elements))
     return replace(problem.balance(problem.steadied(state)), kinks=cut.kinks)
@@ -90,7 +91,7 @@ def _weightless(request: RodRequest) -> tuple[ConditionedRows, StateFamily, CutC
         rows = moment_rows(cut.panels, units=request.units_on(cut.panels))
         problem = ConditionedRows(request, cut.panels, rows)
         numbers = problem.homogeneous(loaded=False)
-        # refine, because an element near a zero of the curvature makes the stiffness vary strongly
+        # with elements, refine the panels, because the stiffness varies strongly near zeros of the curvature
         finer = cut.for_stiffness(numbers.family.rows) if request.elements else None
         if finer is None:
             break
@@ -127,7 +128,10 @@ def _with_weight(request: RodRequest) -> BalancedStiffness:
 
 
 def carried_weight(weight: Weight, gravity: Gravity, bending_stiffness: float) -> Weight:
-    """Return the weight; `own` adds the weight of a strip of least bending stiffness B, N mm2."""
+    """Return the weight; if `weight.own` is True, add the weight of the strip.
+
+    `bending_stiffness` is the least bending stiffness B of the strip, N mm2.
+    """
     step = bending_stiffness / gravity.length**3
     return replace(weight, beta=_raised(weight.beta, step), own=False) if weight.own else weight
 
@@ -157,7 +161,7 @@ class WeightedPanels:
     def points(self) -> FloatArray:
         """Known forces (N + 1, 2), N, at the ends of the panels.
 
-        A force at an end that is held in place has no effect.
+        Forces at held ends are left out, because they do not bend the rod.
         """
         points = np.zeros((self.panels.count + 1, 2))
         unit = 1e-3 * STANDARD_GRAVITY_M_S2 * self.down
@@ -175,7 +179,7 @@ class WeightedPanels:
         return np.array([0.0, -1.0]) if self.gravity is None else np.asarray(self.gravity.direction)
 
     def carrying(self, own: FloatArray, dead: FloatArray, points: FloatArray) -> "ConditionedRows":
-        """Return the equilibrium conditions for weights at the nodes and ends of the panels; see `LineLoad`."""
+        """Return the equilibrium conditions for the weights `own`, `dead` and `points` of a `LineLoad`."""
         panels = self.panels
         load = LineLoad(-self.down, own, dead, points)
         rows = moment_rows(panels, load, self.request.units_on(panels))
@@ -184,7 +188,7 @@ class WeightedPanels:
         return ConditionedRows(self.request, panels, rows)
 
     def refuse(self) -> NoReturn:
-        """Raise `NotRealizable`, because the moment exceeds the range of floating-point numbers."""
+        """Raise `NotRealizable` for a moment beyond the range of floating-point numbers."""
         check = self.request.check
         assert self.gravity is not None  # without gravity, moments are bounded
         reason = far_too_heavy(self.gravity, check.length)
@@ -276,9 +280,9 @@ def _ratio_at(load: WeightedPanels, tau: float) -> float:
 
 
 def _within_stiffness(load: WeightedPanels, weight: Weight, most: float) -> tuple[BalancedStiffness, float]:
-    """Return the stiffness with the largest value `most`, N mm2, and the greatest least value, and its tau.
+    """Return the stiffness of least ratio with the largest value `most`, N mm2, and the inverse of its least value.
 
-    Tau is the inverse of the least bending stiffness. A weight proportional to K depends on tau, so iterate.
+    A weight proportional to the relative stiffness depends on this least value, so both are found by iteration.
     """
     least = max(load.request.least_stiffness or 0.0, LEAST_SHARE * most) * (1 + BOUNDED)
     most /= 1 + BOUNDED
@@ -303,7 +307,7 @@ def _overload(load: WeightedPanels, problem: ConditionedRows, least: float, most
         problem.refuse(numbers.family)
     try:
         thickening = _thickening_factor(load, least, most)
-    except NotConvergedError:  # the message then contains the width only
+    except NotConvergedError:  # the message then suggests no thickness
         thickening = None
     return OverloadError(bound * needed[1], most, thickening)
 
@@ -334,7 +338,7 @@ MOST_ROUNDS = 40
 """Largest number of linear programs in the search for a section."""
 
 SETTLED_SHARE = 1e-7
-"""Relative change of E I below which the search ends; the error of the linearised weight is its square."""
+"""Relative change of E I below which the search ends; the relative error of the weight is about its square."""
 
 TANGENT_STEP = 1e-4
 """Relative change of E I in the finite difference for the slope of the weight.
@@ -346,25 +350,25 @@ FIT_SHARE = 1e-5
 """Largest accepted relative violation of the limits of E I."""
 
 HOPELESS_SHARE = 1e-4
-"""Ratio to the E I of the least section below which a search for ever smaller sections stops."""
+"""Fraction of the E I of the least section; the search stops if E I becomes smaller than this."""
 
 WIDEST_REACH = 0.1
-"""Largest mean change of E I in a step of a descent, as a fraction of the limits of E I."""
+"""Largest root mean square change of E I in a step of a descent, as a fraction of the limit of E I."""
 
 MOST_STEPS = 150
 
 SHORTER, LONGER = 0.5, 1.2
-"""Factors on the largest step of a descent: after a reversal of direction, and otherwise."""
+"""Factors on the largest step of a descent: `SHORTER` after a reversal of direction, otherwise `LONGER`."""
 
 LONGEST_JUMP = float(np.log(4.0))
-"""Largest step when a sequence of scales is extrapolated, in natural logarithms."""
+"""Largest change of the natural logarithm of a scale by extrapolation."""
 
 SLOWEST_RATE = 0.99
 """Ratio of the last two steps of a sequence below which the sequence is extrapolated."""
 
 
 def _with_section(request: RodRequest, section: BoundedLaw) -> BalancedStiffness:
-    """Return the stiffness of least ratio in equilibrium, as large as the limits of a section allow.
+    """Return the stiffness of least ratio in equilibrium, scaled to the limits of a section.
 
     Each iteration linearises the weight at the last E I, solves the linear program in the relative stiffness
     K (paper, Eq. 6), and updates the scale. The result is a local optimum, because the full problem is not
@@ -399,14 +403,14 @@ def _bent(section: BoundedLaw, panels: Panels, excess: ExcessCurvature) -> Bound
 
 @dataclass(frozen=True, eq=False)
 class TangentWeight:
-    """Tangent fixed + slope E I to the weight per length of a section, N/mm, at given values E I (n,)."""
+    """Linearised weight per length of a section, N/mm: `fixed` + `slope` E I, with arrays (n,) for n stations."""
 
     fixed: FloatArray
     slope: FloatArray
 
     @classmethod
     def of(cls, law: StiffnessLaw, bending_stiffness: FloatArray) -> "TangentWeight":
-        """Return the linearisation at E I (n,), N mm2."""
+        """Return the linearisation near the bending stiffness E I (n,), N mm2."""
         below, at, above = (
             law.weight_per_length(law.parameter(bending_stiffness * (1 + step)))
             for step in (-TANGENT_STEP, 0.0, TANGENT_STEP)
@@ -430,7 +434,7 @@ def _converged_balance(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffne
         problem = load.carrying(tangent.slope, tangent.fixed, points)
         try:
             state = problem.least(problem.at_compliance(1 / scale))
-        except NotConvergedError as error:  # without weight, a solution exists
+        except NotConvergedError as error:  # the weight is the cause, because `light` has a solution
             raise _unsettled(law, change) from error
         balance = problem.balance(state)
         next_EI = scale * balance.stiffness.nodal
@@ -451,15 +455,15 @@ def _converged_balance(load: WeightedPanels, law: BoundedLaw) -> BalancedStiffne
 def _balance_by_descent(
     load: WeightedPanels, law: BoundedLaw, state: FloatArray, EI: FloatArray
 ) -> BalancedStiffness:
-    """Return the stiffness in equilibrium whose least E I is largest within the limits.
+    """Return the stiffness in equilibrium that fits a section, by a descent in short steps.
 
-    Without an upper limit, its largest E I is least. The steps are short and become shorter after each
-    reversal, because linear programs oscillate if the optimum is not at a vertex. `state` is the moment and
-    force (3,) at the end of the curve, N mm and N.
+    If the section has an upper limit, the least E I is maximised. Otherwise the largest E I is minimised. The
+    steps become shorter after each reversal, because linear programs oscillate if the optimum is not at a
+    vertex. `state` is the moment (N mm) and force (N) at the end of the curve, an array (3,).
     """
     deciding, points = _deciding_limit(law), load.points
     limit, scale = law.bending_stiffness(deciding), float(law.bending_stiffness(deciding).min())
-    # -1: E I is limited by the largest section; 1: by the least section
+    # -1 if the section has an upper limit, which E I must not exceed; otherwise 1
     sense = -1.0 if np.isfinite(law.limits[1]) else 1.0
     reach, before = WIDEST_REACH, np.zeros(EI.shape)
     for _ in range(MOST_STEPS):
@@ -479,7 +483,7 @@ def _balance_by_descent(
             break
         moved = scale * problem.rows.stiffness @ (numbers.fixed + numbers.basis @ optimum)
         step = moved / EI - 1
-        EI = np.maximum(moved, HOPELESS_SHARE * limit)  # intermediate steps may be below the least section
+        EI = np.maximum(moved, HOPELESS_SHARE * limit)  # an intermediate E I may be too small, or negative
         state = (scale * (numbers.fixed + numbers.basis @ optimum))[:3]
         if float(np.abs(step).max()) < SETTLED_SHARE:
             balance = problem.balance(numbers.fixed + numbers.basis @ optimum)
@@ -495,8 +499,8 @@ def _best_numbers_near(
 ) -> FloatArray | None:
     """Return the parameters near `here` that minimise the largest value of the family, or None.
 
-    The values may change by `reach` (root mean square), or by up to 64 times as much if no solution is
-    nearer.
+    The root mean square change of the values is at most `reach`. If there is no solution, this limit is increased
+    up to 64 times.
     """
     rows, _ = family.dense
     _, sizes, ways = np.linalg.svd(rows, full_matrices=False)
@@ -514,7 +518,7 @@ def _best_numbers_near(
 
 
 def _numbers_of(numbers: StateFamily, state: FloatArray) -> FloatArray:
-    """Return the parameters (d,) of the family member closest to `state`, by least squares."""
+    """Return the parameters (d,) for which the family is closest to `state`, by least squares."""
     size = np.abs(numbers.basis).max(axis=1, initial=0.0) + np.abs(numbers.fixed)
     return np.asarray(
         np.linalg.lstsq(numbers.basis / size[:, None], (state - numbers.fixed) / size, rcond=None)[0]
@@ -564,9 +568,9 @@ def _fitting_scale(law: BoundedLaw, stiffness: PanelFunction) -> float:
 
 
 def _weight(load: WeightedPanels, tangent: TangentWeight, scale: float) -> Weight:
-    """Return the linearised weight along the rod, exact at its default nodes.
+    """Return the linearised weight along the rod, interpolated between its default nodes.
 
-    `beta` refers to the stiffness `scale`.
+    `scale` is the least bending stiffness, N mm2.
     """
     s = np.linspace(0.0, load.request.check.length, DEFAULT_SAMPLES)
     place = load.panels.locate(load.request.check.curve.parameter(s))
